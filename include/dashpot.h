@@ -1,0 +1,565 @@
+// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test abi_header`; do not edit.
+
+// dashpot: an automotive suspension damper for simulators.
+//
+// Give the damper a velocity, get its force:
+//
+//     static dashpot_params params = DASHPOT_PARAMS_INIT;
+//     static dashpot_model model;
+//     dashpot_state state;
+//     double force;
+//
+//     dashpot_params_default(&params);                           // a passenger car damper
+//     dashpot_params_set(&params, "gas_force", 120.0);           // or dashpot_params_read() a model file
+//     dashpot_model_init(&model, &params);                       // checks and prepares
+//     dashpot_state_init(&model, -0.02, &state);                 // initial position, m
+//     while (running)
+//         dashpot_force(&model, &state, velocity, dt, &force);   // m/s and s in, N out
+//
+// Every function answers with a status that a program should look at: 0 is success, positive is a warning,
+// negative is a refusal; dashpot_status_text() says it in words.
+//
+// Units and signs. SI throughout: m, m/s, N, kg, s; temperature in degrees Celsius. Extension (rebound) velocity is
+// positive, compression negative. Tension is positive: a damper that resists extension answers with a positive
+// force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
+//
+// Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
+// on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
+// be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
+// sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
+//
+// Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
+// Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
+// blocks that were never initialised, and numbers that are NaN, infinite or of a magnitude beyond 1e9.
+//
+// Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
+// of them write the same block and none writes what another reads. One model serves any number of dampers; each
+// damper needs its own state. Every call takes a bounded time, takes no lock and leaves the floating-point mode alone.
+//
+// Results are the same to the last bit on every platform, from every compiler, in every thread.
+
+#ifndef DASHPOT_H
+#define DASHPOT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_MSC_VER)
+#define DASHPOT_ALIGNED(n) __declspec(align(n))
+#else
+#define DASHPOT_ALIGNED(n) __attribute__((aligned(n)))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+
+// ==============================================================================================================
+// Version
+// ==============================================================================================================
+
+// The interface version counts changes of the structures and functions below. Programs written for one interface
+// version run with every library of the same interface version.
+
+// Version of this interface.
+#define DASHPOT_ABI_VERSION 1
+
+// The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
+uint32_t dashpot_abi_version(void);
+
+// The version of the library as text, "major.minor.patch". Never null; lives as long as the library.
+const char *dashpot_version(void);
+
+
+// ==============================================================================================================
+// Status
+// ==============================================================================================================
+
+// Every function returns a status: 0 success, positive a warning (the result is there and usable), negative a refusal
+// (nothing was changed). Warnings are bits and may come together. Numbers keep their meaning for ever.
+
+// Success.
+#define DASHPOT_OK 0
+
+// Warning bit: the velocity lies outside the identified force-velocity curve, which is prolonged straight.
+#define DASHPOT_OUTSIDE_RANGE 1
+
+// Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
+#define DASHPOT_LONG_STEP 2
+
+// A pointer is null.
+#define DASHPOT_NULL -1
+
+// An address is not aligned for what it points to.
+#define DASHPOT_MISALIGNED -2
+
+// struct_size is not the size of that structure.
+#define DASHPOT_STRUCT_SIZE -3
+
+// abi_version is not the interface version of this library.
+#define DASHPOT_ABI_MISMATCH -4
+
+// The parameters or the model were not initialised, or by another build of the library.
+#define DASHPOT_NOT_SET -5
+
+// An input is NaN, infinite or of a magnitude beyond 1e9.
+#define DASHPOT_BAD_INPUT -6
+
+// The state holds NaN or infinity: it was not initialised.
+#define DASHPOT_BAD_STATE -7
+
+// dt is NaN, negative, above 1e9 s, or above 0 but below 1e-15 s.
+#define DASHPOT_BAD_TIME_STEP -8
+
+// known has a bit that this library does not know.
+#define DASHPOT_UNKNOWN_FLAG -9
+
+// No parameter or element has this name.
+#define DASHPOT_UNKNOWN_NAME -10
+
+// A parameter is NaN or infinite.
+#define DASHPOT_NOT_FINITE -11
+
+// A parameter is outside the bounds of the parameter table.
+#define DASHPOT_OUT_OF_BOUNDS -12
+
+// A parameter is none of the choices of the parameter table.
+#define DASHPOT_NOT_A_CHOICE -13
+
+// A list where one number belongs, or one number where a list belongs.
+#define DASHPOT_WRONG_SHAPE -14
+
+// A list has too few or too many points.
+#define DASHPOT_POINT_COUNT -15
+
+// The two lists of a curve have different lengths.
+#define DASHPOT_CURVE_LENGTHS -16
+
+// A list of velocities or displacements does not increase.
+#define DASHPOT_NOT_INCREASING -17
+
+// A list of forces falls: the damper would push where it should resist.
+#define DASHPOT_FALLS -18
+
+// A limit that must lie above another does not.
+#define DASHPOT_ORDER -19
+
+// The caller's array is too short.
+#define DASHPOT_TOO_SHORT -20
+
+// A line of the model file is not of the form name = value.
+#define DASHPOT_FILE_SYNTAX -21
+
+// A value in the model file is neither a number nor a word in double quotes nor a list of them.
+#define DASHPOT_FILE_VALUE -22
+
+// A name appears twice in the model file.
+#define DASHPOT_FILE_REPEATED -23
+
+// The model file does not say format = 1.
+#define DASHPOT_FILE_FORMAT -24
+
+// The model file does not name its elements.
+#define DASHPOT_FILE_NO_ELEMENTS -25
+
+// The model file names an element that this library does not have.
+#define DASHPOT_FILE_UNKNOWN_ELEMENT -26
+
+// A list in the model file has more numbers than any parameter takes.
+#define DASHPOT_FILE_TOO_LONG -27
+
+// The parameter table has no row with this number.
+#define DASHPOT_NO_SUCH_ROW -28
+
+// The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
+// parameter's name: "fv_force" "falls from one point to the next; ...".
+const char *dashpot_status_text(int32_t status);
+
+
+// ==============================================================================================================
+// Parameters
+// ==============================================================================================================
+
+// A parameter set is filled with defaults first, then changed by name, or read from a model file. The names, with
+// units, bounds and meaning, are listed at the end of this header.
+
+// A parameter set. Start with DASHPOT_PARAMS_INIT, or set the first two members by hand, and call
+// dashpot_params_default().
+typedef struct DASHPOT_ALIGNED(16) dashpot_params {
+  // sizeof(dashpot_params).
+  uint32_t struct_size;
+  // DASHPOT_ABI_VERSION.
+  uint32_t abi_version;
+  // The library's.
+  uint64_t opaque[1023];
+} dashpot_params;
+
+// What was refused, and where.
+typedef struct dashpot_fault {
+  // What: a status; 0 when nothing was refused.
+  int32_t status;
+  // Line of the model file, from 1; 0 where no line is to blame.
+  uint32_t line;
+  // Name of the parameter or element, zero-terminated; empty where none is to blame.
+  char parameter[48];
+} dashpot_fault;
+
+// Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
+int32_t dashpot_params_default(struct dashpot_params *params);
+
+// Sets one number, or a choice by its number.
+int32_t dashpot_params_set(struct dashpot_params *params, const char *name, double value);
+
+// Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
+// checked by dashpot_params_check() and dashpot_model_init().
+int32_t dashpot_params_set_list(struct dashpot_params *params, const char *name, const double *values, uint32_t count);
+
+// Reads one number, or the number of a choice, into *value.
+int32_t dashpot_params_get(const struct dashpot_params *params, const char *name, double *value);
+
+// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null only
+// the length is told.
+int32_t dashpot_params_get_list(const struct dashpot_params *params,
+                                const char *name,
+                                double *values,
+                                uint32_t capacity,
+                                uint32_t *count);
+
+// Switches an element of the model on (on not 0) or off (0).
+int32_t dashpot_params_enable(struct dashpot_params *params, const char *element, uint32_t on);
+
+// Tells whether an element of the model is on: *on becomes 1 or 0.
+int32_t dashpot_params_is_on(const struct dashpot_params *params, const char *element, uint32_t *on);
+
+// Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
+// are set: those that the file does not name get their defaults. Where it refuses, *fault tells the line and the
+// parameter; fault may be null.
+//
+// Numbers are read the same way whatever the locale: the decimal sign is a point.
+int32_t dashpot_params_read(struct dashpot_params *params,
+                            const char *text,
+                            size_t length,
+                            struct dashpot_fault *fault);
+
+// Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
+int32_t dashpot_params_check(const struct dashpot_params *params, struct dashpot_fault *fault);
+
+/** A parameter set before dashpot_params_default(): dashpot_params params = DASHPOT_PARAMS_INIT; */
+#define DASHPOT_PARAMS_INIT {sizeof(dashpot_params), DASHPOT_ABI_VERSION, {0}}
+
+
+// ==============================================================================================================
+// Model
+// ==============================================================================================================
+
+// A model is a parameter set that was checked and made ready. It is constant while it runs, and one model serves any
+// number of dampers.
+
+// A prepared model. Nothing in it is for the host.
+typedef struct DASHPOT_ALIGNED(16) dashpot_model {
+  // The library's.
+  uint64_t opaque[3072];
+} dashpot_model;
+
+// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
+// to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
+int32_t dashpot_model_init(struct dashpot_model *model, const dashpot_params *params);
+
+
+// ==============================================================================================================
+// Input
+// ==============================================================================================================
+
+// What the host tells the damper at one instant. dashpot_force() needs none of this.
+
+// The host gives the displacement; without this bit it is integrated from the initial position.
+#define DASHPOT_KNOWS_DISPLACEMENT 1
+
+// The host gives the side force; without this bit it is 0.
+#define DASHPOT_KNOWS_SIDE_FORCE 2
+
+// The host gives the temperature; without this bit it is 20 degrees Celsius.
+#define DASHPOT_KNOWS_TEMPERATURE 4
+
+// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
+// known are not looked at.
+typedef struct dashpot_input {
+  // sizeof(dashpot_input).
+  uint32_t struct_size;
+  // Sum of the DASHPOT_KNOWS_... bits that apply.
+  uint32_t known;
+  // Displacement, m, extension positive. A host that knows it should give it, so that no drift builds up.
+  double displacement;
+  // Velocity, m/s, extension positive. Always needed.
+  double velocity;
+  // Side force on the rod, N.
+  double side_force;
+  // Damper temperature, degrees Celsius.
+  double temperature;
+} dashpot_input;
+
+/** The input of a host that knows the velocity (m/s) alone. */
+static inline dashpot_input dashpot_input_velocity(double velocity) {
+  dashpot_input input;
+  input.struct_size = (uint32_t)sizeof(dashpot_input);
+  input.known = 0;
+  input.displacement = 0.0;
+  input.velocity = velocity;
+  input.side_force = 0.0;
+  input.temperature = 0.0;
+  return input;
+}
+
+/** The input of a host that knows displacement (m) and velocity (m/s). */
+static inline dashpot_input dashpot_input_motion(double displacement, double velocity) {
+  dashpot_input input = dashpot_input_velocity(velocity);
+  input.known = DASHPOT_KNOWS_DISPLACEMENT;
+  input.displacement = displacement;
+  return input;
+}
+
+
+// ==============================================================================================================
+// State
+// ==============================================================================================================
+
+// All that a damper remembers, friction hysteresis included, is in its state: twelve numbers that the host owns. To
+// try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
+// repeats the first to the last bit. A state belongs to the model it was made for.
+
+// State of one damper.
+typedef struct dashpot_state {
+  // Displacement of the driven end, m: given by the host, or integrated from the initial position.
+  double displacement;
+  // Velocity of the driven end at the last step, m/s.
+  double velocity;
+  // Displacement of the internal mass, m.
+  double mass_displacement;
+  // Velocity of the internal mass, m/s.
+  double mass_velocity;
+  // Private states of the elements.
+  double memory[8];
+} dashpot_state;
+
+// Answer at one instant.
+typedef struct dashpot_output {
+  // Damper force, N, tension positive.
+  double force;
+  // dF/dx over the displacement given, N/m. From a step: of the force at its end, all that happens inside included.
+  double force_by_displacement;
+  // dF/dv over the velocity given, N s/m; where no displacement is given, with the displacement it integrates to.
+  double force_by_velocity;
+  // Force of the primary damper (the force-velocity curve), N.
+  double primary_force;
+  // Force of the springs on the internal mass, N.
+  double spring_force;
+  // Friction, N.
+  double friction_force;
+  // Gas force, N; negative where it pushes the rod out.
+  double gas_force;
+  // Deflection of the series spring, m.
+  double series_deflection;
+} dashpot_output;
+
+// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
+// gives the static force.
+int32_t dashpot_state_init(const dashpot_model *model, double initial_position, struct dashpot_state *state);
+
+
+// ==============================================================================================================
+// Step
+// ==============================================================================================================
+
+// For hosts with a fixed step. A step runs from the instant a state was reached to dt later; the input is the one at
+// the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
+// it was reached with, so the two cannot contradict each other.
+//
+// dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held. The
+// state stays as it is.
+
+// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
+// the initial position.
+int32_t dashpot_force(const dashpot_model *model, dashpot_state *state, double velocity, double dt, double *force);
+
+// One step of dt (s) from *from to the input *to_input; writes the state reached to *to and the answer there to
+// *output. from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
+int32_t dashpot_step(const dashpot_model *model,
+                     const dashpot_state *from,
+                     const dashpot_input *to_input,
+                     double dt,
+                     dashpot_state *to,
+                     dashpot_output *output);
+
+// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
+// same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
+// the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
+// damper leaves every output untouched. Returns all warnings together.
+int32_t dashpot_step_batch(uint32_t count,
+                           const dashpot_model *const *models,
+                           const dashpot_state *from,
+                           const dashpot_input *to_inputs,
+                           double dt,
+                           dashpot_state *to,
+                           dashpot_output *outputs);
+
+
+// ==============================================================================================================
+// Evaluation
+// ==============================================================================================================
+
+// For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. Pure: the
+// state is read and not changed.
+//
+// The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
+// eight private states. A host that gives no displacement integrates that too (rate->displacement is the velocity).
+// state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
+
+// All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
+typedef struct dashpot_partials {
+  // dF/d(input).
+  double force_by_input[2];
+  // dF/d(state).
+  double force_by_state[10];
+  // d(rate of state i)/d(input).
+  double rate_by_input[10][2];
+  // d(rate of state i)/d(state j).
+  double rate_by_state[10][10];
+} dashpot_partials;
+
+// Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
+int32_t dashpot_evaluate(const dashpot_model *model,
+                         const dashpot_state *state,
+                         const dashpot_input *input,
+                         dashpot_output *output,
+                         dashpot_state *rate);
+
+// All partial derivatives of force and rates at *state and *input, to *partials.
+int32_t dashpot_jacobian(const dashpot_model *model,
+                         const dashpot_state *state,
+                         const dashpot_input *input,
+                         struct dashpot_partials *partials);
+
+
+// ==============================================================================================================
+// Parameter table
+// ==============================================================================================================
+
+// For programs that list the parameters, such as a dialogue: name, unit, bounds, default and meaning of every row.
+
+// The parameter is one number.
+#define DASHPOT_SHAPE_NUMBER 0
+
+// The parameter is one of several words, set by number from 0; meaning lists them.
+#define DASHPOT_SHAPE_CHOICE 1
+
+// The parameter is a list of numbers.
+#define DASHPOT_SHAPE_LIST 2
+
+// One row of the parameter table. Set struct_size before the call.
+typedef struct dashpot_parameter {
+  // sizeof(dashpot_parameter).
+  uint32_t struct_size;
+  // DASHPOT_SHAPE_NUMBER, DASHPOT_SHAPE_CHOICE or DASHPOT_SHAPE_LIST.
+  uint32_t shape;
+  // Numbers that it may hold: 1, or the greatest length of a list.
+  uint32_t capacity;
+  // Row of this parameter in the table.
+  uint32_t row;
+  // Default; of a list its first number (dashpot_params_get_list() on a default set gives all).
+  double default_value;
+  // Smallest allowed value.
+  double low;
+  // Largest allowed value.
+  double high;
+  // Name.
+  char name[48];
+  // SI unit; "-" for a pure number.
+  char unit[16];
+  // The element it belongs to, or the group of settings.
+  char element[48];
+  // One sentence.
+  char meaning[256];
+} dashpot_parameter;
+
+// Number of rows of the parameter table.
+uint32_t dashpot_parameter_count(void);
+
+// Describes row `row` of the parameter table, from 0.
+int32_t dashpot_parameter_info(uint32_t row, struct dashpot_parameter *info);
+
+
+// ==============================================================================================================
+// Parameters, their units, bounds and defaults
+// ==============================================================================================================
+
+// Names for dashpot_params_set(), dashpot_params_set_list() and model files.
+//
+// fv_curve (element, on by default): primary damper: the force-velocity (FV) curve
+//   fv_form                  FV curve from the table or from slopes and knees [0 table, 1 piecewise]
+//   fv_interpolation         how the FV table runs between its points [0 monotone_cubic, 1 linear]
+//   fv_velocity              velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
+//   fv_force                 forces of the FV table, tension positive, non-decreasing [N, -1000000 to 1000000, at most 63 numbers]
+//   fv_rebound_c1            Cr1: rebound slope below the first knee [N s/m, 0 to 1000000, default 6000]
+//   fv_rebound_c2            Cr2: rebound slope between the knees [N s/m, 0 to 1000000, default 2500]
+//   fv_rebound_c3            Cr3: rebound slope above the second knee [N s/m, 0 to 1000000, default 1600]
+//   fv_rebound_v1            first rebound knee [m/s, 0.0001 to 10, default 0.13]
+//   fv_rebound_v2            second rebound knee [m/s, 0.0001 to 10, default 0.4]
+//   fv_compression_c1        Cc1: compression slope below the knee [N s/m, 0 to 1000000, default 3500]
+//   fv_compression_c2        Cc2: compression slope above the knee [N s/m, 0 to 1000000, default 950]
+//   fv_compression_v1        compression knee, as a speed [m/s, 0.0001 to 10, default 0.13]
+//
+// series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
+//   series_stiffness         stiffness of the series spring, k_s [N/m, 10000 to 100000000, default 3000000]
+//   series_damping           damping beside the series spring, c_s [N s/m, 0 to 100000, default 200]
+//   internal_mass            moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
+//
+// parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
+//   spring_linear            k_p of k_p x [N/m, 0 to 10000000, default 0]
+//   spring_quadratic         k_p of k_p x|x| [N/m^2, 0 to 100000000, default 10000]
+//   spring_cubic             k_p of k_p x^3 [N/m^3, 0 to 1000000000, default 0]
+//   spring_quartic           k_p of k_p x^3|x| [N/m^4, 0 to 10000000000, default 0]
+//   spring_displacement      displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
+//   spring_force             forces of the lookup spring, non-decreasing [N, -1000000 to 1000000, at most 63 numbers]
+//
+// coulomb_friction (element, off by default): dry friction of constant level, F_s tanh(K v)
+//   coulomb_force            friction level, F_s [N, 0 to 10000, default 40]
+//   coulomb_steepness        steepness of the change of sign, K [s/m, 1 to 100000, default 2000]
+//
+// stribeck_friction (element, on by default): dry friction with a break-away peak
+//   stribeck_form            which of the two Stribeck forms [0 simplified, 1 full]
+//   stribeck_breakaway_force peak (transition) force, F_brk or F_t [N, 0 to 10000, default 50]
+//   stribeck_coulomb_force   level after the peak, F_c or F_s [N, 0 to 10000, default 40]
+//   stribeck_breakaway_velocity velocity of the peak, v_brk or V_fs [m/s, 0.00001 to 1, default 0.005]
+//   stribeck_velocity        full form: velocity scale of the fall, V_s [m/s, 0.00001 to 5, default 0.01]
+//   stribeck_fall            full form: exponent of the fall, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
+//   stribeck_rise            full form: how near F_t the peak comes, c [-, 0.1 to 20, default 3]
+//   stribeck_rise_power      full form: exponent of the rise, d [-, 1 to 4, default 1]
+//
+// viscous_friction (element, on by default): viscous friction, F_v v|v|
+//   viscous_coefficient      F_v of F_v v|v| [N s^2/m^2, 0 to 100000, default 10]
+//
+// side_force_friction (element, off by default): dry friction proportional to side force
+//   side_force_coefficient   friction per side force, k_avg [-, 0 to 2, default 0.05]
+//   side_force_steepness     steepness of the change of sign, K [s/m, 1 to 100000, default 2000]
+//
+// gas_preload (element, on by default): constant gas force
+//   gas_force                gas force, positive where it pushes the rod out [N, -10000 to 10000, default 80]
+//
+// lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag whose time constant ramps with speed
+//   polynomial               coefficients of v^0, v^1, ... [N (s/m)^k, -1000000000 to 1000000000, at most 12 numbers]
+//   lag_slow                 time constant at low speed [s, 0.00001 to 1, default 0.004]
+//   lag_fast                 time constant at high speed [s, 0.00001 to 1, default 0.001]
+//   lag_v1                   speed at which the time constant starts to change [m/s, 0 to 10, default 0.05]
+//   lag_v2                   speed at which it has changed [m/s, 0.0001 to 20, default 0.5]
+//
+// integration: settings of the fixed-step integration
+//   method                   method inside a step [0 fourth_order, 1 second_order, 2 euler]
+//   substeps                 substeps inside one host step; 0: as many as the model's stiffness asks for [-, 0 to 64, default 0]
+
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

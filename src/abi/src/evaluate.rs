@@ -1,0 +1,79 @@
+//! Evaluation
+//!
+//! For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. Pure: the
+//! state is read and not changed.
+//!
+//! The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
+//! eight private states. A host that gives no displacement integrates that too (rate->displacement is the velocity).
+//! state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
+
+use core::mem::{align_of, offset_of, size_of};
+
+use dashpot_core::evaluate::partials;
+use dashpot_core::{Output, Partials, State};
+
+use crate::input::dashpot_input;
+use crate::model::{dashpot_model, prepared};
+use crate::pointer::{exclusive, shared};
+use crate::state::{checked, dashpot_output, dashpot_state};
+use crate::status::status;
+use crate::step::range_warning;
+
+/// All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
+#[repr(C)]
+pub struct dashpot_partials {
+    /// dF/d(input).
+    pub force_by_input: [f64; 2],
+    /// dF/d(state).
+    pub force_by_state: [f64; 10],
+    /// d(rate of state i)/d(input).
+    pub rate_by_input: [[f64; 2]; 10],
+    /// d(rate of state i)/d(state j).
+    pub rate_by_state: [[f64; 10]; 10],
+}
+
+const _: () = {
+    assert!(size_of::<dashpot_partials>() == size_of::<Partials>());
+    assert!(align_of::<dashpot_partials>() == align_of::<Partials>());
+    assert!(offset_of!(dashpot_partials, force_by_input) == offset_of!(Partials, force_by_input));
+    assert!(offset_of!(dashpot_partials, force_by_state) == offset_of!(Partials, force_by_state));
+    assert!(offset_of!(dashpot_partials, rate_by_input) == offset_of!(Partials, rate_by_input));
+    assert!(offset_of!(dashpot_partials, rate_by_state) == offset_of!(Partials, rate_by_state));
+};
+
+/// Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_evaluate(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    output: *mut dashpot_output,
+    rate: *mut dashpot_state,
+) -> i32 {
+    status((|| {
+        let model = unsafe { prepared(model) }?;
+        let input = unsafe { shared(input) }?.checked()?;
+        let state = *checked(unsafe { shared(state.cast::<State>()) }?)?;
+        let (output, rate) = unsafe { (exclusive(output.cast::<Output>())?, exclusive(rate.cast::<State>())?) };
+        (*output, *rate) = dashpot_core::evaluate(model, &state, &input);
+        Ok(range_warning(model, input.velocity))
+    })())
+}
+
+/// All partial derivatives of force and rates at *state and *input, to *partials.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_jacobian(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    partials: *mut dashpot_partials,
+) -> i32 {
+    status((|| {
+        let model = unsafe { prepared(model) }?;
+        let input = unsafe { shared(input) }?.checked()?;
+        let state = checked(unsafe { shared(state.cast::<State>()) }?)?;
+        let to = unsafe { exclusive(partials.cast::<Partials>()) }?;
+        *to = self::partials(model, state, &input);
+        Ok(range_warning(model, input.velocity))
+    })())
+}

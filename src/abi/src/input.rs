@@ -1,0 +1,75 @@
+//! Input
+//!
+//! What the host tells the damper at one instant. dashpot_force() needs none of this.
+
+use core::mem::size_of;
+
+use dashpot_core::Input;
+
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_STRUCT_SIZE, DASHPOT_UNKNOWN_FLAG, Refused};
+
+/// The host gives the displacement; without this bit it is integrated from the initial position.
+pub const DASHPOT_KNOWS_DISPLACEMENT: u32 = 1;
+/// The host gives the side force; without this bit it is 0.
+pub const DASHPOT_KNOWS_SIDE_FORCE: u32 = 2;
+/// The host gives the temperature; without this bit it is 20 degrees Celsius.
+pub const DASHPOT_KNOWS_TEMPERATURE: u32 = 4;
+
+/// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
+/// known are not looked at.
+#[repr(C)]
+pub struct dashpot_input {
+    /// sizeof(dashpot_input).
+    pub struct_size: u32,
+    /// Sum of the DASHPOT_KNOWS_... bits that apply.
+    pub known: u32,
+    /// Displacement, m, extension positive. A host that knows it should give it, so that no drift builds up.
+    pub displacement: f64,
+    /// Velocity, m/s, extension positive. Always needed.
+    pub velocity: f64,
+    /// Side force on the rod, N.
+    pub side_force: f64,
+    /// Damper temperature, degrees Celsius.
+    pub temperature: f64,
+}
+
+const KNOWN: u32 = DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+
+/// Largest magnitude of a number from the host, in any unit: beyond it something is broken, and the force could
+/// overflow.
+pub(crate) const LARGEST: f64 = 1e9;
+
+/// Whether the host means it. False for NaN.
+#[inline(always)]
+pub(crate) fn sane(number: f64) -> bool {
+    number.abs() <= LARGEST
+}
+
+impl dashpot_input {
+    /// As the kernel takes it.
+    #[inline(always)]
+    pub(crate) fn checked(&self) -> Result<Input, Refused> {
+        if self.struct_size as usize != size_of::<dashpot_input>() {
+            return Err(Refused(DASHPOT_STRUCT_SIZE));
+        }
+        if self.known & !KNOWN != 0 {
+            return Err(Refused(DASHPOT_UNKNOWN_FLAG));
+        }
+        let knows = |bit| self.known & bit != 0;
+        let mut input = Input::velocity(self.velocity);
+        if knows(DASHPOT_KNOWS_DISPLACEMENT) {
+            input.displacement = Some(self.displacement);
+        }
+        if knows(DASHPOT_KNOWS_SIDE_FORCE) {
+            input.side_force = self.side_force;
+        }
+        if knows(DASHPOT_KNOWS_TEMPERATURE) {
+            input.temperature = self.temperature;
+        }
+        let all = sane(input.velocity)
+            && sane(input.displacement.unwrap_or(0.0))
+            && sane(input.side_force)
+            && sane(input.temperature);
+        if all { Ok(input) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
+    }
+}

@@ -1,0 +1,266 @@
+//! Parameters
+//!
+//! A parameter set is filled with defaults first, then changed by name, or read from a model file. The names, with
+//! units, bounds and meaning, are listed at the end of this header.
+
+use core::ffi::c_char;
+use core::mem::{align_of, offset_of, size_of};
+
+use dashpot_core::model_file::{self, Problem};
+use dashpot_core::parameter::{Shape, find, table};
+use dashpot_core::{Fault, Model, Params, elements};
+
+use crate::pointer::{array, exclusive, one_of, shared, usable};
+use crate::status::{
+    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME,
+    DASHPOT_WRONG_SHAPE, Refused, status,
+};
+use crate::table::parameter_name;
+use crate::text;
+use crate::version::{DASHPOT_ABI_VERSION, magic};
+
+/// A parameter set. Start with DASHPOT_PARAMS_INIT, or set the first two members by hand, and call
+/// dashpot_params_default().
+#[repr(C, align(16))]
+pub struct dashpot_params {
+    /// sizeof(dashpot_params).
+    pub struct_size: u32,
+    /// DASHPOT_ABI_VERSION.
+    pub abi_version: u32,
+    /// The library's.
+    pub opaque: [u64; 1023],
+}
+
+/// What was refused, and where.
+#[repr(C)]
+pub struct dashpot_fault {
+    /// What: a status; 0 when nothing was refused.
+    pub status: i32,
+    /// Line of the model file, from 1; 0 where no line is to blame.
+    pub line: u32,
+    /// Name of the parameter or element, zero-terminated; empty where none is to blame.
+    pub parameter: [c_char; 48],
+}
+
+/// What the block really holds.
+#[repr(C, align(16))]
+struct Filled {
+    struct_size: u32,
+    abi_version: u32,
+    magic: u64,
+    values: Params,
+}
+
+const MAGIC: u64 = magic("params", size_of::<Params>());
+
+const _: () = {
+    assert!(size_of::<dashpot_params>() == 8192 && size_of::<Filled>() <= size_of::<dashpot_params>());
+    assert!(align_of::<dashpot_params>() == 16 && align_of::<Filled>() == 16);
+    assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
+};
+
+/// The block, after a look at its size and version.
+///
+/// # Safety
+/// As [`shared`].
+unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused> {
+    let head = unsafe { shared(params) }?;
+    if head.struct_size as usize != size_of::<dashpot_params>() {
+        return Err(Refused(DASHPOT_STRUCT_SIZE));
+    }
+    if head.abi_version != DASHPOT_ABI_VERSION {
+        return Err(Refused(DASHPOT_ABI_MISMATCH));
+    }
+    Ok(params.cast())
+}
+
+/// The values.
+///
+/// # Safety
+/// As [`shared`].
+pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Refused> {
+    let block = unsafe { &*block(params)? };
+    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.values) }
+}
+
+/// The values, to be changed.
+///
+/// # Safety
+/// As [`exclusive`].
+unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Refused> {
+    unsafe { values(params) }?;
+    Ok(unsafe { &mut (*params.cast::<Filled>()).values })
+}
+
+/// The parameter of that name.
+///
+/// # Safety
+/// As [`one_of`].
+unsafe fn parameter(name: *const c_char) -> Result<&'static str, Refused> {
+    unsafe { one_of(name, table().map(|row| row.parameter.name)) }
+}
+
+/// The element of that name.
+///
+/// # Safety
+/// As [`one_of`].
+unsafe fn element(name: *const c_char) -> Result<&'static str, Refused> {
+    unsafe { one_of(name, elements::names()) }
+}
+
+fn fill(report: &mut dashpot_fault, status: i32, line: u32, parameter: Option<&str>) {
+    (report.status, report.line) = (status, line);
+    text::write(&mut report.parameter, parameter.into_iter());
+}
+
+impl From<Fault> for Refused {
+    fn from(fault: Fault) -> Refused {
+        fault.reason.into()
+    }
+}
+
+/// Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> i32 {
+    status((|| {
+        let block = unsafe { block(params) }?.cast_mut();
+        unsafe {
+            (&raw mut (*block).values).write(Params::new());
+            (*block).magic = MAGIC;
+        }
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Sets one number, or a choice by its number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
+    status((|| {
+        let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
+        params.set(name, value)?;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
+/// checked by dashpot_params_check() and dashpot_model_init().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_set_list(
+    params: *mut dashpot_params,
+    name: *const c_char,
+    values: *const f64,
+    count: u32,
+) -> i32 {
+    status((|| {
+        let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
+        params.set_list(name, unsafe { array(values, count as usize) }?)?;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Reads one number, or the number of a choice, into *value.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_get(params: *const dashpot_params, name: *const c_char, value: *mut f64) -> i32 {
+    status((|| {
+        let (params, name, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
+        let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
+        if matches!(row.parameter.shape, Shape::List(_)) {
+            return Err(Refused(DASHPOT_WRONG_SHAPE));
+        }
+        *value = params.scalar(name);
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null only
+/// the length is told.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_get_list(
+    params: *const dashpot_params,
+    name: *const c_char,
+    values: *mut f64,
+    capacity: u32,
+    count: *mut u32,
+) -> i32 {
+    status((|| {
+        let (params, name, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
+        let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
+        if !matches!(row.parameter.shape, Shape::List(_)) {
+            return Err(Refused(DASHPOT_WRONG_SHAPE));
+        }
+        let list = params.get(&row);
+        if !values.is_null() {
+            usable(values)?;
+            if list.len() > capacity as usize {
+                return Err(Refused(DASHPOT_TOO_SHORT));
+            }
+            unsafe { core::ptr::copy_nonoverlapping(list.as_ptr(), values, list.len()) };
+        }
+        *count = list.len() as u32;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Switches an element of the model on (on not 0) or off (0).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, element: *const c_char, on: u32) -> i32 {
+    status((|| {
+        let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
+        params.enable(element, on != 0)?;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Tells whether an element of the model is on: *on becomes 1 or 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_is_on(params: *const dashpot_params, element: *const c_char, on: *mut u32) -> i32 {
+    status((|| {
+        let (params, element, on) = unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
+        *on = params.is_on(element) as u32;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
+/// are set: those that the file does not name get their defaults. Where it refuses, *fault tells the line and the
+/// parameter; fault may be null.
+///
+/// Numbers are read the same way whatever the locale: the decimal sign is a point.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_read(
+    params: *mut dashpot_params,
+    text: *const c_char,
+    length: usize,
+    fault: *mut dashpot_fault,
+) -> i32 {
+    status((|| {
+        let params = unsafe { values_mut(params) }?;
+        let text = unsafe { array(text.cast::<u8>(), length) }?;
+        let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
+        let (line, found) = match model_file::read(text, params) {
+            Ok(()) => (0, None),
+            Err(error) => (error.line, Some(error.problem)),
+        };
+        let code = found.map_or(DASHPOT_OK, |problem| Refused::from(problem).0);
+        if let Some(report) = report {
+            let name = match found {
+                Some(Problem::Parameter(fault)) => parameter_name(fault.parameter),
+                _ => None,
+            };
+            fill(report, code, line, name);
+        }
+        Ok(code)
+    })())
+}
+
+/// Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
+    status((|| {
+        let (params, report) = unsafe { (values(params)?, exclusive(fault)?) };
+        let found = Model::new(params).err();
+        let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
+        fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)));
+        Ok(code)
+    })())
+}

@@ -1,0 +1,71 @@
+//! Pointers from C: refused when null or misaligned, references afterwards.
+
+use core::ffi::c_char;
+
+use crate::status::{DASHPOT_MISALIGNED, DASHPOT_NULL, DASHPOT_UNKNOWN_NAME, Refused};
+
+/// Refuses an address that cannot be one of a `T`.
+#[inline(always)]
+pub(crate) fn usable<T>(pointer: *const T) -> Result<(), Refused> {
+    if pointer.is_null() {
+        Err(Refused(DASHPOT_NULL))
+    } else if !pointer.is_aligned() {
+        Err(Refused(DASHPOT_MISALIGNED))
+    } else {
+        Ok(())
+    }
+}
+
+/// What `pointer` points to, for reading.
+///
+/// # Safety
+/// Null, misaligned, or a `T` that nobody writes meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Refused> {
+    usable(pointer)?;
+    Ok(unsafe { &*pointer })
+}
+
+/// What `pointer` points to, for writing.
+///
+/// # Safety
+/// Null, misaligned, or room for a `T` that nobody else reads or writes meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T) -> Result<&'a mut T, Refused> {
+    usable(pointer)?;
+    Ok(unsafe { &mut *pointer })
+}
+
+/// The elements of an array; `pointer` may be null when there are none.
+///
+/// # Safety
+/// As [`shared`], for `count` elements.
+pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], Refused> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    usable(pointer)?;
+    Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+}
+
+/// The one of `known` that the C string spells. Not a byte behind the string is read.
+///
+/// # Safety
+/// Null or a zero-terminated string.
+pub(crate) unsafe fn one_of(
+    pointer: *const c_char,
+    mut known: impl Iterator<Item = &'static str>,
+) -> Result<&'static str, Refused> {
+    usable(pointer)?;
+    known.find(|name| unsafe { spells(pointer, name.as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+}
+
+/// Whether the C string is `name`.
+///
+/// # Safety
+/// A zero-terminated string.
+unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
+    // A name holds no zero, so the comparison stops at the string's end at the latest.
+    let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
+    same && unsafe { *pointer.add(name.len()) } == 0
+}

@@ -1,0 +1,93 @@
+//! State
+//!
+//! All that a damper remembers, friction hysteresis included, is in its state: twelve numbers that the host owns. To
+//! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
+//! repeats the first to the last bit. A state belongs to the model it was made for.
+
+use core::mem::{align_of, offset_of, size_of};
+
+use dashpot_core::{Input, Output, State};
+
+use crate::input::sane;
+use crate::model::{dashpot_model, prepared};
+use crate::pointer::exclusive;
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_OK, Refused, status};
+
+/// State of one damper.
+#[repr(C)]
+pub struct dashpot_state {
+    /// Displacement of the driven end, m: given by the host, or integrated from the initial position.
+    pub displacement: f64,
+    /// Velocity of the driven end at the last step, m/s.
+    pub velocity: f64,
+    /// Displacement of the internal mass, m.
+    pub mass_displacement: f64,
+    /// Velocity of the internal mass, m/s.
+    pub mass_velocity: f64,
+    /// Private states of the elements.
+    pub memory: [f64; 8],
+}
+
+/// Answer at one instant.
+#[repr(C)]
+pub struct dashpot_output {
+    /// Damper force, N, tension positive.
+    pub force: f64,
+    /// dF/dx over the displacement given, N/m. From a step: of the force at its end, all that happens inside included.
+    pub force_by_displacement: f64,
+    /// dF/dv over the velocity given, N s/m; where no displacement is given, with the displacement it integrates to.
+    pub force_by_velocity: f64,
+    /// Force of the primary damper (the force-velocity curve), N.
+    pub primary_force: f64,
+    /// Force of the springs on the internal mass, N.
+    pub spring_force: f64,
+    /// Friction, N.
+    pub friction_force: f64,
+    /// Gas force, N; negative where it pushes the rod out.
+    pub gas_force: f64,
+    /// Deflection of the series spring, m.
+    pub series_deflection: f64,
+}
+
+// The kernel's own structures under C names: the same bytes, so that a step writes straight to the host.
+const _: () = {
+    assert!(size_of::<dashpot_state>() == size_of::<State>() && align_of::<dashpot_state>() == align_of::<State>());
+    assert!(offset_of!(dashpot_state, displacement) == offset_of!(State, displacement));
+    assert!(offset_of!(dashpot_state, velocity) == offset_of!(State, velocity));
+    assert!(offset_of!(dashpot_state, mass_displacement) == offset_of!(State, mass_displacement));
+    assert!(offset_of!(dashpot_state, mass_velocity) == offset_of!(State, mass_velocity));
+    assert!(offset_of!(dashpot_state, memory) == offset_of!(State, memory));
+    assert!(size_of::<dashpot_output>() == size_of::<Output>() && align_of::<dashpot_output>() == align_of::<Output>());
+    assert!(offset_of!(dashpot_output, force) == offset_of!(Output, force));
+    assert!(offset_of!(dashpot_output, force_by_displacement) == offset_of!(Output, force_by_displacement));
+    assert!(offset_of!(dashpot_output, force_by_velocity) == offset_of!(Output, force_by_velocity));
+    assert!(offset_of!(dashpot_output, primary_force) == offset_of!(Output, primary_force));
+    assert!(offset_of!(dashpot_output, spring_force) == offset_of!(Output, spring_force));
+    assert!(offset_of!(dashpot_output, friction_force) == offset_of!(Output, friction_force));
+    assert!(offset_of!(dashpot_output, gas_force) == offset_of!(Output, gas_force));
+    assert!(offset_of!(dashpot_output, series_deflection) == offset_of!(Output, series_deflection));
+};
+
+/// A state that the host handed in.
+#[inline(always)]
+pub(crate) fn checked(state: &State) -> Result<&State, Refused> {
+    if state.is_finite() { Ok(state) } else { Err(Refused(DASHPOT_BAD_STATE)) }
+}
+
+/// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
+/// gives the static force.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_state_init(
+    model: *const dashpot_model,
+    initial_position: f64,
+    state: *mut dashpot_state,
+) -> i32 {
+    status((|| {
+        let (model, state) = unsafe { (prepared(model)?, exclusive(state.cast::<State>())?) };
+        if !sane(initial_position) {
+            return Err(Refused(DASHPOT_BAD_INPUT));
+        }
+        *state = model.settled(&Input::motion(initial_position, 0.0));
+        Ok(DASHPOT_OK)
+    })())
+}

@@ -1,0 +1,200 @@
+//! Status
+//!
+//! Every function returns a status: 0 success, positive a warning (the result is there and usable), negative a refusal
+//! (nothing was changed). Warnings are bits and may come together. Numbers keep their meaning for ever.
+
+use core::ffi::c_char;
+
+use dashpot_core::Reason;
+use dashpot_core::model_file::Problem;
+
+use crate::text::padded;
+
+/// Success.
+pub const DASHPOT_OK: i32 = 0;
+
+/// Warning bit: the velocity lies outside the identified force-velocity curve, which is prolonged straight.
+pub const DASHPOT_OUTSIDE_RANGE: i32 = 1;
+/// Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
+pub const DASHPOT_LONG_STEP: i32 = 2;
+
+/// A pointer is null.
+pub const DASHPOT_NULL: i32 = -1;
+/// An address is not aligned for what it points to.
+pub const DASHPOT_MISALIGNED: i32 = -2;
+/// struct_size is not the size of that structure.
+pub const DASHPOT_STRUCT_SIZE: i32 = -3;
+/// abi_version is not the interface version of this library.
+pub const DASHPOT_ABI_MISMATCH: i32 = -4;
+/// The parameters or the model were not initialised, or by another build of the library.
+pub const DASHPOT_NOT_SET: i32 = -5;
+/// An input is NaN, infinite or of a magnitude beyond 1e9.
+pub const DASHPOT_BAD_INPUT: i32 = -6;
+/// The state holds NaN or infinity: it was not initialised.
+pub const DASHPOT_BAD_STATE: i32 = -7;
+/// dt is NaN, negative, above 1e9 s, or above 0 but below 1e-15 s.
+pub const DASHPOT_BAD_TIME_STEP: i32 = -8;
+/// known has a bit that this library does not know.
+pub const DASHPOT_UNKNOWN_FLAG: i32 = -9;
+/// No parameter or element has this name.
+pub const DASHPOT_UNKNOWN_NAME: i32 = -10;
+/// A parameter is NaN or infinite.
+pub const DASHPOT_NOT_FINITE: i32 = -11;
+/// A parameter is outside the bounds of the parameter table.
+pub const DASHPOT_OUT_OF_BOUNDS: i32 = -12;
+/// A parameter is none of the choices of the parameter table.
+pub const DASHPOT_NOT_A_CHOICE: i32 = -13;
+/// A list where one number belongs, or one number where a list belongs.
+pub const DASHPOT_WRONG_SHAPE: i32 = -14;
+/// A list has too few or too many points.
+pub const DASHPOT_POINT_COUNT: i32 = -15;
+/// The two lists of a curve have different lengths.
+pub const DASHPOT_CURVE_LENGTHS: i32 = -16;
+/// A list of velocities or displacements does not increase.
+pub const DASHPOT_NOT_INCREASING: i32 = -17;
+/// A list of forces falls: the damper would push where it should resist.
+pub const DASHPOT_FALLS: i32 = -18;
+/// A limit that must lie above another does not.
+pub const DASHPOT_ORDER: i32 = -19;
+/// The caller's array is too short.
+pub const DASHPOT_TOO_SHORT: i32 = -20;
+/// A line of the model file is not of the form name = value.
+pub const DASHPOT_FILE_SYNTAX: i32 = -21;
+/// A value in the model file is neither a number nor a word in double quotes nor a list of them.
+pub const DASHPOT_FILE_VALUE: i32 = -22;
+/// A name appears twice in the model file.
+pub const DASHPOT_FILE_REPEATED: i32 = -23;
+/// The model file does not say format = 1.
+pub const DASHPOT_FILE_FORMAT: i32 = -24;
+/// The model file does not name its elements.
+pub const DASHPOT_FILE_NO_ELEMENTS: i32 = -25;
+/// The model file names an element that this library does not have.
+pub const DASHPOT_FILE_UNKNOWN_ELEMENT: i32 = -26;
+/// A list in the model file has more numbers than any parameter takes.
+pub const DASHPOT_FILE_TOO_LONG: i32 = -27;
+/// The parameter table has no row with this number.
+pub const DASHPOT_NO_SUCH_ROW: i32 = -28;
+
+/// Longest text, with the closing zero.
+const LENGTH: usize = 128;
+
+/// The one list of codes and texts.
+static TEXTS: [(i32, [u8; LENGTH]); 32] = [
+    (DASHPOT_OK, padded("success")),
+    (DASHPOT_OUTSIDE_RANGE, padded("velocity outside the identified force-velocity curve, which is prolonged straight")),
+    (DASHPOT_LONG_STEP, padded("step longer than 0.01 s; fast motion inside it is not resolved")),
+    (
+        DASHPOT_OUTSIDE_RANGE | DASHPOT_LONG_STEP,
+        padded("velocity outside the identified force-velocity curve, and step longer than 0.01 s"),
+    ),
+    (DASHPOT_NULL, padded("a pointer is null")),
+    (DASHPOT_MISALIGNED, padded("an address is not aligned for what it points to")),
+    (DASHPOT_STRUCT_SIZE, padded("struct_size is not the size of that structure; start from its initialiser")),
+    (DASHPOT_ABI_MISMATCH, padded("header and library have different interface versions; rebuild with the header of this library")),
+    (DASHPOT_NOT_SET, padded("parameters or model not initialised; call dashpot_params_default or dashpot_model_init first")),
+    (DASHPOT_BAD_INPUT, padded("an input is NaN, infinite or of a magnitude beyond 1e9")),
+    (DASHPOT_BAD_STATE, padded("the state holds NaN or infinity; call dashpot_state_init first")),
+    (DASHPOT_BAD_TIME_STEP, padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s")),
+    (DASHPOT_UNKNOWN_FLAG, padded("known has a bit that this library does not know")),
+    (DASHPOT_UNKNOWN_NAME, padded(Reason::UnknownName.text())),
+    (DASHPOT_NOT_FINITE, padded(Reason::NotFinite.text())),
+    (DASHPOT_OUT_OF_BOUNDS, padded(Reason::OutOfBounds.text())),
+    (DASHPOT_NOT_A_CHOICE, padded(Reason::NotAChoice.text())),
+    (DASHPOT_WRONG_SHAPE, padded(Reason::WrongShape.text())),
+    (DASHPOT_POINT_COUNT, padded(Reason::PointCount.text())),
+    (DASHPOT_CURVE_LENGTHS, padded(Reason::CurveLengths.text())),
+    (DASHPOT_NOT_INCREASING, padded(Reason::NotIncreasing.text())),
+    (DASHPOT_FALLS, padded(Reason::Falls.text())),
+    (DASHPOT_ORDER, padded(Reason::Order.text())),
+    (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
+    (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
+    (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
+    (DASHPOT_FILE_REPEATED, padded(Problem::Repeated.text())),
+    (DASHPOT_FILE_FORMAT, padded(Problem::Format.text())),
+    (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
+    (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
+    (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
+    (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
+];
+static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's");
+
+/// The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
+/// parameter's name: "fv_force" "falls from one point to the next; ...".
+#[unsafe(no_mangle)]
+pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
+    TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
+}
+
+/// A refusal: a negative status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Refused(pub i32);
+
+/// The status that a C function returns.
+#[inline(always)]
+pub(crate) fn status(result: Result<i32, Refused>) -> i32 {
+    match result {
+        Ok(status) => status,
+        Err(Refused(status)) => status,
+    }
+}
+
+impl From<Reason> for Refused {
+    fn from(reason: Reason) -> Refused {
+        Refused(match reason {
+            Reason::UnknownName => DASHPOT_UNKNOWN_NAME,
+            Reason::NotFinite => DASHPOT_NOT_FINITE,
+            Reason::OutOfBounds => DASHPOT_OUT_OF_BOUNDS,
+            Reason::NotAChoice => DASHPOT_NOT_A_CHOICE,
+            Reason::WrongShape => DASHPOT_WRONG_SHAPE,
+            Reason::PointCount => DASHPOT_POINT_COUNT,
+            Reason::CurveLengths => DASHPOT_CURVE_LENGTHS,
+            Reason::NotIncreasing => DASHPOT_NOT_INCREASING,
+            Reason::Falls => DASHPOT_FALLS,
+            Reason::Order => DASHPOT_ORDER,
+        })
+    }
+}
+
+impl From<Problem> for Refused {
+    fn from(problem: Problem) -> Refused {
+        Refused(match problem {
+            Problem::Syntax => DASHPOT_FILE_SYNTAX,
+            Problem::Value => DASHPOT_FILE_VALUE,
+            Problem::Repeated => DASHPOT_FILE_REPEATED,
+            Problem::Format => DASHPOT_FILE_FORMAT,
+            Problem::NoElements => DASHPOT_FILE_NO_ELEMENTS,
+            Problem::UnknownElement => DASHPOT_FILE_UNKNOWN_ELEMENT,
+            Problem::TooLong => DASHPOT_FILE_TOO_LONG,
+            Problem::Parameter(fault) => return fault.reason.into(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::ffi::CStr;
+
+    use super::*;
+
+    #[test]
+    fn numbers_and_texts_are_unique() {
+        let numbers: BTreeSet<i32> = TEXTS.iter().map(|(code, _)| *code).collect();
+        let texts: BTreeSet<_> = TEXTS.iter().map(|(_, text)| text).collect();
+        assert_eq!(numbers.len(), TEXTS.len());
+        assert_eq!(texts.len(), TEXTS.len());
+    }
+
+    #[test]
+    fn every_constant_of_this_file_has_a_text() {
+        let mut seen = 0;
+        for line in include_str!("status.rs").lines().filter(|l| l.starts_with("pub const DASHPOT_")) {
+            let number = line.split(['=', ';']).nth(1).unwrap().trim().parse().unwrap();
+            let text = unsafe { CStr::from_ptr(dashpot_status_text(number)) };
+            assert!(!text.to_str().unwrap().starts_with("unknown status"), "{line}");
+            seen += 1;
+        }
+        // All but the texts for warnings that come together.
+        assert_eq!(seen + 1, TEXTS.len());
+    }
+}

@@ -1,0 +1,130 @@
+//! Step
+//!
+//! For hosts with a fixed step. A step runs from the instant a state was reached to dt later; the input is the one at
+//! the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
+//! it was reached with, so the two cannot contradict each other.
+//!
+//! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held. The
+//! state stays as it is.
+
+use dashpot_core::step::step_into;
+use dashpot_core::{Input, Model, Output, State};
+
+use crate::input::{LARGEST, dashpot_input, sane};
+use crate::model::{dashpot_model, prepared};
+use crate::pointer::{exclusive, shared, usable};
+use crate::state::{checked, dashpot_output, dashpot_state};
+use crate::status::{
+    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused, status,
+};
+
+/// Steps longer than this get a warning, s.
+const LONG_STEP: f64 = 0.01;
+/// Shorter steps cannot be told from 0, s.
+const SHORTEST_STEP: f64 = 1e-15;
+
+#[inline(always)]
+fn checked_step(dt: f64) -> Result<f64, Refused> {
+    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
+}
+
+/// The warning for a velocity.
+#[inline(always)]
+pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
+    if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
+}
+
+#[inline(always)]
+fn step_warning(dt: f64) -> i32 {
+    if dt > LONG_STEP { DASHPOT_LONG_STEP } else { DASHPOT_OK }
+}
+
+/// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
+/// the initial position.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_force(
+    model: *const dashpot_model,
+    state: *mut dashpot_state,
+    velocity: f64,
+    dt: f64,
+    force: *mut f64,
+) -> i32 {
+    status((|| {
+        let model = unsafe { prepared(model) }?;
+        let (state, force) = unsafe { (exclusive(state.cast::<State>())?, exclusive(force)?) };
+        let from = *checked(state)?;
+        if !sane(velocity) {
+            return Err(Refused(DASHPOT_BAD_INPUT));
+        }
+        let dt = checked_step(dt)?;
+        let mut output = Output::ZERO;
+        step_into(model, &from, &Input::velocity(velocity), dt, state, &mut output);
+        *force = output.force;
+        Ok(range_warning(model, velocity) | step_warning(dt))
+    })())
+}
+
+/// One step of dt (s) from *from to the input *to_input; writes the state reached to *to and the answer there to
+/// *output. from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_step(
+    model: *const dashpot_model,
+    from: *const dashpot_state,
+    to_input: *const dashpot_input,
+    dt: f64,
+    to: *mut dashpot_state,
+    output: *mut dashpot_output,
+) -> i32 {
+    status((|| {
+        let model = unsafe { prepared(model) }?;
+        let input = unsafe { shared(to_input) }?.checked()?;
+        // A copy: the caller's state may be the one that is written.
+        let from = *checked(unsafe { shared(from.cast::<State>()) }?)?;
+        let dt = checked_step(dt)?;
+        let (to, output) = unsafe { (exclusive(to.cast::<State>())?, exclusive(output.cast::<Output>())?) };
+        step_into(model, &from, &input, dt, to, output);
+        Ok(range_warning(model, input.velocity) | step_warning(dt))
+    })())
+}
+
+/// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
+/// same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
+/// the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
+/// damper leaves every output untouched. Returns all warnings together.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_step_batch(
+    count: u32,
+    models: *const *const dashpot_model,
+    from: *const dashpot_state,
+    to_inputs: *const dashpot_input,
+    dt: f64,
+    to: *mut dashpot_state,
+    outputs: *mut dashpot_output,
+) -> i32 {
+    status((|| {
+        let dt = checked_step(dt)?;
+        usable(models)?;
+        usable(from)?;
+        usable(to_inputs)?;
+        usable(to)?;
+        usable(outputs)?;
+        for i in 0..count as usize {
+            unsafe {
+                prepared(*models.add(i))?;
+                checked(&*from.add(i).cast::<State>())?;
+                (*to_inputs.add(i)).checked()?;
+            }
+        }
+        let mut warnings = step_warning(dt);
+        for i in 0..count as usize {
+            unsafe {
+                let model = prepared(*models.add(i))?;
+                let input = (*to_inputs.add(i)).checked()?;
+                let from = *from.add(i).cast::<State>();
+                step_into(model, &from, &input, dt, &mut *to.add(i).cast(), &mut *outputs.add(i).cast());
+                warnings |= range_warning(model, input.velocity);
+            }
+        }
+        Ok(warnings)
+    })())
+}

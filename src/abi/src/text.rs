@@ -1,0 +1,29 @@
+//! Text for C: zero-terminated, in fixed arrays.
+
+use core::ffi::c_char;
+
+/// `text` with zeros up to the fixed length, at least one.
+pub(crate) const fn padded<const N: usize>(text: &str) -> [u8; N] {
+    let bytes = text.as_bytes();
+    assert!(bytes.len() < N, "the text does not fit");
+    let mut array = [0; N];
+    let mut i = 0;
+    while i < bytes.len() {
+        array[i] = bytes[i];
+        i += 1;
+    }
+    array
+}
+
+/// Fills `to` with the pieces one after the other and zeros behind them; what does not fit is cut off.
+pub(crate) fn write<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a str>) {
+    let (last, to) = match to.split_last_mut() {
+        Some(parts) => parts,
+        None => return,
+    };
+    let mut bytes = pieces.flat_map(str::bytes);
+    for c in to {
+        *c = bytes.next().unwrap_or(0) as c_char;
+    }
+    *last = 0;
+}

@@ -1,0 +1,283 @@
+//! Plane figures of one test.
+//!
+//! Loops show the last two whole cycles, where the model has settled; a test without cycles is shown whole.
+//! Displacement in mm, velocity in mm/s, force in N.
+
+use super::axes::{Axis, Plane, Series};
+use super::palette::Role;
+use dashpot_lab::validation::{Compared, Hysteresis};
+use std::ops::Range;
+
+/// Whole cycles shown in a loop.
+pub const CYCLES_SHOWN: usize = 2;
+
+/// Names in the legends.
+pub const MEASURED: &str = "measured";
+/// The full model.
+pub const MODEL: &str = "model";
+/// The force–velocity curve alone.
+pub const FV_ONLY: &str = "FV curve";
+
+/// Axis titles.
+pub const VELOCITY: &str = "velocity, mm/s";
+/// Displacement axis.
+pub const DISPLACEMENT: &str = "displacement, mm";
+/// Force axis.
+pub const FORCE: &str = "force, N";
+/// Error axis.
+pub const ERROR: &str = "simulated − measured, N";
+
+/// Force over velocity.
+pub fn force_velocity(compared: &Compared<'_>) -> String {
+    let velocity = &compared.record.velocity;
+    let shown = shown(compared);
+    let mut series = forces(compared, &shown, |i| 1e3 * velocity[i]);
+    // The curve has no loop: one line from the lowest to the highest velocity.
+    for curve in series.iter_mut().filter(|one| one.role == Role::FvOnly) {
+        let mut line = curve.lines.concat();
+        line.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        curve.lines = vec![line];
+    }
+    plane("Force over velocity", VELOCITY, FORCE, series)
+}
+
+/// Force over displacement.
+pub fn force_displacement(compared: &Compared<'_>) -> String {
+    let displacement = &compared.record.displacement;
+    let series = forces(compared, &shown(compared), |i| 1e3 * displacement[i]);
+    plane("Force over displacement", DISPLACEMENT, FORCE, series)
+}
+
+/// Force over time, from the start of the cycles shown.
+pub fn force_time(compared: &Compared<'_>) -> String {
+    let time = &compared.record.time;
+    let shown = shown(compared);
+    let start = shown.first().map_or(0.0, |range| time[range.start]);
+    let series = forces(compared, &shown, |i| time[i] - start);
+    let end = shown
+        .last()
+        .map_or(1.0, |range| time[range.end - 1] - start);
+    let mut plane = prepare("Force over time", "time, s", FORCE, series);
+    plane.x = Axis::exactly("time, s", 0.0, end);
+    plane.draw()
+}
+
+/// Error over velocity.
+pub fn error_velocity(compared: &Compared<'_>) -> String {
+    let velocity = &compared.record.velocity;
+    plane(
+        "Error over velocity",
+        VELOCITY,
+        ERROR,
+        errors(compared, |i| 1e3 * velocity[i]),
+    )
+}
+
+/// Error over displacement.
+pub fn error_displacement(compared: &Compared<'_>) -> String {
+    let displacement = &compared.record.displacement;
+    plane(
+        "Error over displacement",
+        DISPLACEMENT,
+        ERROR,
+        errors(compared, |i| 1e3 * displacement[i]),
+    )
+}
+
+/// Gap between the strokes over velocity, averaged over all whole cycles.
+pub fn hysteresis_gap(hysteresis: &Hysteresis) -> String {
+    let line = |role, label, gap: fn(&dashpot_lab::validation::OfEach) -> f64| Series {
+        role,
+        label,
+        lines: vec![
+            hysteresis
+                .gap
+                .iter()
+                .map(|bin| [1e3 * bin.velocity_m_s, gap(&bin.gap_n)])
+                .collect(),
+        ],
+        dotted: true,
+    };
+    let series = vec![
+        line(Role::Measured, MEASURED, |gap| gap.measured),
+        line(Role::FvOnly, FV_ONLY, |gap| gap.fv_only),
+        line(Role::Model, MODEL, |gap| gap.model),
+    ];
+    plane(
+        "Hysteresis gap over velocity",
+        VELOCITY,
+        "rising − falling velocity, N",
+        series,
+    )
+}
+
+/// Sample ranges a loop shows; none is empty.
+pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
+    let cycles = &compared.record.cycles;
+    let last: Vec<_> = cycles[cycles.len().saturating_sub(CYCLES_SHOWN)..].to_vec();
+    let ranges = if last.is_empty() {
+        std::iter::once(0..compared.record.force.len()).collect()
+    } else {
+        last
+    };
+    ranges
+        .into_iter()
+        .filter(|range| !range.is_empty())
+        .collect()
+}
+
+/// Measured, curve and model over a quantity, in drawing order: the model on top.
+fn forces(
+    compared: &Compared<'_>,
+    shown: &[Range<usize>],
+    over: impl Fn(usize) -> f64,
+) -> Vec<Series> {
+    [
+        (Role::Measured, MEASURED, &compared.record.force),
+        (Role::FvOnly, FV_ONLY, &compared.fv_only),
+        (Role::Model, MODEL, &compared.model),
+    ]
+    .into_iter()
+    .map(|(role, label, force)| Series {
+        role,
+        label,
+        lines: shown
+            .iter()
+            .map(|range| range.clone().map(|i| [over(i), force[i]]).collect())
+            .collect(),
+        dotted: false,
+    })
+    .collect()
+}
+
+/// Errors of curve and model over a quantity.
+fn errors(compared: &Compared<'_>, over: impl Fn(usize) -> f64) -> Vec<Series> {
+    let measured = &compared.record.force;
+    let shown = shown(compared);
+    [
+        (Role::FvOnly, FV_ONLY, &compared.fv_only),
+        (Role::Model, MODEL, &compared.model),
+    ]
+    .into_iter()
+    .map(|(role, label, force)| Series {
+        role,
+        label,
+        lines: shown
+            .iter()
+            .map(|r| {
+                r.clone()
+                    .map(|i| [over(i), force[i] - measured[i]])
+                    .collect()
+            })
+            .collect(),
+        dotted: false,
+    })
+    .collect()
+}
+
+/// A figure whose axes hold all series.
+fn prepare(title: &str, x: &str, y: &str, series: Vec<Series>) -> Plane {
+    let values = |which: usize| {
+        series
+            .iter()
+            .flat_map(|s| s.lines.iter().flatten())
+            .map(move |point| point[which])
+    };
+    Plane {
+        title: title.into(),
+        x: Axis::around(x, values(0)),
+        y: Axis::around(y, values(1)),
+        series,
+    }
+}
+
+fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
+    prepare(title, x, y, series).draw()
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+    use dashpot_lab::records::Record;
+
+    /// A sine test of `cycles` cycles with 400 samples each; none marked when `marked` is false.
+    pub fn record(cycles: usize, marked: bool) -> Record {
+        let mut record = Record {
+            name: "50 mm <5 Hz>".into(),
+            amplitude: 0.05,
+            frequency: 1.0,
+            peak_velocity: 0.314,
+            ..Record::default()
+        };
+        if marked {
+            record.cycles = (0..cycles).map(|c| 400 * c..400 * (c + 1)).collect();
+        }
+        for i in 0..400 * cycles {
+            let phase = std::f64::consts::TAU * i as f64 / 400.0;
+            record.time.push(i as f64 / 400.0);
+            record.displacement.push(0.05 * phase.sin());
+            record.velocity.push(0.314 * phase.cos());
+            record
+                .force
+                .push(900.0 * phase.cos() + 80.0 * phase.sin() + 10.0);
+        }
+        record
+    }
+
+    /// The record beside a model 5 N too high and a curve without the loop.
+    pub fn compared(record: &Record) -> Compared<'_> {
+        Compared {
+            record,
+            model: record.force.iter().map(|force| force + 5.0).collect(),
+            fv_only: record.velocity.iter().map(|v| 900.0 / 0.314 * v).collect(),
+            used_in_fit: false,
+        }
+    }
+
+    #[test]
+    fn loops_show_the_last_whole_cycles() {
+        let record = record(5, true);
+        assert_eq!(shown(&compared(&record)), [1200..1600, 1600..2000]);
+    }
+
+    #[test]
+    #[expect(clippy::single_range_in_vec_init, reason = "one range is expected")]
+    fn a_test_without_cycles_is_shown_whole() {
+        let record = record(3, false);
+        assert_eq!(shown(&compared(&record)), [0..1200]);
+    }
+
+    #[test]
+    fn the_axis_of_the_error_holds_the_offset_alone() {
+        let record = record(2, true);
+        let only_model: Vec<Series> = errors(&compared(&record), |i| i as f64).split_off(1);
+        for point in only_model
+            .iter()
+            .flat_map(|series| series.lines.iter().flatten())
+        {
+            assert!((point[1] - 5.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn figures_of_a_long_noisy_test_stay_small() {
+        let mut record = record(40, true);
+        let mut seed = 7u32;
+        for force in &mut record.force {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            *force += f64::from(seed >> 16) / 600.0;
+        }
+        let compared = compared(&record);
+        for figure in [
+            force_velocity,
+            force_displacement,
+            force_time,
+            error_velocity,
+            error_displacement,
+        ] {
+            let text = figure(&compared);
+            assert!(text.len() < 16_000, "{}", text.len());
+            assert!(!text.contains("NaN") && !text.contains("inf"));
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Who is drawn in which colour.
+//!
+//! The three hues stay apart for deuteranopes and protanopes too (blue, vermilion and bluish green, after Okabe & Ito,
+//! *Color Universal Design*, 2008); the green is dashed as well, so that a grey print still tells them apart.
+
+use std::fmt::Write as _;
+
+/// Whose force a mark shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The rig's measurement.
+    Measured,
+    /// The full model.
+    Model,
+    /// The force–velocity curve alone.
+    FvOnly,
+    /// Projections and other background marks.
+    Shadow,
+}
+
+/// Every role, for the page's style sheet.
+const ROLES: [Role; 4] = [Role::Measured, Role::Model, Role::FvOnly, Role::Shadow];
+
+impl Role {
+    /// Class of the mark in SVG and page.
+    pub fn class(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Model => "model",
+            Self::FvOnly => "fv-only",
+            Self::Shadow => "shadow",
+        }
+    }
+
+    /// Colour on a light background.
+    pub fn light(self) -> &'static str {
+        match self {
+            Self::Measured => "#0067a5",
+            Self::Model => "#d43d0f",
+            Self::FvOnly => "#009e73",
+            Self::Shadow => "#c3c9cf",
+        }
+    }
+
+    /// Colour on a dark background.
+    fn dark(self) -> &'static str {
+        match self {
+            Self::Measured => "#5cb8f2",
+            Self::Model => "#ff7f52",
+            Self::FvOnly => "#2fd3a3",
+            Self::Shadow => "#4b535b",
+        }
+    }
+
+    /// Line width, px.
+    pub fn width(self) -> f64 {
+        match self {
+            // Wide, so that a model lying right on it leaves it visible on both sides.
+            Self::Measured => 2.8,
+            Self::Model => 1.1,
+            Self::FvOnly => 1.3,
+            Self::Shadow => 0.8,
+        }
+    }
+
+    /// Dash pattern, if the line is not solid.
+    pub fn dash(self) -> Option<&'static str> {
+        matches!(self, Self::FvOnly).then_some("5 2.5")
+    }
+}
+
+/// Text, frame and grid on a light background.
+pub const INK: &str = "#22272c";
+/// Secondary text and frame.
+pub const FAINT_INK: &str = "#5d666e";
+/// Grid lines.
+pub const GRID: &str = "#e3e6e9";
+/// Background of a figure.
+pub const PAPER: &str = "#ffffff";
+
+/// Style rules that recolour inline figures where the reader prefers a dark page; print stays light.
+pub fn page_css() -> String {
+    let mut css = String::from("@media screen and (prefers-color-scheme: dark) {\n");
+    for role in ROLES {
+        let (class, colour) = (role.class(), role.dark());
+        let _ = writeln!(
+            css,
+            "  svg .l.{class} {{ stroke: {colour}; }}\n  svg .p.{class} {{ fill: {colour}; }}"
+        );
+    }
+    css.push_str(concat!(
+        "  svg .paper { fill: #1b1f23; }\n",
+        "  svg text.ink { fill: #e6e9ec; }\n",
+        "  svg text.faint { fill: #a4adb5; }\n",
+        "  svg .l.grid { stroke: #2e343a; }\n",
+        "  svg .l.frame { stroke: #7d868e; }\n",
+        "}\n",
+    ));
+    css
+}
+
+/// Fill of a heat-map cell for an error in percent, and whether black text is readable on it (else white). One hue from pale to deep,
+/// logarithmic from 0.5 % to 50 %.
+pub fn heat(percent: f64) -> (String, bool) {
+    const PALE: [f64; 3] = [253.0, 244.0, 232.0];
+    const MIDDLE: [f64; 3] = [240.0, 140.0, 70.0];
+    const DEEP: [f64; 3] = [120.0, 24.0, 30.0];
+    let place = ((percent.max(1e-9) / 0.5).log10() / 2.0).clamp(0.0, 1.0);
+    let (from, to, part) = if place < 0.5 {
+        (PALE, MIDDLE, 2.0 * place)
+    } else {
+        (MIDDLE, DEEP, 2.0 * place - 1.0)
+    };
+    let mix = |i: usize| (from[i] + part * (to[i] - from[i])).round() as u8;
+    (
+        format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)),
+        place < 0.72,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linear-light RGB of a `#rrggbb` colour.
+    fn linear(colour: &str) -> [f64; 3] {
+        [1, 3, 5].map(|at| {
+            let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+            if value <= 0.04045 {
+                value / 12.92
+            } else {
+                ((value + 0.055) / 1.055).powf(2.4)
+            }
+        })
+    }
+
+    /// CIE Lab of linear-light RGB, D65.
+    fn lab(rgb: [f64; 3]) -> [f64; 3] {
+        let dot = |row: [f64; 3]| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>();
+        let f = |t: f64| {
+            if t > 0.008856 {
+                t.cbrt()
+            } else {
+                7.787 * t + 16.0 / 116.0
+            }
+        };
+        let x = f(dot([0.4124, 0.3576, 0.1805]) / 0.95047);
+        let y = f(dot([0.2126, 0.7152, 0.0722]));
+        let z = f(dot([0.0193, 0.1192, 0.9505]) / 1.08883);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    #[test]
+    fn the_three_forces_stay_apart_without_red_or_green_cones() {
+        // Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
+        let sights = [
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            [
+                [0.152286, 1.052583, -0.204868],
+                [0.114503, 0.786281, 0.099216],
+                [-0.003882, -0.048116, 1.051998],
+            ],
+            [
+                [0.367322, 0.860646, -0.227968],
+                [0.280085, 0.672501, 0.047413],
+                [-0.011820, 0.042940, 0.968881],
+            ],
+        ];
+        let roles = [Role::Measured, Role::Model, Role::FvOnly];
+        for sight in sights {
+            let seen = |colour: &str| {
+                let rgb = linear(colour);
+                lab(sight.map(|row| {
+                    row.iter()
+                        .zip(rgb)
+                        .map(|(a, b)| a * b)
+                        .sum::<f64>()
+                        .clamp(0.0, 1.0)
+                }))
+            };
+            for shade in [Role::light, Role::dark] {
+                for (i, a) in roles.iter().enumerate() {
+                    for b in &roles[i + 1..] {
+                        let (p, q) = (seen(shade(*a)), seen(shade(*b)));
+                        let distance = p
+                            .iter()
+                            .zip(q)
+                            .map(|(p, q)| (p - q).powi(2))
+                            .sum::<f64>()
+                            .sqrt();
+                        assert!(distance > 20.0, "{a:?} {b:?}: {distance}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_heat_colour_carries_readable_text() {
+        for step in 0..=60 {
+            let (fill, dark_text) = heat(0.3 * 10f64.powf(f64::from(step) / 25.0));
+            let [r, g, b] = linear(&fill);
+            let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+            let ink = if dark_text { 0.0 } else { 1.0 };
+            let contrast = (luminance.max(ink) + 0.05) / (luminance.min(ink) + 0.05);
+            assert!(contrast > 4.5, "{fill} {dark_text}: {contrast}");
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Thinning of a path without a visible change.
+
+/// A point of the figure, px.
+pub type Point = [f64; 2];
+
+/// Furthest a thinned path may stray from the given one while it stays within the limit of points, px.
+const INVISIBLE: f64 = 0.2;
+
+/// Distance from which on a thinned path is called rough, px.
+const ROUGH: f64 = 1.0;
+
+/// A thinned path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Thinned {
+    /// The points kept.
+    pub points: Vec<Point>,
+    /// Whether the path is too noisy to be followed by so few points: its extent is right, its detail is not.
+    pub rough: bool,
+}
+
+/// Thins a path (Douglas & Peucker 1973) to what a reader can see: points closer together than a fraction of a pixel
+/// merge, and points within 0.2 px of the line between kept ones go. Where more than `limit` points remain, as in a
+/// noisy measurement, the distance grows until the path fits; the answer says so by `rough`.
+pub fn simplify(path: &[Point], limit: usize) -> Thinned {
+    let mut near = INVISIBLE;
+    let mut merged = merge(path, near);
+    // A path this dense is noise on the scale of pixels; merging first keeps the recursion below short.
+    while merged.len() > 50 * limit.max(2) {
+        near *= 1.5;
+        merged = merge(path, near);
+    }
+    let mut tolerance = INVISIBLE;
+    loop {
+        let points = douglas_peucker(&merged, tolerance);
+        if points.len() <= limit.max(2) {
+            return Thinned {
+                points,
+                rough: tolerance > ROUGH,
+            };
+        }
+        tolerance *= 1.3;
+    }
+}
+
+/// Drops points closer than `near` to the last kept one; the ends stay.
+fn merge(path: &[Point], near: f64) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
+    for (i, point) in path.iter().enumerate() {
+        let far = kept
+            .last()
+            .is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) >= near);
+        if far || i + 1 == path.len() {
+            kept.push(*point);
+        }
+    }
+    kept
+}
+
+/// Keeps the ends and, between kept points, every point further than `tolerance` from their connection.
+fn douglas_peucker(path: &[Point], tolerance: f64) -> Vec<Point> {
+    if path.len() < 3 {
+        return path.to_vec();
+    }
+    let mut keep = vec![false; path.len()];
+    keep[0] = true;
+    keep[path.len() - 1] = true;
+    let mut open = vec![(0, path.len() - 1)];
+    while let Some((from, to)) = open.pop() {
+        let furthest = (from + 1..to)
+            .map(|i| (i, distance(path[i], path[from], path[to])))
+            .fold(
+                (from, tolerance),
+                |best, this| if this.1 > best.1 { this } else { best },
+            );
+        if furthest.0 != from {
+            keep[furthest.0] = true;
+            open.push((from, furthest.0));
+            open.push((furthest.0, to));
+        }
+    }
+    path.iter()
+        .zip(keep)
+        .filter_map(|(point, keep)| keep.then_some(*point))
+        .collect()
+}
+
+/// Distance of a point from the segment a–b, px.
+fn distance(point: Point, a: Point, b: Point) -> f64 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let square = dx * dx + dy * dy;
+    let along = if square > 0.0 {
+        ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square
+    } else {
+        0.0
+    };
+    let along = along.clamp(0.0, 1.0);
+    (point[0] - a[0] - along * dx).hypot(point[1] - a[1] - along * dy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(points: usize) -> Vec<Point> {
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / points as f64;
+        (0..=points)
+            .map(|i| {
+                [
+                    200.0 + 150.0 * angle(i).cos(),
+                    200.0 + 150.0 * angle(i).sin(),
+                ]
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_smooth_loop_keeps_its_shape_with_few_points() {
+        let thin = simplify(&circle(5000), 500);
+        assert!(!thin.rough);
+        let thin = thin.points;
+        assert!(thin.len() < 100, "{}", thin.len());
+        for point in circle(5000) {
+            let nearest = thin
+                .windows(2)
+                .map(|s| distance(point, s[0], s[1]))
+                .fold(f64::MAX, f64::min);
+            assert!(nearest <= 2.0 * INVISIBLE, "{nearest}");
+        }
+    }
+
+    #[test]
+    fn noise_is_held_to_the_limit_and_keeps_its_extent() {
+        let mut seed = 1u32;
+        let mut noise = || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed) / f64::from(u32::MAX) * 40.0
+        };
+        let path: Vec<Point> = (0..40_000)
+            .map(|i| [f64::from(i) * 0.01, noise()])
+            .collect();
+        let thin = simplify(&path, 300);
+        assert!(thin.rough);
+        let thin = thin.points;
+        assert!(thin.len() <= 300);
+        let high = thin.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
+        assert!(high > 39.0, "{high}");
+        assert_eq!(
+            (thin[0], thin[thin.len() - 1]),
+            (path[0], path[path.len() - 1])
+        );
+    }
+
+    #[test]
+    fn short_paths_pass_unchanged() {
+        assert!(simplify(&[], 10).points.is_empty());
+        assert_eq!(simplify(&[[1.0, 2.0]], 10).points, [[1.0, 2.0]]);
+        assert_eq!(
+            simplify(&[[1.0, 1.0]; 5], 10).points,
+            [[1.0, 1.0], [1.0, 1.0]]
+        );
+    }
+}

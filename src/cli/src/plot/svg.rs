@@ -1,0 +1,305 @@
+//! The SVG writer: a few marks, each with a class for the page and a light-background colour for everyone else.
+
+use super::palette::{FAINT_INK, GRID, INK, PAPER, Role};
+use super::simplify::{Point, Thinned, simplify};
+use std::fmt::Write as _;
+
+/// Width of a noisy line, px.
+const NOISY: f64 = 0.6;
+
+/// Where a text is anchored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// The text starts at the point.
+    Start,
+    /// The text is centred on the point.
+    Middle,
+    /// The text ends at the point.
+    End,
+}
+
+/// How a text looks.
+#[derive(Debug, Clone, Copy)]
+pub struct TextStyle {
+    /// Size, px.
+    pub size: f64,
+    /// Anchor.
+    pub anchor: Anchor,
+    /// Turn about the point, degrees clockwise.
+    pub turn: f64,
+    /// Bold.
+    pub bold: bool,
+    /// Secondary text.
+    pub faint: bool,
+}
+
+impl TextStyle {
+    /// Plain primary text.
+    pub fn plain(size: f64, anchor: Anchor) -> Self {
+        Self {
+            size,
+            anchor,
+            turn: 0.0,
+            bold: false,
+            faint: false,
+        }
+    }
+
+    /// Secondary text: tick labels, remarks.
+    pub fn faint(size: f64, anchor: Anchor) -> Self {
+        Self {
+            faint: true,
+            ..Self::plain(size, anchor)
+        }
+    }
+}
+
+/// An SVG document being written.
+#[derive(Debug)]
+pub struct Svg {
+    body: String,
+    width: f64,
+    height: f64,
+    title: String,
+}
+
+impl Svg {
+    /// Starts a document of a size in px; `title` is what a screen reader says.
+    pub fn new(width: f64, height: f64, title: &str) -> Self {
+        Self {
+            body: String::new(),
+            width,
+            height,
+            title: title.to_owned(),
+        }
+    }
+
+    /// The finished document.
+    pub fn finish(self) -> String {
+        let (width, height) = (px(self.width), px(self.height));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+             height=\"{height}\" role=\"img\" font-family=\"system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, \
+             sans-serif\"><title>{}</title><rect class=\"paper\" width=\"{width}\" height=\"{height}\" \
+             fill=\"{PAPER}\"/>{}</svg>",
+            escape(&self.title),
+            self.body,
+        )
+    }
+
+    /// A line of a role through points, thinned to at most `limit` of them. A noisy line is drawn fine, so that it does
+    /// not bury what runs through its middle.
+    pub fn path(&mut self, role: Role, points: &[Point], limit: usize) {
+        let Thinned { points, rough } = simplify(points, limit);
+        if points.len() < 2 {
+            return;
+        }
+        let _ = write!(
+            self.body,
+            "<path class=\"l {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+            role.class(),
+            role.light(),
+            px(if rough {
+                role.width().min(NOISY)
+            } else {
+                role.width()
+            }),
+        );
+        if let Some(dash) = role.dash().filter(|_| !rough) {
+            let _ = write!(self.body, " stroke-dasharray=\"{dash}\"");
+        }
+        let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
+    }
+
+    /// Several straight lines of the grid.
+    pub fn grid(&mut self, lines: &[[Point; 2]]) {
+        self.lines("grid", GRID, 1.0, lines);
+    }
+
+    /// Several straight lines of the frame or an axis.
+    pub fn frame(&mut self, lines: &[[Point; 2]], width: f64) {
+        self.lines("frame", FAINT_INK, width, lines);
+    }
+
+    fn lines(&mut self, class: &str, colour: &str, width: f64, lines: &[[Point; 2]]) {
+        if lines.is_empty() {
+            return;
+        }
+        let data: String = lines.iter().map(|line| path_data(line)).collect();
+        let width = px(width);
+        let _ = write!(
+            self.body,
+            "<path class=\"l {class}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\"{data}\"/>"
+        );
+    }
+
+    /// A filled dot of a role.
+    pub fn dot(&mut self, role: Role, at: Point, radius: f64) {
+        let (class, colour) = (role.class(), role.light());
+        let _ = write!(
+            self.body,
+            "<circle class=\"p {class}\" fill=\"{colour}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+            px(at[0]),
+            px(at[1]),
+            px(radius),
+        );
+    }
+
+    /// A filled rectangle of a fixed colour, the same on a dark page (a heat-map cell).
+    pub fn cell(&mut self, corner: Point, size: Point, fill: &str) {
+        let [x, y] = corner.map(px);
+        let [width, height] = size.map(px);
+        let _ = write!(
+            self.body,
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"2\" fill=\"{fill}\"/>"
+        );
+    }
+
+    /// A text.
+    pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
+        let (class, colour) = if style.faint {
+            ("faint", FAINT_INK)
+        } else {
+            ("ink", INK)
+        };
+        self.text_in(at, text, style, class, colour);
+    }
+
+    /// A text on a [`Svg::cell`], dark or light as its fill demands, the same on a dark page.
+    pub fn cell_text(&mut self, at: Point, text: &str, style: TextStyle, dark: bool) {
+        self.text_in(
+            at,
+            text,
+            style,
+            "fixed",
+            if dark { "#000000" } else { "#ffffff" },
+        );
+    }
+
+    fn text_in(&mut self, at: Point, text: &str, style: TextStyle, class: &str, colour: &str) {
+        let [x, y] = at.map(px);
+        let _ = write!(
+            self.body,
+            "<text class=\"{class}\" x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{colour}\"",
+            px(style.size)
+        );
+        match style.anchor {
+            Anchor::Start => {}
+            Anchor::Middle => self.body.push_str(" text-anchor=\"middle\""),
+            Anchor::End => self.body.push_str(" text-anchor=\"end\""),
+        }
+        if style.bold {
+            self.body.push_str(" font-weight=\"600\"");
+        }
+        if style.turn != 0.0 {
+            let _ = write!(
+                self.body,
+                " transform=\"rotate({} {x} {y})\"",
+                px(style.turn)
+            );
+        }
+        let _ = write!(self.body, ">{}</text>", escape(text));
+    }
+}
+
+/// Path data through points to a tenth of a pixel, in relative steps, which are shorter to write. Each step is taken
+/// from the rounded place, so that rounding does not add up.
+fn path_data(points: &[Point]) -> String {
+    let tenths = |value: f64| (value * 10.0).round() as i64;
+    let mut data = String::with_capacity(8 * points.len());
+    let mut last = [0, 0];
+    for (i, point) in points.iter().enumerate() {
+        let here = point.map(tenths);
+        let step = [here[0] - last[0], here[1] - last[1]];
+        if i > 0 && step == [0, 0] {
+            continue;
+        }
+        data.push_str(match i {
+            0 => "M",
+            1 => "l",
+            _ if step[0] >= 0 => " ",
+            _ => "",
+        });
+        push_tenths(&mut data, step[0]);
+        if step[1] >= 0 {
+            data.push(' ');
+        }
+        push_tenths(&mut data, step[1]);
+        last = here;
+    }
+    data
+}
+
+/// Writes a number of tenths as a decimal, as short as it goes.
+fn push_tenths(into: &mut String, tenths: i64) {
+    let sign = if tenths < 0 { "-" } else { "" };
+    let (whole, part) = (tenths.abs() / 10, tenths.abs() % 10);
+    let _ = match (whole, part) {
+        (whole, 0) => write!(into, "{sign}{whole}"),
+        (0, part) => write!(into, "{sign}.{part}"),
+        (whole, part) => write!(into, "{sign}{whole}.{part}"),
+    };
+}
+
+/// A coordinate to a tenth of a pixel.
+fn px(value: f64) -> String {
+    let mut text = String::new();
+    push_tenths(&mut text, (value * 10.0).round() as i64);
+    text
+}
+
+/// Text made safe inside XML and HTML, attributes included. Control characters, which XML forbids, are dropped.
+pub fn escape(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            '\n' | '\t' => safe.push(character),
+            other if other.is_control() => {}
+            other => safe.push(other),
+        }
+    }
+    safe
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn path_data_reads_back_to_a_tenth_of_a_pixel() {
+        let points = [
+            [10.04, 20.0],
+            [10.31, 19.5],
+            [9.0, 19.54],
+            [9.0, 19.54],
+            [400.26, 0.0],
+        ];
+        let data = path_data(&points);
+        assert_eq!(data, "M10 20l.3-.5-1.3 0 391.3-19.5");
+    }
+
+    #[test]
+    fn names_cannot_break_out_of_the_document() {
+        let mut svg = Svg::new(10.0, 10.0, "</title><script>");
+        svg.text(
+            [0.0, 0.0],
+            "a<b & \"c\"\u{1}",
+            TextStyle::plain(10.0, Anchor::End),
+        );
+        let text = svg.finish();
+        assert!(text.contains("&lt;/title&gt;&lt;script&gt;") && !text.contains("<script>"));
+        assert!(text.contains(">a&lt;b &amp; &quot;c&quot;</text>"));
+    }
+
+    #[test]
+    fn a_path_of_one_place_is_not_drawn() {
+        let mut svg = Svg::new(10.0, 10.0, "");
+        svg.path(Role::Model, &[[1.0, 1.0]], 10);
+        assert!(!svg.finish().contains("<path"));
+    }
+}

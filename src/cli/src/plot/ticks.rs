@@ -1,0 +1,133 @@
+//! Where an axis is marked, and how numbers are written there.
+
+/// Marks of an axis and the text at each.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ticks {
+    /// Position in the axis's own unit, and label.
+    pub at: Vec<(f64, String)>,
+}
+
+impl Ticks {
+    /// Marks at multiples of 1, 2, 2.5 or 5 times a power of ten inside `low..=high`, about `wanted` of them.
+    pub fn linear(low: f64, high: f64, wanted: usize) -> Self {
+        let span = high - low;
+        if !(span.is_finite() && span > 0.0) {
+            return Self { at: vec![] };
+        }
+        let rough = span / wanted.max(1) as f64;
+        let decade = 10f64.powf(rough.log10().floor());
+        let factor = [1.0, 2.0, 2.5, 5.0, 10.0]
+            .into_iter()
+            .find(|f| f * decade >= rough * 0.999)
+            .unwrap_or(10.0);
+        let step = factor * decade;
+        let quarter = usize::from(factor == 2.5);
+        let decimals = (-decade.log10().round()).max(-(quarter as f64)) as i32 + quarter as i32;
+        let decimals = if factor == 10.0 {
+            decimals - 1
+        } else {
+            decimals
+        }
+        .clamp(0, 12) as usize;
+        let first = (low / step - 1e-9).ceil() as i64;
+        let last = (high / step + 1e-9).floor() as i64;
+        Self {
+            at: (first..=last)
+                .map(|i| (i as f64 * step, number(i as f64 * step, decimals)))
+                .collect(),
+        }
+    }
+
+    /// Marks of a logarithmic axis inside `low..=high`, both positive: decades, with 2 and 5 between where few.
+    pub fn logarithmic(low: f64, high: f64) -> Self {
+        let factors: &[f64] = if high / low > 2e3 {
+            &[1.0]
+        } else {
+            &[1.0, 2.0, 5.0]
+        };
+        let mut at = Vec::new();
+        for exponent in low.log10().floor() as i32..=high.log10().ceil() as i32 {
+            for factor in factors {
+                let value = factor * 10f64.powi(exponent);
+                if (low * 0.999..=high * 1.001).contains(&value) {
+                    at.push((value, number(value, (-exponent).max(0) as usize)));
+                }
+            }
+        }
+        Self { at }
+    }
+}
+
+/// A number with a typographic minus and no negative zero.
+pub fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.to_owned(),
+        Some(rest) => format!("\u{2212}{rest}"),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn labels(ticks: &Ticks) -> Vec<&str> {
+        ticks.at.iter().map(|(_, label)| label.as_str()).collect()
+    }
+
+    #[test]
+    fn steps_are_round_and_labels_say_what_is_marked() {
+        assert_eq!(
+            labels(&Ticks::linear(-2100.0, 4050.0, 6)),
+            ["−2000", "0", "2000", "4000"]
+        );
+        assert_eq!(
+            labels(&Ticks::linear(-0.55, 0.55, 4)),
+            ["−0.5", "0.0", "0.5"]
+        );
+        assert_eq!(
+            labels(&Ticks::linear(0.0, 1.0, 4)),
+            ["0.00", "0.25", "0.50", "0.75", "1.00"]
+        );
+        assert_eq!(
+            labels(&Ticks::linear(0.0, 100.0, 4)),
+            ["0", "25", "50", "75", "100"]
+        );
+        assert_eq!(
+            labels(&Ticks::logarithmic(0.5, 50.0)),
+            ["0.5", "1", "2", "5", "10", "20", "50"]
+        );
+    }
+
+    #[test]
+    fn any_range_gets_a_few_distinct_marks_inside_it() {
+        for exponent in -6..7 {
+            for part in 1..40 {
+                let high = f64::from(part) * 0.37 * 10f64.powi(exponent);
+                let low = -0.61 * high;
+                let ticks = Ticks::linear(low, high, 5);
+                assert!((2..=7).contains(&ticks.at.len()), "{high}: {ticks:?}");
+                let distinct: BTreeSet<_> = ticks.at.iter().map(|(_, label)| label).collect();
+                assert_eq!(distinct.len(), ticks.at.len(), "{high}: {ticks:?}");
+                for (value, label) in &ticks.at {
+                    assert!((low * 1.001..=high * 1.001).contains(value));
+                    let read: f64 = label.replace('\u{2212}', "-").parse().unwrap();
+                    assert!(
+                        (read - value).abs() < 1e-9 * high.max(1.0),
+                        "{label} marks {value}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_empty_range_has_no_marks() {
+        assert!(
+            Ticks::linear(1.0, 1.0, 5).at.is_empty()
+                && Ticks::linear(0.0, f64::NAN, 5).at.is_empty()
+        );
+    }
+}

@@ -1,0 +1,44 @@
+//! Progress of long work: a line on a terminal, nothing in a pipe.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal as _;
+
+/// A progress line on standard error.
+pub struct Progress(ProgressBar);
+
+impl Progress {
+    /// A line that starts with `what`; invisible where standard error is no terminal.
+    pub fn new(what: &'static str) -> Progress {
+        let target =
+            if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let bar = ProgressBar::with_draw_target(Some(1000), target);
+        bar.set_style(
+            ProgressStyle::with_template("{prefix} {bar:30} {percent:>3} % {wide_msg}")
+                .unwrap_or_else(|_| ProgressStyle::default_bar()),
+        );
+        bar.set_prefix(what);
+        Progress(bar)
+    }
+
+    /// Sets how much is done, 0..1.
+    pub fn set(&self, done: f64) {
+        self.0.set_position((1000.0 * done) as u64);
+    }
+
+    /// Sets how much is done and what comes now.
+    pub fn say(&self, done: f64, text: &'static str) {
+        self.set(done);
+        self.0.set_message(text);
+    }
+
+    /// As [`Progress::set`] for counted work.
+    pub fn count(&self, done: usize, total: usize) {
+        self.set(done as f64 / total.max(1) as f64);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

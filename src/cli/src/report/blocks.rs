@@ -1,0 +1,132 @@
+//! What a report is made of: sections of paragraphs, tables and figures, free of any markup.
+//!
+//! All texts are plain; the page makes them safe.
+
+/// A titled part of the report.
+#[derive(Debug, Clone)]
+pub struct Section {
+    /// Anchor inside the page, unique; letters, digits and hyphens.
+    pub id: String,
+    /// Heading.
+    pub title: String,
+    /// Contents in reading order.
+    pub blocks: Vec<Block>,
+    /// Parts the reader may choose between, one at a time (the single tests); usually none.
+    pub choices: Vec<Section>,
+}
+
+/// One piece of a section.
+#[derive(Debug, Clone)]
+pub enum Block {
+    /// The sentences everybody reads, in larger type.
+    Lead(String),
+    /// Plain text.
+    Paragraph(String),
+    /// Something the reader must know before trusting the figures.
+    Warning(String),
+    /// A list of remarks.
+    List(Vec<String>),
+    /// A table.
+    Table(Table),
+    /// Figures side by side, as many as fit the page's width.
+    Figures(Vec<Figure>),
+    /// One figure at its own width.
+    Wide(Figure),
+}
+
+/// A figure.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// File name without extension, unique in the report.
+    pub file: String,
+    /// The picture, a complete SVG document.
+    pub svg: String,
+    /// Text below it; may be empty.
+    pub caption: String,
+}
+
+/// A table; the cells are ready text.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// What the figures are and how they were reckoned.
+    pub caption: String,
+    /// Columns.
+    pub columns: Vec<Column>,
+    /// Rows, each as long as `columns`.
+    pub rows: Vec<Vec<String>>,
+    /// Whether a click on a heading sorts the rows.
+    pub sortable: bool,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// Heading above neighbouring columns of one group; empty for none.
+    pub group: &'static str,
+    /// Heading with unit.
+    pub heading: &'static str,
+    /// Whether the cells are figures, set right.
+    pub figures: bool,
+}
+
+impl Section {
+    /// A section without choices.
+    pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
+        Self {
+            id: id.into(),
+            title: title.into(),
+            blocks,
+            choices: Vec::new(),
+        }
+    }
+
+    /// All figures in reading order.
+    pub fn figures(&self) -> Vec<&Figure> {
+        let mut figures: Vec<&Figure> = Vec::new();
+        for block in &self.blocks {
+            match block {
+                Block::Figures(some) => figures.extend(some),
+                Block::Wide(one) => figures.push(one),
+                _ => {}
+            }
+        }
+        figures.extend(self.choices.iter().flat_map(Section::figures));
+        figures
+    }
+}
+
+impl Figure {
+    /// A figure without caption.
+    pub fn new(file: impl Into<String>, svg: String) -> Self {
+        Self {
+            file: file.into(),
+            svg,
+            caption: String::new(),
+        }
+    }
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(heading: &'static str) -> Self {
+        Self {
+            group: "",
+            heading,
+            figures: false,
+        }
+    }
+
+    /// A column of figures.
+    pub fn figures(heading: &'static str) -> Self {
+        Self {
+            group: "",
+            heading,
+            figures: true,
+        }
+    }
+
+    /// The same column under a group heading.
+    pub fn of(self, group: &'static str) -> Self {
+        Self { group, ..self }
+    }
+}

@@ -1,0 +1,174 @@
+//! Sections as one HTML page: all markup, style and script of the report.
+
+use super::blocks::{Block, Column, Figure, Section, Table};
+use crate::plot::palette;
+use crate::plot::svg::escape;
+use std::fmt::Write as _;
+
+/// The whole document.
+pub fn page(title: &str, subtitle: &str, sections: &[Section]) -> String {
+    let mut html = String::new();
+    let title = escape(title);
+    let _ = write!(
+        html,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
+         <style>\n{}{}</style>\n</head>\n<body>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
+        include_str!("page.css"),
+        palette::page_css(),
+        escape(subtitle),
+    );
+    for part in sections {
+        let _ = write!(
+            html,
+            "<a href=\"#{}\">{}</a> ",
+            escape(&part.id),
+            escape(&part.title)
+        );
+    }
+    html.push_str("</nav>\n</header>\n<main>\n");
+    for part in sections {
+        section(&mut html, part);
+    }
+    let _ = write!(
+        html,
+        "</main>\n<script>\n{}</script>\n</body>\n</html>\n",
+        include_str!("page.js")
+    );
+    html
+}
+
+fn section(html: &mut String, section: &Section) {
+    let _ = writeln!(
+        html,
+        "<section id=\"{}\">\n<h2>{}</h2>",
+        escape(&section.id),
+        escape(&section.title)
+    );
+    section.blocks.iter().for_each(|part| block(html, part));
+    if !section.choices.is_empty() {
+        html.push_str("<div class=\"choices\">\n");
+        for choice in &section.choices {
+            let _ = writeln!(
+                html,
+                "<section class=\"choice\" id=\"{}\">\n<h3>{}</h3>",
+                escape(&choice.id),
+                escape(&choice.title)
+            );
+            choice.blocks.iter().for_each(|part| block(html, part));
+            html.push_str("</section>\n");
+        }
+        html.push_str("</div>\n");
+    }
+    html.push_str("</section>\n");
+}
+
+fn block(html: &mut String, block: &Block) {
+    let _ = match block {
+        Block::Lead(text) => writeln!(html, "<p class=\"lead\">{}</p>", escape(text)),
+        Block::Paragraph(text) => writeln!(html, "<p>{}</p>", escape(text)),
+        Block::Warning(text) => writeln!(
+            html,
+            "<p class=\"warning\"><strong>Note.</strong> {}</p>",
+            escape(text)
+        ),
+        Block::List(items) => {
+            let items: String = items
+                .iter()
+                .map(|item| format!("<li>{}</li>", escape(item)))
+                .collect();
+            writeln!(html, "<ul>{items}</ul>")
+        }
+        Block::Table(part) => {
+            table(html, part);
+            Ok(())
+        }
+        Block::Figures(figures) => {
+            html.push_str("<div class=\"figures\">\n");
+            figures.iter().for_each(|part| figure(html, part, ""));
+            writeln!(html, "</div>")
+        }
+        Block::Wide(part) => {
+            figure(html, part, " class=\"wide\"");
+            Ok(())
+        }
+    };
+}
+
+fn figure(html: &mut String, figure: &Figure, class: &str) {
+    let _ = write!(html, "<figure{class}>{}", figure.svg);
+    if !figure.caption.is_empty() {
+        let _ = write!(html, "<figcaption>{}</figcaption>", escape(&figure.caption));
+    }
+    html.push_str("</figure>\n");
+}
+
+fn table(html: &mut String, table: &Table) {
+    let class = if table.sortable {
+        " class=\"sortable\""
+    } else {
+        ""
+    };
+    if !table.caption.is_empty() {
+        // Not a <caption>: that would be as wide as the table and scroll away with it.
+        let _ = writeln!(html, "<p class=\"caption\">{}</p>", escape(&table.caption));
+    }
+    let _ = write!(html, "<div class=\"table\">\n<table{class}>\n");
+    html.push_str("<thead>\n");
+    groups(html, &table.columns);
+    html.push_str("<tr class=\"headings\">");
+    for (i, column) in table.columns.iter().enumerate() {
+        let _ = write!(
+            html,
+            "<th{}>{}</th>",
+            class_of(&table.columns, i),
+            escape(column.heading)
+        );
+    }
+    html.push_str("</tr>\n</thead>\n<tbody>\n");
+    for row in &table.rows {
+        html.push_str("<tr>");
+        for (i, cell) in row.iter().enumerate() {
+            let _ = write!(
+                html,
+                "<td{}>{}</td>",
+                class_of(&table.columns, i),
+                escape(cell)
+            );
+        }
+        html.push_str("</tr>\n");
+    }
+    html.push_str("</tbody>\n</table>\n</div>\n");
+}
+
+/// The row of group headings, where there are any.
+fn groups(html: &mut String, columns: &[Column]) {
+    if columns.iter().all(|column| column.group.is_empty()) {
+        return;
+    }
+    html.push_str("<tr>");
+    for group in columns.chunk_by(|a, b| a.group == b.group) {
+        let (name, span) = (group[0].group, group.len());
+        let class = if name.is_empty() {
+            ""
+        } else {
+            " class=\"group\""
+        };
+        let _ = write!(html, "<th{class} colspan=\"{span}\">{}</th>", escape(name));
+    }
+    html.push_str("</tr>\n");
+}
+
+/// Figures stand right; the first column of a group has a line before it.
+fn class_of(columns: &[Column], index: usize) -> &'static str {
+    let Some(column) = columns.get(index) else {
+        return "";
+    };
+    let first = index > 0 && !column.group.is_empty() && columns[index - 1].group != column.group;
+    match (column.figures, first) {
+        (true, true) => " class=\"n first\"",
+        (true, false) => " class=\"n\"",
+        (false, true) => " class=\"first\"",
+        (false, false) => "",
+    }
+}

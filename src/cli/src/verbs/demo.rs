@@ -1,0 +1,6 @@
+//! Under way.
+/// Under way
+#[derive(clap::Args)]
+pub struct Args {}
+/// Runs the verb.
+pub fn run(_: &Args) -> anyhow::Result<()> { anyhow::bail!("under way") }

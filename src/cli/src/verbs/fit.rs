@@ -1,0 +1,128 @@
+//! `dashpot fit`: records in, model file out.
+
+use super::data::{DataArgs, matches, sign_in_words};
+use super::output;
+use crate::progress::Progress;
+use anyhow::bail;
+use clap::ValueEnum;
+use dashpot_lab::identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
+use dashpot_lab::model_file;
+use dashpot_lab::records::{Campaign, Record, SignFinding};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Identify a damper from rig records
+///
+/// FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the
+/// variants of friction and spring are chosen by tests left out of the fit.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json")]
+pub struct Args {
+    #[command(flatten)]
+    data: DataArgs,
+    /// Model file to write
+    #[arg(short, long, value_name = "MODEL")]
+    output: PathBuf,
+    /// Estimates, choices and notes as JSON; - for standard output
+    #[arg(long, value_name = "F")]
+    json: Option<PathBuf>,
+    /// Kind of model: the thesis's, the plain FV curve, or a polynomial FV curve with a first-order lag
+    #[arg(long, value_enum, default_value_t = ModelKind::Thesis)]
+    model: ModelKind,
+    /// Elements that the fit may use, separated by commas; all of the model's if not given
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    elements: Option<Vec<String>>,
+    /// Tests to leave out, by name; * stands for anything
+    #[arg(long, value_name = "GLOB", value_delimiter = ',')]
+    hold_out: Vec<String>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ModelKind {
+    Thesis,
+    Fv,
+    Lag,
+}
+
+#[derive(Serialize)]
+struct Json<'a> {
+    model: &'a Path,
+    tests: &'a [String],
+    parameters: &'a [Estimate],
+    choices: &'a [Choice],
+    notes: &'a [String],
+    misfit: f64,
+    sign: &'a SignFinding,
+}
+
+/// Fits and writes the model file.
+pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> anyhow::Result<Fit> {
+    let progress = Progress::new("fitting");
+    let found = fit(records, options, |stage| progress.say(stage.done, stage.text))?;
+    drop(progress);
+    output::write(output, &model_file::write(&found))?;
+    Ok(found)
+}
+
+/// The tests that a fit may see.
+pub fn kept<'a>(campaign: &'a Campaign, hold_out: &[String]) -> anyhow::Result<Vec<&'a Record>> {
+    let kept: Vec<&Record> = campaign.records.iter().filter(|r| !matches(r, hold_out)).collect();
+    if kept.is_empty() {
+        bail!("--hold-out leaves no test to fit; it matches all {}", campaign.records.len());
+    }
+    if let Some(pattern) = hold_out.iter().find(|p| !campaign.records.iter().any(|r| matches(r, &[(*p).clone()]))) {
+        bail!("--hold-out {pattern:?} matches no test; the first is called {:?}", campaign.records[0].name);
+    }
+    Ok(kept)
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let campaign = args.data.load()?;
+    let options = FitOptions {
+        family: match args.model {
+            ModelKind::Thesis => Family::Thesis,
+            ModelKind::Fv => Family::Fv,
+            ModelKind::Lag => Family::Lag,
+        },
+        elements: args.elements.clone(),
+    };
+    let found = identify(&kept(&campaign, &args.hold_out)?, &options, &args.output)?;
+    let json = args.json.as_deref();
+    let say = |text: &str| output::say(json, text);
+    say(&sign_in_words(&campaign.sign))?;
+    for note in campaign.notes.iter() {
+        say(&format!("note: {}", note.text))?;
+    }
+    for choice in &found.choices {
+        say(&format!("{}: {} — {}", choice.of, choice.chosen, choice.why))?;
+    }
+    for e in found.estimates.iter().filter(|e| e.index.is_none()) {
+        say(&match (&e.standing, e.low, e.high) {
+            (Standing::NotIdentified, ..) => format!("  {:<30} not identified", e.name),
+            (_, Some(low), Some(high)) => {
+                format!("  {:<30} {:>12.5} {:<10} 95 %: {:.5} to {:.5}", e.name, e.value, e.unit, low, high)
+            }
+            _ => format!("  {:<30} {:>12.5} {}", e.name, e.value, e.unit),
+        })?;
+    }
+    for note in &found.notes {
+        say(&format!("note: {note}"))?;
+    }
+    say(&format!("{} tests fitted; model in {}", found.tests.len(), args.output.display()))?;
+    if let Some(path) = json {
+        output::json(
+            path,
+            &Json {
+                model: &args.output,
+                tests: &found.tests,
+                parameters: &found.estimates,
+                choices: &found.choices,
+                notes: &found.notes,
+                misfit: found.misfit,
+                sign: &campaign.sign,
+            },
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,11 @@
+//! The verbs of the command, one file each.
+
+pub mod bench;
+mod data;
+pub mod demo;
+pub mod fit;
+pub mod matrix;
+mod output;
+pub mod rig;
+pub mod simulate;
+pub mod validate;

@@ -1,0 +1,228 @@
+//! `dashpot validate`: a model against records, beside the FV curve.
+
+use super::data::{DataArgs, sign_in_words};
+use super::output;
+use crate::progress::Progress;
+use crate::report::{self, Block, ParameterRow, ReportInput};
+use anyhow::{Context as _, anyhow};
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Shape};
+use dashpot_core::{Model, Params};
+use dashpot_lab::identification::{Family, FitOptions, fit};
+use dashpot_lab::model_file::{self, Interval, ModelFile};
+use dashpot_lab::prediction::predict;
+use dashpot_lab::records::{Campaign, Record};
+use dashpot_lab::validation::{Compared, Validation, validate};
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// Compare a model with records, beside the plain FV curve fitted to the same data
+///
+/// Errors by amplitude and by peak velocity, on tests the fit used and on tests it did not; hysteresis; plots.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json")]
+pub struct Args {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    #[command(flatten)]
+    data: DataArgs,
+    /// Figures as JSON; - for standard output
+    #[arg(long, value_name = "F")]
+    json: Option<PathBuf>,
+    /// Report with tables and plots, one file that opens without a network
+    #[arg(long, value_name = "F.html")]
+    report: Option<PathBuf>,
+    /// Folder for every figure of the report as an SVG file
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let model = model_file::read(&args.model)?;
+    let campaign = args.data.load()?;
+    let compared = compare(&model, &campaign)?;
+    let validation = validate(&compared)?;
+    let json = args.json.as_deref();
+    output::say(json, &table(&validation))?;
+    if let Some(path) = json {
+        output::json(path, &validation)?;
+    }
+    if args.report.is_some() || args.svg.is_some() {
+        let progress = Progress::new("drawing");
+        progress.set(0.2);
+        let input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation);
+        if let Some(path) = &args.report {
+            report::write_atomic(&input, path)?;
+            output::say(json, &format!("report: {}", path.display()))?;
+        }
+        if let Some(folder) = &args.svg {
+            let written = report::svgs(&input, folder)?;
+            output::say(json, &format!("{} figures in {}", written.len(), folder.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Simulates every record with the model and with the FV curve alone.
+pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
+    let model = prepared(&file.params)?;
+    let fv_only = prepared(&fv_only(file, campaign)?)?;
+    let progress = Progress::new("simulating");
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    Ok(campaign
+        .records
+        .par_iter()
+        .map(|record| {
+            let compared = Compared {
+                record,
+                model: predict(&model, record),
+                fv_only: predict(&fv_only, record),
+                used_in_fit: file.identification.tests.contains(&record.name),
+            };
+            let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            progress.count(done, campaign.records.len());
+            compared
+        })
+        .collect())
+}
+
+fn prepared(params: &Params) -> anyhow::Result<Model> {
+    Model::new(params).map_err(|fault| {
+        let name = parameter::table().nth(fault.parameter as usize).map_or("a parameter", |row| row.parameter.name);
+        anyhow!("{name} {}", fault.reason.text())
+    })
+}
+
+/// The plain FV curve of the fit; fitted to these records where the model file brings none.
+fn fv_only(file: &ModelFile, campaign: &Campaign) -> anyhow::Result<Params> {
+    if let Some(curve) = &file.identification.fv_only {
+        return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");
+    }
+    let records: Vec<&Record> = campaign.records.iter().collect();
+    Ok(fit(&records, &FitOptions { family: Family::Fv, elements: None }, |_| ())?.params)
+}
+
+/// The error matrix as text.
+pub fn table(v: &Validation) -> String {
+    let mut out = format!(
+        "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
+        "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
+    );
+    let mut row = |label: &str, tests: usize, e: &dashpot_lab::validation::Errors| {
+        out += &format!(
+            "{:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>12.2}{:>12.2}{:>10.2}\n",
+            label,
+            tests,
+            e.model.mean_error_n,
+            e.model.error_percent,
+            e.model.region1_n,
+            e.model.region2_n,
+            e.fv_only.mean_error_n,
+            e.fv_only.error_percent
+        );
+    };
+    for r in &v.matrix.by_amplitude {
+        row(&r.label, r.tests, &r.errors);
+    }
+    for r in v.matrix.slow.iter().chain(&v.matrix.not_periodic) {
+        row(&r.label, r.tests, &r.errors);
+    }
+    for r in &v.matrix.by_peak_velocity {
+        row(&r.label, r.tests, &r.errors);
+    }
+    for (label, summary) in [("tests used in the fit", &v.used_in_fit), ("tests left out", &v.left_out)] {
+        if let Some(s) = summary {
+            row(label, s.tests, &s.errors);
+        }
+    }
+    row("all tests", v.overall.tests, &v.overall.errors);
+    out.trim_end().to_owned()
+}
+
+/// Everything the report tells.
+pub fn report_input<'a>(
+    model_path: &Path,
+    data: &str,
+    model: &ModelFile,
+    campaign: &Campaign,
+    compared: &'a [Compared<'a>],
+    validation: &'a Validation,
+) -> ReportInput<'a> {
+    let mut identification = vec![Block::Paragraph(sign_in_words(&campaign.sign))];
+    let notes: Vec<String> =
+        campaign.notes.iter().map(|n| n.text.clone()).chain(model.identification.notes.iter().cloned()).collect();
+    if !notes.is_empty() {
+        identification.push(Block::List(notes));
+    }
+    ReportInput {
+        title: "Damper model against rig records".to_owned(),
+        model_file: model_path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
+        data: data.to_owned(),
+        validation,
+        tests: compared,
+        parameters: parameter_rows(model),
+        parameter_range: "Low and high are the ends of the 95 % interval.".to_owned(),
+        identification,
+        extra: Vec::new(),
+    }
+}
+
+fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {
+    let id = &model.identification;
+    let mut rows = Vec::new();
+    for row in parameter::table().filter(|r| r.group < elements::COUNT) {
+        let p = row.parameter;
+        if !model.params.is_on(GROUPS[row.group].name) {
+            continue;
+        }
+        let values = model.params.get(&row);
+        let interval = id.intervals.get(p.name);
+        let missing = id.not_identified.iter().any(|n| n == p.name);
+        match (p.shape, interval) {
+            (Shape::Choice(_), _) => continue,
+            (Shape::Scalar, interval) => {
+                let (low, high) = match interval {
+                    Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
+                    _ => (None, None),
+                };
+                // Rows of the other form of an element say nothing here.
+                if low.is_none() && !missing && values == p.default {
+                    continue;
+                }
+                rows.push(ParameterRow {
+                    name: p.name.to_owned(),
+                    value: values[0],
+                    unit: p.unit.to_owned(),
+                    low,
+                    high,
+                    source: id.sources.get(p.name).cloned().unwrap_or_default(),
+                    note: if missing { "not identified from this data".to_owned() } else { p.meaning.to_owned() },
+                });
+            }
+            (Shape::List(_), Some(Interval::List(pairs))) => {
+                for (k, (value, [low, high])) in values.iter().zip(pairs).enumerate() {
+                    let at = match p.name {
+                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| format!("at {v:.4} m/s")),
+                        "spring_force" => {
+                            model.params.list("spring_displacement").get(k).map(|x| format!("at {x:.4} m"))
+                        }
+                        _ => None,
+                    };
+                    rows.push(ParameterRow {
+                        name: format!("{}[{k}]", p.name),
+                        value: *value,
+                        unit: p.unit.to_owned(),
+                        low: Some(*low),
+                        high: Some(*high),
+                        source: String::new(),
+                        note: at.unwrap_or_default(),
+                    });
+                }
+            }
+            (Shape::List(_), _) => {}
+        }
+    }
+    rows
+}

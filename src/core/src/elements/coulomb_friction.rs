@@ -1,0 +1,43 @@
+//! Coulomb friction (thesis 3.1).
+
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::math::tanh;
+use crate::parameter::{Parameter, View};
+
+/// F = F_s tanh(K v).
+#[derive(Clone, Copy, Debug)]
+pub struct CoulombFriction {
+    level: f64,
+    steepness: f64,
+}
+
+impl Describe for CoulombFriction {
+    const MEANING: &'static str = "dry friction of constant level, F_s tanh(K v)";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("coulomb_force", "N", &[40.0], (0.0, 1e4), "friction level, F_s"),
+        Parameter::scalar("coulomb_steepness", "s/m", &[2000.0], (1.0, 1e5), "steepness of the change of sign, K"),
+    ];
+}
+
+impl Prepare for CoulombFriction {
+    const OFF: Self = CoulombFriction { level: 0.0, steepness: 1.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(CoulombFriction { level: p.number(0), steepness: p.number(1) })
+    }
+}
+
+impl Force for CoulombFriction {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        smooth_sign(self.level, self.steepness, at.velocity)
+    }
+}
+
+/// level · tanh(steepness · v): dry friction that all elements with a level share.
+#[inline(always)]
+pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
+    let t = tanh(steepness * v);
+    Response { force: level * t, by_x: 0.0, by_v: level * steepness * (1.0 - t * t) }
+}

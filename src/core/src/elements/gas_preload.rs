@@ -1,0 +1,32 @@
+//! Constant gas force that pushes the rod out (thesis 3, identified from the slow test).
+
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F = −F_gas: a push, so negative where tension is positive.
+#[derive(Clone, Copy, Debug)]
+pub struct GasPreload {
+    push: f64,
+}
+
+impl Describe for GasPreload {
+    const MEANING: &'static str = "constant gas force";
+    const PARAMETERS: &'static [Parameter] =
+        &[Parameter::scalar("gas_force", "N", &[80.0], (-1e4, 1e4), "gas force, positive where it pushes the rod out")];
+}
+
+impl Prepare for GasPreload {
+    const OFF: Self = GasPreload { push: 0.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(GasPreload { push: p.number(0) })
+    }
+}
+
+impl Force for GasPreload {
+    #[inline(always)]
+    fn force(&self, _: &Motion) -> Response {
+        Response { force: -self.push, by_x: 0.0, by_v: 0.0 }
+    }
+}

@@ -1,0 +1,290 @@
+//! The physical effects, one file each, and the one list that puts them into the model.
+//!
+//! A new effect is a new file with its equation, parameters, states and partials, and one line in [`elements!`] below.
+//! The line says where the effect acts:
+//!
+//! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
+//! - `friction` and `preload`: beside the whole damper, driven by the input motion;
+//! - `memory`: beside the whole damper, with one private state.
+//!
+//! `primary` (the FV curve) and `series` (the compliance with its mass) make the frame they act in.
+
+mod coulomb_friction;
+mod fv_curve;
+mod gas_preload;
+mod lagged_polynomial;
+mod parallel_spring;
+mod series_compliance;
+mod side_force_friction;
+mod stribeck_friction;
+mod viscous_friction;
+
+use crate::fault::Fault;
+use crate::parameter::{Group, Parameter, Params, View};
+
+/// The motion that an element sees, and what surrounds it.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    /// Displacement, m, extension positive.
+    pub displacement: f64,
+    /// Velocity, m/s, extension positive.
+    pub velocity: f64,
+    /// Side force, N.
+    pub side_force: f64,
+    /// Damper temperature, °C.
+    pub temperature: f64,
+}
+
+/// Force of an element without memory, and its slopes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response {
+    /// Force, N, tension positive.
+    pub force: f64,
+    /// ∂F/∂x, N/m.
+    pub by_x: f64,
+    /// ∂F/∂v, N s/m.
+    pub by_v: f64,
+}
+
+impl Response {
+    /// Nothing.
+    pub const NONE: Response = Response { force: 0.0, by_x: 0.0, by_v: 0.0 };
+
+    #[inline(always)]
+    fn add(&mut self, other: Response) {
+        self.force += other.force;
+        self.by_x += other.by_x;
+        self.by_v += other.by_v;
+    }
+}
+
+/// Force and state rate of an element with one private state, and their slopes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recall {
+    /// Force, N.
+    pub force: f64,
+    /// ∂F/∂x.
+    pub by_x: f64,
+    /// ∂F/∂v.
+    pub by_v: f64,
+    /// ∂F/∂z.
+    pub by_memory: f64,
+    /// dz/dt.
+    pub rate: f64,
+    /// ∂(dz/dt)/∂x.
+    pub rate_by_x: f64,
+    /// ∂(dz/dt)/∂v.
+    pub rate_by_v: f64,
+    /// ∂(dz/dt)/∂z, at most 0.
+    pub rate_by_memory: f64,
+}
+
+impl Recall {
+    /// Nothing.
+    pub const NONE: Recall = Recall {
+        force: 0.0,
+        by_x: 0.0,
+        by_v: 0.0,
+        by_memory: 0.0,
+        rate: 0.0,
+        rate_by_x: 0.0,
+        rate_by_v: 0.0,
+        rate_by_memory: 0.0,
+    };
+}
+
+/// What an element tells the parameter table.
+pub trait Describe {
+    /// What it is, in one line.
+    const MEANING: &'static str;
+    /// Its rows.
+    const PARAMETERS: &'static [Parameter];
+}
+
+/// How an element is made ready from its parameters.
+pub trait Prepare: Sized {
+    /// The element switched off.
+    const OFF: Self;
+    /// Checks what the bounds of single parameters cannot, and precomputes.
+    ///
+    /// # Errors
+    /// The parameter that does not fit the others.
+    fn prepare(parameters: &View) -> Result<Self, Fault>;
+}
+
+/// An element whose force depends on the present motion alone.
+pub trait Force {
+    /// Force and slopes.
+    fn force(&self, at: &Motion) -> Response;
+}
+
+/// An element with one private state z.
+pub trait Memory {
+    /// Force, state rate and all slopes at state `z`.
+    fn recall(&self, at: &Motion, z: f64) -> Recall;
+    /// The state after the motion has been held long enough.
+    fn settled(&self, at: &Motion) -> f64;
+}
+
+/// Most private states that a model may carry.
+pub const MAX_MEMORY: usize = 8;
+
+/// Expands the list of elements into their prepared set, the table's groups and the sums the equations need.
+macro_rules! elements {
+    (
+        primary { $primary:ident: $Primary:ty }
+        series { $series:ident: $Series:ty }
+        inner { $($inner:ident: $Inner:ty,)* }
+        friction { $($friction:ident: $Friction:ty,)* }
+        preload { $($preload:ident: $Preload:ty,)* }
+        memory { $($memory:ident: $Memory:ty,)* }
+        default { $($default:ident,)* }
+        settings { $settings:ident: $Settings:ty }
+    ) => {
+        /// Places of the elements in the table's groups.
+        #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
+        #[derive(Clone, Copy)]
+        enum Place { $primary, $series, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $settings }
+
+        /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
+        pub const GROUPS: &[Group] = &[
+            Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
+            Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
+            $(Group { name: stringify!($inner), meaning: <$Inner>::MEANING, parameters: <$Inner>::PARAMETERS },)*
+            $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
+            $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
+            $(Group { name: stringify!($memory), meaning: <$Memory>::MEANING, parameters: <$Memory>::PARAMETERS },)*
+            Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
+        ];
+
+        /// Number of elements: the groups without the settings.
+        pub const COUNT: usize = Place::$settings as usize;
+
+        /// Elements of the default model.
+        pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
+
+        /// The prepared elements of one model.
+        #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
+        pub struct Elements {
+            on: u64,
+            /// The primary damper.
+            pub $primary: $Primary,
+            /// The series compliance.
+            pub $series: $Series,
+            $($inner: $Inner,)*
+            $($friction: $Friction,)*
+            $($preload: $Preload,)*
+            $($memory: $Memory,)*
+        }
+
+        impl Elements {
+            /// Prepares the elements that are on.
+            ///
+            /// # Errors
+            /// The parameter that does not fit.
+            pub fn prepare(params: &Params) -> Result<Elements, Fault> {
+                let on = params.elements();
+                macro_rules! ready {
+                    ($name:ident, $Type:ty) => {
+                        if on & (1 << Place::$name as usize) != 0 {
+                            <$Type>::prepare(&View::new(params, Place::$name as usize))?
+                        } else {
+                            <$Type>::OFF
+                        }
+                    };
+                }
+                Ok(Elements {
+                    on,
+                    $primary: ready!($primary, $Primary),
+                    $series: ready!($series, $Series),
+                    $($inner: ready!($inner, $Inner),)*
+                    $($friction: ready!($friction, $Friction),)*
+                    $($preload: ready!($preload, $Preload),)*
+                    $($memory: ready!($memory, $Memory),)*
+                })
+            }
+
+            #[inline(always)]
+            fn has(&self, place: Place) -> bool {
+                self.on & (1 << place as usize) != 0
+            }
+
+            /// Whether the series compliance is on: without it the internal mass is the driven end.
+            #[inline(always)]
+            pub fn has_series(&self) -> bool {
+                self.has(Place::$series)
+            }
+
+            /// Sum of the elements on the internal mass beside the FV curve.
+            #[inline(always)]
+            pub fn inner(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$inner) { sum.add(self.$inner.force(at)); })*
+                sum
+            }
+
+            /// Sum of the friction elements beside the whole damper.
+            #[inline(always)]
+            pub fn friction(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$friction) { sum.add(self.$friction.force(at)); })*
+                sum
+            }
+
+            /// Sum of the position forces beside the whole damper.
+            #[inline(always)]
+            pub fn preload(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$preload) { sum.add(self.$preload.force(at)); })*
+                sum
+            }
+
+            /// Whether any element with a private state is on.
+            #[inline(always)]
+            pub fn has_memory(&self) -> bool {
+                false $(|| self.has(Place::$memory))*
+            }
+
+            /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
+            #[inline(always)]
+            pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {
+                let mut place = 0;
+                $(if self.has(Place::$memory) { visit(place, &self.$memory); } place += 1;)*
+                debug_assert!(place <= MAX_MEMORY);
+            }
+        }
+    };
+}
+
+elements! {
+    primary { fv_curve: fv_curve::FvCurve }
+    series { series_compliance: series_compliance::SeriesCompliance }
+    inner {
+        parallel_spring: parallel_spring::ParallelSpring,
+    }
+    friction {
+        coulomb_friction: coulomb_friction::CoulombFriction,
+        stribeck_friction: stribeck_friction::StribeckFriction,
+        viscous_friction: viscous_friction::ViscousFriction,
+        side_force_friction: side_force_friction::SideForceFriction,
+    }
+    preload {
+        gas_preload: gas_preload::GasPreload,
+    }
+    memory {
+        lagged_polynomial: lagged_polynomial::LaggedPolynomial,
+    }
+    default { fv_curve, series_compliance, parallel_spring, stribeck_friction, viscous_friction, gas_preload, }
+    settings { integration: crate::step::Integration }
+}
+
+/// The bit of the element called `name`.
+pub(crate) fn bit(name: &str) -> Option<u64> {
+    GROUPS.iter().take(COUNT).position(|group| group.name == name).map(|place| 1 << place)
+}
+
+/// The names of all elements, in the order of the list.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    GROUPS.iter().take(COUNT).map(|group| group.name)
+}

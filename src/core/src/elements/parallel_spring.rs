@@ -1,0 +1,78 @@
+//! Parallel spring on the internal mass (thesis 3, F_p): the source of most of the hysteresis.
+
+use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::{Fault, Reason};
+use crate::parameter::{Parameter, View};
+
+/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
+#[derive(Clone, Copy, Debug)]
+pub struct ParallelSpring {
+    /// By power of |x|: the coefficient in F_p / x and in F_p', so that both run side by side.
+    k: [[f64; 2]; 4],
+    /// Whether there is more than the linear and the quadratic term.
+    has_higher: bool,
+    lookup: Curve,
+    has_lookup: bool,
+}
+
+const DISPLACEMENT: usize = 4;
+const FORCE: usize = 5;
+
+impl Describe for ParallelSpring {
+    const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "k_p of k_p x"),
+        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e8), "k_p of k_p x|x|"),
+        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e9), "k_p of k_p x^3"),
+        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e10), "k_p of k_p x^3|x|"),
+        Parameter::list("spring_displacement", "m", MAX_POINTS, &[], (-10.0, 10.0), "displacements of the lookup spring, increasing; empty: no lookup"),
+        Parameter::list("spring_force", "N", MAX_POINTS, &[], (-1e6, 1e6), "forces of the lookup spring, non-decreasing"),
+    ];
+}
+
+impl Prepare for ParallelSpring {
+    const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
+        let has_lookup = !x.is_empty() || !f.is_empty();
+        let lookup = if has_lookup {
+            Curve::new(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
+                p.fault(if matches!(reason, Reason::NotIncreasing) { DISPLACEMENT } else { FORCE }, reason)
+            })?
+        } else {
+            Curve::ZERO
+        };
+        let k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
+        let has_higher = k[2][0] != 0.0 || k[3][0] != 0.0;
+        Ok(ParallelSpring { k, has_higher, lookup, has_lookup })
+    }
+}
+
+impl Force for ParallelSpring {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        let x = at.displacement;
+        let r = x.abs();
+        let [k1, k2, k3, k4] = self.k;
+        let mut from_k2 = k2;
+        if self.has_higher {
+            from_k2 = [0, 1].map(|i| k2[i] + r * (k3[i] + r * k4[i]));
+        }
+        let [secant, mut by_x] = [0, 1].map(|i| k1[i] + r * from_k2[i]);
+        let mut force = x * secant;
+        if self.has_lookup {
+            let value = lookup(&self.lookup, x);
+            force += value.value;
+            by_x += value.slope;
+        }
+        Response { force, by_x, by_v: 0.0 }
+    }
+}
+
+/// Apart, so that the springs without a table do not pay for its registers.
+#[inline(always)]
+fn lookup(curve: &Curve, x: f64) -> Value {
+    curve.at(x)
+}

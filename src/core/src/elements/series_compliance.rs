@@ -1,0 +1,33 @@
+//! Series spring and damper between the driven end and the internal mass (thesis 3, F_s and m): compressibility.
+
+use crate::elements::{Describe, Prepare};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
+#[derive(Clone, Copy, Debug)]
+pub struct SeriesCompliance {
+    /// k_s, N/m.
+    pub stiffness: f64,
+    /// c_s, N s/m.
+    pub damping: f64,
+    /// m, kg.
+    pub mass: f64,
+}
+
+impl Describe for SeriesCompliance {
+    const MEANING: &'static str = "series spring and damper with the internal mass (compressibility of gas, oil and mount)";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
+        Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),
+        Parameter::scalar("internal_mass", "kg", &[0.5], (0.05, 20.0), "moving mass of rod, oil and gas, m"),
+    ];
+}
+
+impl Prepare for SeriesCompliance {
+    const OFF: Self = SeriesCompliance { stiffness: 0.0, damping: 0.0, mass: 0.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(SeriesCompliance { stiffness: p.number(0), damping: p.number(1), mass: p.number(2) })
+    }
+}

@@ -1,0 +1,36 @@
+//! Friction that grows with side force (thesis 4.2).
+
+use crate::elements::coulomb_friction::smooth_sign;
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F = k_avg |F_side| tanh(K v).
+#[derive(Clone, Copy, Debug)]
+pub struct SideForceFriction {
+    coefficient: f64,
+    steepness: f64,
+}
+
+impl Describe for SideForceFriction {
+    const MEANING: &'static str = "dry friction proportional to side force";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("side_force_coefficient", "-", &[0.05], (0.0, 2.0), "friction per side force, k_avg"),
+        Parameter::scalar("side_force_steepness", "s/m", &[2000.0], (1.0, 1e5), "steepness of the change of sign, K"),
+    ];
+}
+
+impl Prepare for SideForceFriction {
+    const OFF: Self = SideForceFriction { coefficient: 0.0, steepness: 1.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(SideForceFriction { coefficient: p.number(0), steepness: p.number(1) })
+    }
+}
+
+impl Force for SideForceFriction {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        smooth_sign(self.coefficient * at.side_force.abs(), self.steepness, at.velocity)
+    }
+}

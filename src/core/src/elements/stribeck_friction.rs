@@ -1,0 +1,141 @@
+//! Stribeck friction: a break-away peak that falls to the Coulomb level (thesis 3.3–3.7).
+
+use crate::elements::coulomb_friction::smooth_sign;
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::math::{exp_below_bound, power};
+use crate::parameter::{Parameter, View};
+
+/// Two forms.
+///
+/// *Simplified* (thesis 3.5–3.7, the one it keeps, with the sign of the v² term put right in `viscous_friction`):
+/// `F = √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`.
+///
+/// *Full*: equations 3.3–3.4 cannot be right as printed, so this is the generalised Stribeck curve of
+/// Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise:
+/// `F = sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`.
+/// F_t is approached at break-away velocity V_fs, F_s remains far above V_s.
+#[derive(Clone, Copy, Debug)]
+pub enum StribeckFriction {
+    /// The thesis's reduced form.
+    Simplified {
+        /// √(2e) (F_brk − F_c) / v_st, N s/m.
+        peak: f64,
+        /// 1/v_st, s/m.
+        per_stribeck: f64,
+        /// F_c, N.
+        coulomb: f64,
+        /// 1/v_coul, s/m.
+        steepness: f64,
+    },
+    /// The general form.
+    Full {
+        /// F_s, N.
+        coulomb: f64,
+        /// F_t − F_s, N.
+        excess: f64,
+        /// 1/V_s, s/m.
+        per_stribeck: f64,
+        /// a.
+        fall: f64,
+        /// 1/V_fs, s/m.
+        per_breakaway: f64,
+        /// c.
+        rise: f64,
+        /// d.
+        rise_power: f64,
+    },
+}
+
+impl Describe for StribeckFriction {
+    const MEANING: &'static str = "dry friction with a break-away peak";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::choice("stribeck_form", &["simplified", "full"], "which of the two Stribeck forms"),
+        Parameter::scalar("stribeck_breakaway_force", "N", &[50.0], (0.0, 1e4), "peak (transition) force, F_brk or F_t"),
+        Parameter::scalar("stribeck_coulomb_force", "N", &[40.0], (0.0, 1e4), "level after the peak, F_c or F_s"),
+        Parameter::scalar("stribeck_breakaway_velocity", "m/s", &[0.005], (1e-5, 1.0), "velocity of the peak, v_brk or V_fs"),
+        Parameter::scalar("stribeck_velocity", "m/s", &[0.01], (1e-5, 5.0), "full form: velocity scale of the fall, V_s"),
+        Parameter::scalar("stribeck_fall", "-", &[2.0], (1.0, 4.0), "full form: exponent of the fall, a (1 Tustin, 2 Gauss)"),
+        Parameter::scalar("stribeck_rise", "-", &[3.0], (0.1, 20.0), "full form: how near F_t the peak comes, c"),
+        Parameter::scalar("stribeck_rise_power", "-", &[1.0], (1.0, 4.0), "full form: exponent of the rise, d"),
+    ];
+}
+
+impl Prepare for StribeckFriction {
+    const OFF: Self = StribeckFriction::Simplified { peak: 0.0, per_stribeck: 1.0, coulomb: 0.0, steepness: 1.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let (breakaway, coulomb, v) = (p.number(1), p.number(2), p.number(3));
+        if p.number(0) == 1.0 {
+            return Ok(StribeckFriction::Full {
+                coulomb,
+                excess: breakaway - coulomb,
+                per_stribeck: 1.0 / p.number(4),
+                fall: p.number(5),
+                per_breakaway: 1.0 / v,
+                rise: p.number(6),
+                rise_power: p.number(7),
+            });
+        }
+        /// √(2e).
+        const SQRT_2E: f64 = 2.331_643_981_597_124;
+        let per_stribeck = core::f64::consts::FRAC_1_SQRT_2 / v;
+        Ok(StribeckFriction::Simplified {
+            peak: SQRT_2E * (breakaway - coulomb) * per_stribeck,
+            per_stribeck,
+            coulomb,
+            steepness: 10.0 / v,
+        })
+    }
+}
+
+/// e^-40 is a hundredth of a rounding error beside 1.
+const BELOW_ROUNDING: f64 = 40.0;
+
+impl Force for StribeckFriction {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        let v = at.velocity;
+        match *self {
+            StribeckFriction::Simplified { peak, per_stribeck, coulomb, steepness } => {
+                let r = v * per_stribeck;
+                let square = r * r;
+                // Far above break-away both exponentials are below rounding, and most strokes are far above it.
+                if square > BELOW_ROUNDING {
+                    return Response { force: if v > 0.0 { coulomb } else { -coulomb }, by_x: 0.0, by_v: 0.0 };
+                }
+                near_breakaway(peak, square, coulomb, steepness, v)
+            }
+            StribeckFriction::Full { coulomb, excess, per_stribeck, fall, per_breakaway, rise, rise_power } => {
+                let speed = v.abs();
+                let (r, q) = (speed * per_stribeck, speed * per_breakaway);
+                let fallen = power(r, fall);
+                let bump = excess * exp_below_bound(-fallen);
+                let d_bump = if speed > 0.0 { -bump * fall * fallen / speed } else { slope_at_rest(-bump * per_stribeck, fall) };
+                let risen = rise * power(q, rise_power);
+                let sign = smooth_sign(1.0, 1.0, risen);
+                let d_risen = if speed > 0.0 { rise_power * risen / speed } else { slope_at_rest(rise * per_breakaway, rise_power) };
+                let level = coulomb + bump;
+                Response {
+                    force: (level * sign.force).copysign(v) * if level < 0.0 { -1.0 } else { 1.0 },
+                    by_x: 0.0,
+                    by_v: d_bump * sign.force + level * sign.by_v * d_risen,
+                }
+            }
+        }
+    }
+}
+
+/// The simplified form where its exponentials matter; `square` is (v/v_st)². Apart, for the sake of the strokes that do
+/// not come here.
+#[inline(always)]
+fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
+    let bump = peak * exp_below_bound(-square);
+    let level = smooth_sign(coulomb, steepness, v);
+    Response { force: bump * v + level.force, by_x: 0.0, by_v: bump * (1.0 - 2.0 * square) + level.by_v }
+}
+
+/// Derivative of `scale · s^p` at s = 0 for p ≥ 1.
+fn slope_at_rest(scale: f64, p: f64) -> f64 {
+    if p == 1.0 { scale } else { 0.0 }
+}

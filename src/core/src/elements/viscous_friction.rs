@@ -1,0 +1,33 @@
+//! Viscous friction that grows with the square of velocity (thesis 3.2, the F_v term).
+
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F = F_v v|v|: odd in v. Thesis 3.5 prints v² without a sign, which would push in compression.
+#[derive(Clone, Copy, Debug)]
+pub struct ViscousFriction {
+    coefficient: f64,
+}
+
+impl Describe for ViscousFriction {
+    const MEANING: &'static str = "viscous friction, F_v v|v|";
+    const PARAMETERS: &'static [Parameter] =
+        &[Parameter::scalar("viscous_coefficient", "N s^2/m^2", &[10.0], (0.0, 1e5), "F_v of F_v v|v|")];
+}
+
+impl Prepare for ViscousFriction {
+    const OFF: Self = ViscousFriction { coefficient: 0.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(ViscousFriction { coefficient: p.number(0) })
+    }
+}
+
+impl Force for ViscousFriction {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        let (v, speed) = (at.velocity, at.velocity.abs());
+        Response { force: self.coefficient * v * speed, by_x: 0.0, by_v: 2.0 * self.coefficient * speed }
+    }
+}

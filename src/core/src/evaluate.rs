@@ -1,0 +1,144 @@
+//! The damper at one instant: force, state rates and exact partials. Pure: for hosts whose own solver integrates.
+
+use crate::elements::{MAX_MEMORY, Motion};
+use crate::input::Input;
+use crate::model::Model;
+use crate::state::{Output, State};
+
+/// All partial derivatives of force and state rates at one instant.
+///
+/// The states are, in this order: displacement of the internal mass, its velocity, and the private states. The
+/// inputs: displacement, velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Partials {
+    /// dF/d(input).
+    pub force_by_input: [f64; 2],
+    /// dF/d(state).
+    pub force_by_state: [f64; 10],
+    /// d(rate of state i)/d(input).
+    pub rate_by_input: [[f64; 2]; 10],
+    /// d(rate of state i)/d(state j).
+    pub rate_by_state: [[f64; 10]; 10],
+}
+
+const _: () = assert!(MAX_MEMORY + 2 == 10);
+
+impl Partials {
+    /// All zero.
+    pub const ZERO: Partials = Partials {
+        force_by_input: [0.0; 2],
+        force_by_state: [0.0; 10],
+        rate_by_input: [[0.0; 2]; 10],
+        rate_by_state: [[0.0; 10]; 10],
+    };
+}
+
+#[inline(always)]
+fn at(x: f64, v: f64, input: &Input) -> Motion {
+    Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature }
+}
+
+/// Displacement of the driven end: given, or the state's.
+#[inline(always)]
+fn displacement(state: &State, input: &Input) -> f64 {
+    input.displacement.unwrap_or(state.displacement)
+}
+
+/// Force at a state, with the slopes over the input at constant state.
+pub fn force(model: &Model, state: &State, input: &Input) -> Output {
+    let e = &model.elements;
+    let (x, v) = (displacement(state, input), input.velocity);
+    let outer = at(x, v, input);
+    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    let mut output = Output {
+        friction_force: friction.force,
+        gas_force: preload.force,
+        force: friction.force + preload.force,
+        force_by_displacement: friction.by_x + preload.by_x,
+        force_by_velocity: friction.by_v + preload.by_v,
+        ..Output::ZERO
+    };
+    let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
+    let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));
+    output.primary_force = primary.value;
+    output.spring_force = inner.force;
+    if e.has_series() {
+        let s = &e.series_compliance;
+        output.series_deflection = x - x_m;
+        output.force += s.stiffness * (x - x_m) + s.damping * (v - v_m);
+        output.force_by_displacement += s.stiffness;
+        output.force_by_velocity += s.damping;
+    } else {
+        output.force += primary.value + inner.force;
+        output.force_by_displacement += inner.by_x;
+        output.force_by_velocity += primary.slope + inner.by_v;
+    }
+    e.each_memory(|place, element| {
+        let z = state.memory.get(place).copied().unwrap_or(0.0);
+        let recall = element.recall(&outer, z);
+        output.force += recall.force;
+        output.force_by_displacement += recall.by_x;
+        output.force_by_velocity += recall.by_v;
+    });
+    output
+}
+
+/// Force and state rates at a state. `rate.velocity` is 0: it is no state but the last input.
+pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
+    let e = &model.elements;
+    let (x, v) = (displacement(state, input), input.velocity);
+    let mut rate = State { displacement: v, ..State::ZERO };
+    if e.has_series() {
+        let s = &e.series_compliance;
+        let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
+        let series = s.stiffness * (x - x_m) + s.damping * (v - v_m);
+        let inner = e.inner(&at(x_m, v_m, input));
+        rate.mass_displacement = v_m;
+        rate.mass_velocity = (series - inner.force - e.fv_curve.at(v_m).value) / s.mass;
+    }
+    e.each_memory(|place, element| {
+        if let (Some(rate), Some(z)) = (rate.memory.get_mut(place), state.memory.get(place)) {
+            *rate = element.recall(&at(x, v, input), *z).rate;
+        }
+    });
+    (force(model, state, input), rate)
+}
+
+/// All partials at a state.
+pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
+    let e = &model.elements;
+    let (x, v) = (displacement(state, input), input.velocity);
+    let output = force(model, state, input);
+    let mut p = Partials {
+        force_by_input: [output.force_by_displacement, output.force_by_velocity],
+        ..Partials::ZERO
+    };
+    if e.has_series() {
+        let s = &e.series_compliance;
+        let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
+        let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));
+        let per_mass = 1.0 / s.mass;
+        p.force_by_state[0] = -s.stiffness;
+        p.force_by_state[1] = -s.damping;
+        p.rate_by_state[0][1] = 1.0;
+        p.rate_by_state[1][0] = -(s.stiffness + inner.by_x) * per_mass;
+        p.rate_by_state[1][1] = -(s.damping + inner.by_v + primary.slope) * per_mass;
+        p.rate_by_input[1] = [s.stiffness * per_mass, s.damping * per_mass];
+    }
+    e.each_memory(|place, element| {
+        let z = state.memory.get(place).copied().unwrap_or(0.0);
+        let recall = element.recall(&at(x, v, input), z);
+        let k = place + 2;
+        if let Some(slot) = p.force_by_state.get_mut(k) {
+            *slot = recall.by_memory;
+        }
+        if let Some(row) = p.rate_by_input.get_mut(k) {
+            *row = [recall.rate_by_x, recall.rate_by_v];
+        }
+        if let Some(slot) = p.rate_by_state.get_mut(k).and_then(|row| row.get_mut(k)) {
+            *slot = recall.rate_by_memory;
+        }
+    });
+    p
+}

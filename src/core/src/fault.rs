@@ -1,0 +1,56 @@
+//! Why a parameter set is refused: which parameter, and what is wrong with it.
+
+/// Index that stands for "no single parameter".
+pub const NO_PARAMETER: u16 = u16::MAX;
+
+/// A refused parameter set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Index into the parameter table, or [`NO_PARAMETER`].
+    pub parameter: u16,
+    /// What is wrong.
+    pub reason: Reason,
+}
+
+/// What can be wrong with a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// No parameter or element has that name.
+    UnknownName,
+    /// NaN or infinite.
+    NotFinite,
+    /// Outside the bounds of the table.
+    OutOfBounds,
+    /// A number that is none of the choices.
+    NotAChoice,
+    /// A list where one number belongs, or the reverse.
+    WrongShape,
+    /// Too few or too many points.
+    PointCount,
+    /// The two lists of a curve have different lengths.
+    CurveLengths,
+    /// Abscissae of a curve do not increase.
+    NotIncreasing,
+    /// Ordinates of a curve fall somewhere: the damper would push where it should resist.
+    Falls,
+    /// A limit that must lie above another does not.
+    Order,
+}
+
+impl Reason {
+    /// The sentence that a person reads, without the parameter's name.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Reason::UnknownName => "no parameter or element has this name",
+            Reason::NotFinite => "is not a finite number",
+            Reason::OutOfBounds => "is outside the bounds of the parameter table",
+            Reason::NotAChoice => "is none of the choices of the parameter table",
+            Reason::WrongShape => "is a list where one number belongs, or one number where a list belongs",
+            Reason::PointCount => "has too few or too many points (a curve needs 2 to 63)",
+            Reason::CurveLengths => "has another number of points than the list it belongs to",
+            Reason::NotIncreasing => "does not increase from point to point",
+            Reason::Falls => "falls from one point to the next; make the force non-decreasing",
+            Reason::Order => "must be larger than the limit below it",
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! What a host gives the damper, and the motion between two host steps.
+
+/// Input at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// Damper displacement, m, extension positive; `None` where the host knows only velocity: it is then integrated
+    /// from the initial position.
+    pub displacement: Option<f64>,
+    /// Damper velocity, m/s, extension positive.
+    pub velocity: f64,
+    /// Side force, N; 0 where unknown.
+    pub side_force: f64,
+    /// Damper temperature, °C.
+    pub temperature: f64,
+}
+
+impl Input {
+    /// Velocity alone.
+    pub fn velocity(velocity: f64) -> Input {
+        Input { displacement: None, velocity, side_force: 0.0, temperature: 20.0 }
+    }
+
+    /// Displacement and velocity.
+    pub fn motion(displacement: f64, velocity: f64) -> Input {
+        Input { displacement: Some(displacement), ..Input::velocity(velocity) }
+    }
+
+    /// Whether every number is finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        // 0·x is 0 for every finite x and NaN for all others.
+        let x = self.displacement.unwrap_or(0.0);
+        (x + self.velocity + self.side_force + self.temperature) * 0.0 == 0.0
+    }
+}
+
+/// The driven end over one host step: the cubic through displacement and velocity at both ends.
+///
+/// Displacement and velocity inside the step come from the same polynomial, so the damper never sees a velocity that
+/// is not the derivative of its displacement.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    x0: f64,
+    v0: f64,
+    x1: f64,
+    v1: f64,
+    dt: f64,
+}
+
+/// A point of a [`Path`], with its slopes over the displacement and the velocity at the end of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct PathPoint {
+    /// Displacement, m.
+    pub x: f64,
+    /// Velocity, m/s.
+    pub v: f64,
+    /// ∂x/∂(x1, v1).
+    pub x_by_end: [f64; 2],
+    /// ∂v/∂(x1, v1).
+    pub v_by_end: [f64; 2],
+    is_end: bool,
+}
+
+impl PathPoint {
+    /// Slopes of `k x + c v` over the displacement and the velocity at the end of the step.
+    #[inline(always)]
+    pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
+        if self.is_end { [k, c] } else { [0, 1].map(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }
+    }
+}
+
+impl Path {
+    /// The path from (`x0`, `v0`) to the input; a missing displacement is the integral of the velocity, which is
+    /// taken to run straight from `v0` to `v1`.
+    #[inline(always)]
+    pub fn new(x0: f64, v0: f64, to: &Input, dt: f64) -> Path {
+        let v1 = to.velocity;
+        let x1 = match to.displacement {
+            Some(x1) => x1,
+            None => x0 + 0.5 * dt * (v0 + v1),
+        };
+        Path { x0, v0, x1, v1, dt }
+    }
+
+    /// Length of the step, s.
+    #[inline(always)]
+    pub fn length(&self) -> f64 {
+        self.dt
+    }
+
+    /// Displacement and velocity at the end.
+    #[inline(always)]
+    pub fn end(&self) -> (f64, f64) {
+        (self.x1, self.v1)
+    }
+
+    /// Velocity at the start.
+    pub fn start_velocity(&self) -> f64 {
+        self.v0
+    }
+
+    /// The point at fraction `theta` of the step.
+    #[inline(always)]
+    pub fn at(&self, theta: f64) -> PathPoint {
+        let t2 = theta * theta;
+        let t3 = t2 * theta;
+        let per_dt = 1.0 / self.dt;
+        // x(θ) = x0 + θ (p1 + θ (p2 + θ p3))
+        let (dx, p1, q1) = (self.x1 - self.x0, self.dt * self.v0, self.dt * self.v1);
+        let (p2, p3) = (3.0 * dx - 2.0 * p1 - q1, p1 + q1 - 2.0 * dx);
+        PathPoint {
+            x: self.x0 + theta * (p1 + theta * (p2 + theta * p3)),
+            v: (p1 + theta * (2.0 * p2 + theta * (3.0 * p3))) * per_dt,
+            x_by_end: [3.0 * t2 - 2.0 * t3, self.dt * (t3 - t2)],
+            v_by_end: [6.0 * (theta - t2) * per_dt, 3.0 * t2 - 2.0 * theta],
+            is_end: false,
+        }
+    }
+
+    /// The last point, exact.
+    #[inline(always)]
+    pub fn last(&self) -> PathPoint {
+        PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
+    }
+}

@@ -1,0 +1,44 @@
+//! The damper: parameters, elements, states, force, rates and partials.
+//!
+//! SI units. Extension (rebound) velocity is positive, tension force is positive: a damper that resists extension
+//! answers with a positive force. `no_std`, no allocation, no `unsafe`, no panic path, the same digits on every
+//! platform.
+//!
+//! The equations (source: Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 3):
+//!
+//! ```text
+//! x_in = x_0 + ∫ v_in dt                                 [`input`]
+//! F_s  = k_s (x_in − x_m) + c_s (v_in − v_m)             [`elements`: series_compliance]
+//! m dv_m/dt = F_s − F_p(x_m) − F_d(v_m),  dx_m/dt = v_m  [`elements`: parallel_spring, fv_curve]
+//! F = F_s + F_friction(v_in) + F_gas                     [`elements`: the rest]
+//! ```
+//!
+//! [`evaluate`] gives force, state rates and partials at one instant, [`step`] advances over one host step.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(test)]
+extern crate std;
+
+pub mod curve;
+pub mod elements;
+pub mod evaluate;
+pub mod fault;
+pub mod input;
+pub mod math;
+pub mod model;
+pub mod model_file;
+pub mod number;
+pub mod parameter;
+pub mod settle;
+pub mod state;
+pub mod step;
+
+pub use evaluate::{Partials, evaluate};
+pub use fault::{Fault, Reason};
+pub use input::Input;
+pub use model::Model;
+pub use parameter::{Parameter, Params};
+pub use state::{Output, State};
+pub use step::step;

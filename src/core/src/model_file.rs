@@ -1,0 +1,328 @@
+//! The model file: flat `name = value` lines, a subset of TOML that hosts without a TOML library can read too.
+//!
+//! ```toml
+//! format = 1
+//! elements = ["series_compliance", "fv_curve"]
+//! series_stiffness = 3.0e6   # N/m
+//! fv_velocity = [-1.0, 0.0, 1.0]
+//! fv_force = [-1500.0, 0.0, 2500.0]
+//! fv_interpolation = "monotone_cubic"
+//! ```
+//!
+//! A value is a number, a word in quotes, or a list, which may run over several lines. Parameters that the file does
+//! not name keep their defaults. Reading ends at the first `[table]`: what follows is for people and tools, not for
+//! the damper.
+
+use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::number;
+use crate::parameter::{COUNT, Params, Shape, find};
+
+/// Number that the key `format` must have.
+pub const FORMAT: f64 = 1.0;
+
+/// Why a model file cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReadError {
+    /// Line, from 1.
+    pub line: u32,
+    /// What is wrong there.
+    pub problem: Problem,
+}
+
+/// What can be wrong with a model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Problem {
+    /// The line is not `name = value`.
+    Syntax,
+    /// A value is neither a number nor a word in quotes nor a list of one of them.
+    Value,
+    /// The key appears twice.
+    Repeated,
+    /// `format` is missing or is not the number this library reads.
+    Format,
+    /// `elements` is missing.
+    NoElements,
+    /// `elements` names something that is no element.
+    UnknownElement,
+    /// A list has more numbers than any parameter takes.
+    TooLong,
+    /// The parameter table refuses the value.
+    Parameter(Fault),
+}
+
+impl Problem {
+    /// The sentence that a person reads.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Problem::Syntax => "the line is not of the form name = value",
+            Problem::Value => "the value is not a number, a word in double quotes, or a list of them",
+            Problem::Repeated => "the name appears a second time",
+            Problem::Format => "the file must say format = 1; it was written for another version of dashpot",
+            Problem::NoElements => "the file must name its elements, such as elements = [\"fv_curve\"]",
+            Problem::UnknownElement => "elements names something that is no element of this version of dashpot",
+            Problem::TooLong => "the list has more numbers than any parameter takes",
+            Problem::Parameter(fault) => fault.reason.text(),
+        }
+    }
+}
+
+/// Most numbers in one list.
+const LONGEST: usize = 64;
+
+/// Reads a model file into `params`, which start from the defaults.
+///
+/// # Errors
+/// The first thing wrong, with its line; `params` is then unchanged.
+pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
+    let mut read = Params::new();
+    read.disable_all();
+    let mut seen = [false; COUNT];
+    let (mut has_format, mut has_elements) = (false, false);
+    let mut reader = Reader { rest: text, line: 1 };
+    // Some editors begin a file with a byte-order mark.
+    if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
+        reader.rest = tail;
+    }
+    loop {
+        reader.blank(true);
+        let line = reader.line;
+        let at = |problem| ReadError { line, problem };
+        match reader.peek() {
+            None | Some(b'[') => break,
+            Some(_) => {}
+        }
+        let name = reader.name().ok_or(at(Problem::Syntax))?;
+        reader.blank(false);
+        if !reader.take(b'=') {
+            return Err(at(Problem::Syntax));
+        }
+        reader.blank(false);
+        match name {
+            "format" => {
+                let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Format)) };
+                if number != FORMAT {
+                    return Err(at(Problem::Format));
+                }
+                if has_format {
+                    return Err(at(Problem::Repeated));
+                }
+                has_format = true;
+            }
+            "elements" => {
+                if has_elements {
+                    return Err(at(Problem::Repeated));
+                }
+                has_elements = true;
+                reader.list(|value, line| match value {
+                    Value::Word(word) => read
+                        .enable(word, true)
+                        .map_err(|_| ReadError { line, problem: Problem::UnknownElement }),
+                    Value::Number(_) => Err(ReadError { line, problem: Problem::Value }),
+                })?;
+            }
+            _ => {
+                let row = find(name).ok_or(at(Problem::Parameter(Fault {
+                    parameter: NO_PARAMETER,
+                    reason: Reason::UnknownName,
+                })))?;
+                let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+                if let Some(seen) = seen.get_mut(row.index) {
+                    if *seen {
+                        return Err(at(Problem::Repeated));
+                    }
+                    *seen = true;
+                }
+                let set = match row.parameter.shape {
+                    Shape::List(_) => {
+                        let mut numbers = [0.0; LONGEST];
+                        let mut count = 0;
+                        if reader.peek() != Some(b'[') {
+                            return Err(fault(Reason::WrongShape));
+                        }
+                        reader.list(|value, line| {
+                            let Value::Number(number) = value else {
+                                return Err(ReadError { line, problem: Problem::Value });
+                            };
+                            let slot = numbers.get_mut(count).ok_or(ReadError { line, problem: Problem::TooLong })?;
+                            *slot = number;
+                            count += 1;
+                            Ok(())
+                        })?;
+                        read.set_list(name, numbers.get(..count).unwrap_or(&[]))
+                    }
+                    Shape::Choice(words) => {
+                        let Some(Value::Word(word)) = reader.value() else { return Err(at(Problem::Value)) };
+                        let place = words.iter().position(|w| *w == word).ok_or(fault(Reason::NotAChoice))?;
+                        read.set(name, place as f64)
+                    }
+                    Shape::Scalar => {
+                        if reader.peek() == Some(b'[') {
+                            return Err(fault(Reason::WrongShape));
+                        }
+                        let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Value)) };
+                        read.set(name, number)
+                    }
+                };
+                set.map_err(|f| fault(f.reason))?;
+            }
+        }
+        reader.blank(false);
+        if !matches!(reader.peek(), None | Some(b'\n')) {
+            return Err(at(Problem::Syntax));
+        }
+    }
+    if !has_format {
+        return Err(ReadError { line: 1, problem: Problem::Format });
+    }
+    if !has_elements {
+        return Err(ReadError { line: 1, problem: Problem::NoElements });
+    }
+    *params = read;
+    Ok(())
+}
+
+enum Value<'a> {
+    Number(f64),
+    Word(&'a str),
+}
+
+struct Reader<'a> {
+    rest: &'a [u8],
+    line: u32,
+}
+
+impl<'a> Reader<'a> {
+    fn peek(&self) -> Option<u8> {
+        self.rest.first().copied()
+    }
+
+    fn advance(&mut self) {
+        if let Some((c, tail)) = self.rest.split_first() {
+            self.line = self.line.wrapping_add(u32::from(*c == b'\n'));
+            self.rest = tail;
+        }
+    }
+
+    fn take(&mut self, wanted: u8) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Passes over blanks and comments, and over line ends if `lines`.
+    fn blank(&mut self, lines: bool) {
+        while let Some(c) = self.peek() {
+            match c {
+                b' ' | b'\t' | b'\r' => self.advance(),
+                b'\n' if lines => self.advance(),
+                b'#' => {
+                    while self.peek().is_some_and(|c| c != b'\n') {
+                        self.advance();
+                    }
+                }
+                _ => return,
+            }
+        }
+    }
+
+    /// The longest run of bytes that `belongs` accepts.
+    fn run(&mut self, belongs: impl Fn(u8) -> bool) -> &'a [u8] {
+        let start = self.rest;
+        let length = start.iter().position(|c| !belongs(*c)).unwrap_or(start.len());
+        let (run, tail) = start.split_at_checked(length).unwrap_or((start, &[]));
+        self.rest = tail;
+        run
+    }
+
+    fn name(&mut self) -> Option<&'a str> {
+        let run = self.run(|c| c.is_ascii_alphanumeric() || c == b'_');
+        if run.is_empty() { None } else { core::str::from_utf8(run).ok() }
+    }
+
+    fn value(&mut self) -> Option<Value<'a>> {
+        if self.take(b'"') {
+            let word = core::str::from_utf8(self.run(|c| c != b'"' && c != b'\n')).ok()?;
+            return self.take(b'"').then_some(Value::Word(word));
+        }
+        let run = self.run(|c| c.is_ascii_alphanumeric() || matches!(c, b'+' | b'-' | b'.' | b'_'));
+        number::parse(run).map(Value::Number)
+    }
+
+    fn list(&mut self, mut each: impl FnMut(Value<'a>, u32) -> Result<(), ReadError>) -> Result<(), ReadError> {
+        let wrong = |line| ReadError { line, problem: Problem::Value };
+        if !self.take(b'[') {
+            return Err(wrong(self.line));
+        }
+        loop {
+            self.blank(true);
+            if self.take(b']') {
+                return Ok(());
+            }
+            let line = self.line;
+            let value = self.value().ok_or(wrong(line))?;
+            each(value, line)?;
+            self.blank(true);
+            if !self.take(b',') && self.peek() != Some(b']') {
+                return Err(wrong(self.line));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALL: &str = "\u{feff}# a damper\r\nformat = 1\nelements = [\"fv_curve\", # why\n \"gas_preload\",]\n\
+        gas_force = 12.5 # N\nfv_interpolation = \"linear\"\nfv_velocity = [-1, 0,\n 1.0]\nfv_force=[-1e3,0.0,2_000]\n\
+        [intervals]\ngas_force = [1, 2]\n";
+
+    #[test]
+    fn reads_every_kind_of_value() {
+        let mut params = Params::new();
+        read(SMALL.as_bytes(), &mut params).unwrap();
+        assert!(params.is_on("fv_curve") && params.is_on("gas_preload") && !params.is_on("series_compliance"));
+        assert_eq!(params.scalar("gas_force"), 12.5);
+        assert_eq!(params.scalar("fv_interpolation"), 1.0);
+        assert_eq!(params.list("fv_velocity"), [-1.0, 0.0, 1.0]);
+        assert_eq!(params.list("fv_force"), [-1000.0, 0.0, 2000.0]);
+        assert_eq!(params.scalar("series_stiffness"), Params::new().scalar("series_stiffness"));
+    }
+
+    #[test]
+    fn errors_name_the_line_and_change_nothing() {
+        let head = "format = 1\nelements = []\n";
+        let cases = [
+            ("gas_force 5", 3, Problem::Syntax),
+            ("gas_force = 1,5", 3, Problem::Syntax),
+            ("gas_force = five", 3, Problem::Value),
+            ("gas_force = \"five\"", 3, Problem::Value),
+            ("gas_force = 5\ngas_force = 6", 4, Problem::Repeated),
+            ("fv_force = [1,\n2,\nx]", 5, Problem::Value),
+            ("elements = [\"x\"]", 3, Problem::Repeated),
+        ];
+        for (tail, line, problem) in cases {
+            let mut params = Params::new();
+            let text = std::format!("{head}{tail}");
+            assert_eq!(read(text.as_bytes(), &mut params), Err(ReadError { line, problem }), "{tail}");
+            assert_eq!(params, Params::new());
+        }
+        let parameter = |text: &str| match read(std::format!("{head}{text}").as_bytes(), &mut Params::new()) {
+            Err(ReadError { line: 3, problem: Problem::Parameter(fault) }) => fault.reason,
+            other => panic!("{text}: {other:?}"),
+        };
+        assert_eq!(parameter("gas_forse = 5"), Reason::UnknownName);
+        assert_eq!(parameter("series_stiffness = -5"), Reason::OutOfBounds);
+        assert_eq!(parameter("series_stiffness = [5]"), Reason::WrongShape);
+        assert_eq!(parameter("fv_force = 5"), Reason::WrongShape);
+        assert_eq!(parameter("fv_form = \"round\""), Reason::NotAChoice);
+        let problem = |text: &str| read(text.as_bytes(), &mut Params::new()).unwrap_err().problem;
+        assert_eq!(problem("elements = []"), Problem::Format);
+        assert_eq!(problem("format = 2\nelements = []"), Problem::Format);
+        assert_eq!(problem("format = 1"), Problem::NoElements);
+        assert_eq!(problem("format = 1\nelements = [\"warp_drive\"]"), Problem::UnknownElement);
+        assert_eq!(problem(""), Problem::Format);
+    }
+}

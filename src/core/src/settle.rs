@@ -1,0 +1,60 @@
+//! The static answer: the state and the force when displacement and velocity have been held.
+
+use crate::elements::Motion;
+use crate::input::Input;
+use crate::model::Model;
+use crate::state::{Output, State};
+
+/// Newton steps for the deflection of the series spring: setting up may cost more than a step.
+const NEWTON_STEPS: usize = 40;
+
+impl Model {
+    /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
+    ///
+    /// A missing displacement is 0.
+    pub fn settled(&self, input: &Input) -> State {
+        let x = input.displacement.unwrap_or(0.0);
+        let v = input.velocity;
+        let e = &self.elements;
+        let motion = |x: f64| Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature };
+        let mut x_m = x;
+        if e.has_series() {
+            let k = e.series_compliance.stiffness;
+            let primary = e.fv_curve.at(v).value;
+            for _ in 0..NEWTON_STEPS {
+                let inner = e.inner(&motion(x_m));
+                let slope = k + if inner.by_x > 0.0 { inner.by_x } else { 0.0 };
+                x_m += (k * (x - x_m) - primary - inner.force) / slope;
+            }
+        }
+        let mut memory = [0.0; 8];
+        e.each_memory(|place, element| {
+            if let Some(z) = memory.get_mut(place) {
+                *z = element.settled(&motion(x));
+            }
+        });
+        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, memory }
+    }
+
+    /// The static force at `input`, with its slopes: the state settled there, evaluated.
+    pub fn static_output(&self, input: &Input) -> Output {
+        let state = self.settled(input);
+        let mut output = crate::evaluate::force(self, &state, input);
+        let at = Motion {
+            displacement: state.mass_displacement,
+            velocity: input.velocity,
+            side_force: input.side_force,
+            temperature: input.temperature,
+        };
+        let e = &self.elements;
+        if e.has_series() {
+            // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
+            let k = e.series_compliance.stiffness;
+            let (inner, primary) = (e.inner(&at), e.fv_curve.at(input.velocity));
+            let share = k / (k + inner.by_x);
+            output.force_by_displacement += share * inner.by_x - k;
+            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
+        }
+        output
+    }
+}

@@ -1,0 +1,74 @@
+//! What the damper remembers between steps, and what it answers.
+
+use crate::elements::MAX_MEMORY;
+
+/// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
+/// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct State {
+    /// Displacement of the driven end, m (given by the host, or integrated from the initial position).
+    pub displacement: f64,
+    /// Velocity of the driven end at the last step, m/s.
+    pub velocity: f64,
+    /// Displacement of the internal mass, m.
+    pub mass_displacement: f64,
+    /// Velocity of the internal mass, m/s.
+    pub mass_velocity: f64,
+    /// Private states of the elements.
+    pub memory: [f64; 8],
+}
+
+const _: () = assert!(MAX_MEMORY == 8);
+
+impl State {
+    /// All zero.
+    pub const ZERO: State =
+        State { displacement: 0.0, velocity: 0.0, mass_displacement: 0.0, mass_velocity: 0.0, memory: [0.0; 8] };
+
+    /// Whether every number is finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        let mut sum = (self.displacement + self.velocity) + (self.mass_displacement + self.mass_velocity);
+        for z in self.memory {
+            sum += z;
+        }
+        sum * 0.0 == 0.0
+    }
+}
+
+/// Answer at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Output {
+    /// Damper force, N, tension positive.
+    pub force: f64,
+    /// dF/dx over the displacement given, N/m. From a step: of that step's force, everything inside it included.
+    pub force_by_displacement: f64,
+    /// dF/dv over the velocity given, N s/m.
+    pub force_by_velocity: f64,
+    /// Force of the primary damper (FV curve), N.
+    pub primary_force: f64,
+    /// Force of the springs on the internal mass, N.
+    pub spring_force: f64,
+    /// Friction, N.
+    pub friction_force: f64,
+    /// Gas force, N; negative where it pushes the rod out.
+    pub gas_force: f64,
+    /// Deflection of the series spring, m.
+    pub series_deflection: f64,
+}
+
+impl Output {
+    /// All zero.
+    pub const ZERO: Output = Output {
+        force: 0.0,
+        force_by_displacement: 0.0,
+        force_by_velocity: 0.0,
+        primary_force: 0.0,
+        spring_force: 0.0,
+        friction_force: 0.0,
+        gas_force: 0.0,
+        series_deflection: 0.0,
+    };
+}

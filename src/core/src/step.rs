@@ -1,0 +1,583 @@
+//! One host step at a fixed cost: a diagonally implicit Runge–Kutta method over a few substeps. Pure.
+//!
+//! In every stage the internal velocity u answers one scalar equation. With the stage's known parts X, V of
+//! displacement and velocity and g = γh,
+//!
+//! ```text
+//! x_m = X + g u,   m (u − V) = g [k_s (x_in − x_m) + c_s (v_in − u) − F_p(x_m) − F_d(u)]
+//! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + F_p') + g² (k_s + F_p'),
+//! ```
+//!
+//! where the springs on the mass are linearised about the predicted x_m (they are soft beside k_s). The left side
+//! rises strictly with u, so there is one answer whatever the stiffness, and the FV curve finds it in a fixed number
+//! of operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
+
+use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Response};
+use crate::fault::Fault;
+use crate::input::{Input, Path, PathPoint};
+use crate::model::Model;
+use crate::parameter::{Parameter, Params};
+use crate::state::{Output, State};
+
+/// How a host step is integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integration {
+    /// The method.
+    pub method: Method,
+    /// Substeps inside one host step; 0: from [`Integration::per_time`].
+    pub substeps: u32,
+    /// Square of the substeps per second that the model's stiffness asks for.
+    pub per_time: f64,
+}
+
+/// Most substeps that the automatic choice takes.
+const MOST_SUBSTEPS: u32 = 8;
+
+/// The methods, by order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Five stages, order 4 (Hairer & Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5).
+    Fourth,
+    /// Two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
+    Second,
+    /// One stage, order 1: the cheap step.
+    Euler,
+}
+
+impl Describe for Integration {
+    const MEANING: &'static str = "settings of the fixed-step integration";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::choice("method", &["fourth_order", "second_order", "euler"], "method inside a step"),
+        Parameter::scalar("substeps", "-", &[0.0], (0.0, 64.0), "substeps inside one host step; 0: as many as the model's stiffness asks for"),
+    ];
+}
+
+impl Integration {
+    /// From the parameters.
+    ///
+    /// # Errors
+    /// None beyond the bounds of the table.
+    pub fn prepare(params: &Params) -> Result<Integration, Fault> {
+        let method = match params.scalar("method") {
+            m if m == 1.0 => Method::Second,
+            m if m == 2.0 => Method::Euler,
+            _ => Method::Fourth,
+        };
+        // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
+        // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3).
+        let frequency = libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
+        let per_time = 0.4 * frequency;
+        Ok(Integration { method, substeps: params.scalar("substeps") as u32, per_time })
+    }
+
+    /// So many substeps of this method, whatever the step.
+    pub fn fixed(method: Method, substeps: u32) -> Integration {
+        Integration { method, substeps: substeps.max(1), per_time: 0.0 }
+    }
+
+    /// Substeps in a host step of `dt`: depends on the model and `dt` alone, never on the motion.
+    #[inline(always)]
+    pub fn substeps(&self, dt: f64) -> u32 {
+        if self.substeps > 0 {
+            return self.substeps;
+        }
+        let wanted = self.per_time * dt;
+        let mut n = 1;
+        while n < MOST_SUBSTEPS && ((n * n) as f64) < wanted {
+            n += 1;
+        }
+        n
+    }
+}
+
+/// Most stages of a method.
+const MOST_STAGES: usize = 5;
+
+/// Coefficients of a diagonally implicit method; the last row is the result (stiffly accurate). Constants of a type, so
+/// that every stage is compiled for its own.
+trait Tableau {
+    const STAGES: usize;
+    const GAMMA: f64;
+    /// Rows below the diagonal.
+    const A: [[f64; MOST_STAGES]; MOST_STAGES];
+    /// Places of the stages inside the step.
+    const C: [f64; MOST_STAGES];
+}
+
+struct Euler;
+
+impl Tableau for Euler {
+    const STAGES: usize = 1;
+    const GAMMA: f64 = 1.0;
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [[0.0; 5]; 5];
+    const C: [f64; MOST_STAGES] = [1.0; 5];
+}
+
+struct Second;
+
+impl Tableau for Second {
+    const STAGES: usize = 2;
+    const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] =
+        [[0.0; 5], [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
+    const C: [f64; MOST_STAGES] = [Self::GAMMA, 1.0, 1.0, 1.0, 1.0];
+}
+
+struct Fourth;
+
+impl Tableau for Fourth {
+    const STAGES: usize = 5;
+    const GAMMA: f64 = 0.25;
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
+        [0.0; 5],
+        [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
+        [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
+        [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
+        [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
+    ];
+    const C: [f64; MOST_STAGES] = [1.0 / 4.0, 3.0 / 4.0, 11.0 / 20.0, 1.0 / 2.0, 1.0];
+}
+
+/// What happened in one stage: all that a derivative of the step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage<'a> {
+    /// Place of the stage in its substep.
+    pub index: usize,
+    /// Whether it ends the substep.
+    pub last: bool,
+    /// γh of the substep, s.
+    pub g: f64,
+    /// γ.
+    pub gamma: f64,
+    /// The row of the method below the diagonal, for the stages before this one.
+    pub row: &'a [f64],
+    /// The driven end.
+    pub path: PathPoint,
+    /// Known part of the velocity of the mass, V.
+    pub known_velocity: f64,
+    /// Displacement and velocity of the mass after the stage.
+    pub x_m: f64,
+    /// Velocity of the mass.
+    pub u: f64,
+    /// a + g F_d': what divides every derivative of u.
+    pub denominator: f64,
+    /// The same over g, N s/m.
+    pub resistance: f64,
+    /// Springs on the mass, linearised.
+    pub inner: Response,
+    /// Place about which they were linearised.
+    pub inner_at: f64,
+}
+
+/// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
+pub trait Follow {
+    /// Called after every stage.
+    fn stage(&mut self, elements: &Elements, stage: &Stage);
+}
+
+impl Follow for () {
+    #[inline(always)]
+    fn stage(&mut self, _: &Elements, _: &Stage) {}
+}
+
+/// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
+struct ByEnd {
+    /// Whether anything depends on the end of the step yet: not before its first stage.
+    moved: bool,
+    x: [f64; 2],
+    v: [f64; 2],
+    /// Of k_s x_m + c_s v_m: what the series force loses because the mass yields.
+    yields: [f64; 2],
+    /// Of each stage of the substep: g × velocity and g × acceleration.
+    gains: [[[f64; 2]; 2]; MOST_STAGES],
+}
+
+impl ByEnd {
+    #[inline(always)]
+    fn new() -> ByEnd {
+        let zero = [0.0; 2];
+        ByEnd { moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
+    }
+}
+
+impl Follow for ByEnd {
+    #[inline(always)]
+    fn stage(&mut self, elements: &Elements, s: &Stage) {
+        let e = &elements.series_compliance;
+        let divide = 1.0 / s.resistance;
+        let follows = e.damping + s.g * e.stiffness;
+        let drive = s.path.drive_by_end(e.stiffness, e.damping);
+        let (mut x, mut v) = ([0.0; 2], [0.0; 2]);
+        let mut u = drive.map(|d| d * divide);
+        let mut yields = u.map(|u| follows * u);
+        // A first stage starts from what the end of the step cannot change.
+        if s.index > 0 || self.moved {
+            (x, v) = (self.x, self.v);
+            for (a, [moved, push]) in s.row.iter().zip(&self.gains).take(s.index) {
+                let a = a * (1.0 / s.gamma);
+                x = [0, 1].map(|k| x[k] + a * moved[k]);
+                v = [0, 1].map(|k| v[k] + a * push[k]);
+            }
+            let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
+            u = [0, 1].map(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
+            yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
+        }
+        let moved = u.map(|u| s.g * u);
+        if s.last {
+            self.x = [0, 1].map(|k| x[k] + moved[k]);
+            self.v = u;
+            self.yields = yields;
+            self.moved = true;
+        } else if let Some(gains) = self.gains.get_mut(s.index) {
+            *gains = [moved, [0, 1].map(|k| u[k] - v[k])];
+        }
+    }
+}
+
+/// Where the mass is, and what acts on it.
+#[derive(Clone, Copy)]
+struct Mass {
+    x: f64,
+    v: f64,
+    primary: f64,
+    inner: f64,
+}
+
+/// One substep under way.
+struct Substep<'a> {
+    elements: &'a Elements,
+    path: &'a Path,
+    /// Start and length of the substep as fractions of the step.
+    theta: f64,
+    part: f64,
+    /// Whether its end is the end of the step.
+    ends_step: bool,
+    g: f64,
+    /// m/g, and m/g + c_s + g k_s.
+    mass_rate: f64,
+    resistance: f64,
+    side: (f64, f64),
+    start: Mass,
+    predicted: f64,
+    /// Of each stage: g × velocity and g × acceleration.
+    gains: [[f64; 2]; MOST_STAGES],
+}
+
+impl Substep<'_> {
+    /// All stages.
+    #[inline(always)]
+    fn run<T: Tableau>(&mut self, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.stage::<T, 0>(follow);
+        if T::STAGES > 1 {
+            mass = self.stage::<T, 1>(follow);
+        }
+        if T::STAGES > 2 {
+            self.stage::<T, 2>(follow);
+            self.stage::<T, 3>(follow);
+            mass = self.stage::<T, 4>(follow);
+        }
+        mass
+    }
+
+    #[inline(always)]
+    fn stage<T: Tableau, const I: usize>(&mut self, follow: &mut impl Follow) -> Mass {
+        let e = &self.elements.series_compliance;
+        let g = self.g;
+        let last = I + 1 == T::STAGES;
+        let point = if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::C[I] * self.part) };
+        let mut known = [self.start.x, self.start.v];
+        for j in 0..I {
+            let a = T::A[I][j] / T::GAMMA;
+            known = [0, 1].map(|k| known[k] + a * self.gains[j][k]);
+        }
+        let [known_x, known_v] = known;
+        let inner_at = known_x + g * self.predicted;
+        let (side_force, temperature) = self.side;
+        let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
+        let inner = self.elements.inner(&at);
+        // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
+        let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
+        let inner_slope = inner.by_v + g * inner.by_x;
+        let a = self.resistance + inner_slope;
+        let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
+        let (u, fd) = self.elements.fv_curve.solve(a, self.mass_rate * known_v + drive - inner_known);
+        let moved = g * u;
+        self.gains[I] = [moved, u - known_v];
+        self.predicted = u;
+        let x_m = known_x + moved;
+        follow.stage(
+            self.elements,
+            &Stage {
+                index: I,
+                last,
+                g,
+                gamma: T::GAMMA,
+                row: &T::A[I],
+                path: point,
+                known_velocity: known_v,
+                x_m,
+                u,
+                denominator: g * (a + fd.slope),
+                resistance: a + fd.slope,
+                inner,
+                inner_at,
+            },
+        );
+        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
+    }
+}
+
+impl<'a> Substep<'a> {
+    /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
+    #[inline(always)]
+    fn new<T: Tableau>(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
+        let g = T::GAMMA * drive.path.length() * part;
+        let e = &drive.elements.series_compliance;
+        let mass_rate = e.mass / g;
+        Substep {
+            elements: drive.elements,
+            path: drive.path,
+            theta,
+            part,
+            ends_step,
+            g,
+            mass_rate,
+            resistance: mass_rate + e.damping + g * e.stiffness,
+            side: drive.side,
+            start,
+            predicted: start.v,
+            gains: [[0.0; 2]; MOST_STAGES],
+        }
+    }
+}
+
+/// What moves the internal mass during a step.
+#[derive(Clone, Copy)]
+struct Drive<'a> {
+    elements: &'a Elements,
+    path: &'a Path,
+    side: (f64, f64),
+}
+
+/// Moves the internal mass along the path.
+#[inline(always)]
+fn move_mass<T: Tableau>(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+    if substeps == 1 {
+        // The common case, written out so that the places of the stages are constants.
+        return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T>(follow);
+    }
+    let part = 1.0 / substeps as f64;
+    let mut theta = 0.0;
+    for left in (0..substeps).rev() {
+        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T>(follow);
+        theta += part;
+    }
+    mass
+}
+
+/// Advances all private states along the path; returns the force of their elements at its end, with its slopes.
+///
+/// Apart, so that a damper without such elements does not pay for them.
+#[inline(never)]
+fn advance_memories<T: Tableau>(
+    elements: &Elements,
+    path: &Path,
+    substeps: u32,
+    end: &Motion,
+    memory: &mut [f64; MAX_MEMORY],
+) -> Response {
+    let mut sum = Response::NONE;
+    elements.each_memory(|place, element| {
+        let Some(slot) = memory.get_mut(place) else { return };
+        let (z, by_end) = advance_memory::<T>(substeps, element, *slot, path, path.length(), (end.side_force, end.temperature));
+        *slot = z;
+        let recall = element.recall(end, z);
+        sum.force += recall.force;
+        sum.by_x += recall.by_x + recall.by_memory * by_end[0];
+        sum.by_v += recall.by_v + recall.by_memory * by_end[1];
+    });
+    sum
+}
+
+/// Advances one element's private state, driven by the known input motion.
+///
+/// The rate is linearised in z once per stage: exact for a rate that is linear in its state.
+fn advance_memory<T: Tableau>(
+    substeps: u32,
+    element: &dyn Memory,
+    z0: f64,
+    path: &Path,
+    dt: f64,
+    side: (f64, f64),
+) -> (f64, [f64; 2]) {
+    let n = substeps;
+    let part = 1.0 / n as f64;
+    let g = T::GAMMA * dt * part;
+    let (mut z, mut by_end) = (z0, [0.0; 2]);
+    let mut theta = 0.0;
+    for sub in 0..n {
+        let (mut pushes, mut d_pushes) = ([0.0; MOST_STAGES], [[0.0; 2]; MOST_STAGES]);
+        let (mut now, mut d_now) = (z, by_end);
+        for i in 0..T::STAGES {
+            let ends_step = i + 1 == T::STAGES && sub + 1 == n;
+            let point = if ends_step { path.last() } else { path.at(theta + T::C[i] * part) };
+            let (mut known, mut d_known) = (z, by_end);
+            for j in 0..i {
+                let a = T::A[i][j] / T::GAMMA;
+                known += a * pushes[j];
+                for k in 0..2 {
+                    d_known[k] += a * d_pushes[j][k];
+                }
+            }
+            let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
+            let recall = element.recall(&at, known);
+            let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
+            now = known + g * recall.rate * divide;
+            pushes[i] = now - known;
+            for k in 0..2 {
+                let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
+                d_now[k] = (d_known[k] + g * drive) * divide;
+                d_pushes[i][k] = d_now[k] - d_known[k];
+            }
+        }
+        z = now;
+        by_end = d_now;
+        theta += part;
+    }
+    (z, by_end)
+}
+
+/// Advances `from` to the end of the step, where the host's input is `to`; returns the new state and the force there
+/// with its exact slopes over the displacement and the velocity of `to`.
+///
+/// `dt = 0` is a static evaluation: the state comes back as it was, with the force at which the damper would settle.
+/// Where the host gives velocity alone, the slope over velocity includes the displacement that it integrates to.
+#[inline]
+pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output) {
+    let (mut state, mut output) = (State::ZERO, Output::ZERO);
+    step_into(model, from, to, dt, &mut state, &mut output);
+    (state, output)
+}
+
+/// As [`step`], writing the new state and the answer where the caller keeps them.
+#[inline]
+pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) {
+    if dt == 0.0 {
+        let x = to.displacement.unwrap_or(from.displacement);
+        *state = *from;
+        *output = model.static_output(&Input { displacement: Some(x), ..*to });
+        return;
+    }
+    let plain = model.integration.substeps(dt) == 1 && !model.elements.has_memory();
+    match (model.integration.method, plain) {
+        (Method::Fourth, true) => answer::<Fourth, true>(model, from, to, dt, state, output),
+        (Method::Fourth, false) => answer::<Fourth, false>(model, from, to, dt, state, output),
+        (Method::Second, true) => answer::<Second, true>(model, from, to, dt, state, output),
+        (Method::Second, false) => answer::<Second, false>(model, from, to, dt, state, output),
+        (Method::Euler, true) => answer::<Euler, true>(model, from, to, dt, state, output),
+        (Method::Euler, false) => answer::<Euler, false>(model, from, to, dt, state, output),
+    }
+}
+
+/// A step with its exact slopes. `PLAIN`: in one substep and without private states, as most steps are. Not inlined, so
+/// that each has the registers to itself.
+#[inline(never)]
+fn answer<T: Tableau, const PLAIN: bool>(
+    model: &Model,
+    from: &State,
+    to: &Input,
+    dt: f64,
+    state: &mut State,
+    output: &mut Output,
+) {
+    let mut by_end = ByEnd::new();
+    advance_by::<T, PLAIN>(model, from, to, dt, &mut by_end, state, output);
+    if model.elements.has_series() {
+        output.force_by_displacement -= by_end.yields[0];
+        output.force_by_velocity -= by_end.yields[1];
+    }
+    if to.displacement.is_none() {
+        output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
+    }
+}
+
+/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass still.
+#[inline(always)]
+pub fn advance(
+    model: &Model,
+    from: &State,
+    to: &Input,
+    dt: f64,
+    follow: &mut impl Follow,
+    state: &mut State,
+    output: &mut Output,
+) {
+    match model.integration.method {
+        Method::Fourth => advance_by::<Fourth, false>(model, from, to, dt, follow, state, output),
+        Method::Second => advance_by::<Second, false>(model, from, to, dt, follow, state, output),
+        Method::Euler => advance_by::<Euler, false>(model, from, to, dt, follow, state, output),
+    }
+}
+
+/// By one method.
+#[inline(always)]
+fn advance_by<T: Tableau, const PLAIN: bool>(
+    model: &Model,
+    from: &State,
+    to: &Input,
+    dt: f64,
+    follow: &mut impl Follow,
+    state: &mut State,
+    output: &mut Output,
+) {
+    let e = &model.elements;
+    let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
+    let path = Path::new(from.displacement, from.velocity, to, dt);
+    let (x, v) = path.end();
+    let side = (to.side_force, to.temperature);
+    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
+    let (mut force, mut by_x, mut by_v);
+    state.displacement = x;
+    state.velocity = v;
+    state.memory = from.memory;
+    if e.has_series() {
+        let s = &e.series_compliance;
+        let start = Mass { x: from.mass_displacement, v: from.mass_velocity, primary: 0.0, inner: 0.0 };
+        let mass = move_mass::<T>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
+        state.mass_displacement = mass.x;
+        state.mass_velocity = mass.v;
+        output.primary_force = mass.primary;
+        output.spring_force = mass.inner;
+        output.series_deflection = x - mass.x;
+        force = s.stiffness * (x - mass.x) + s.damping * (v - mass.v);
+        by_x = s.stiffness;
+        by_v = s.damping;
+    } else {
+        let (inner, primary) = (e.inner(&outer), e.fv_curve.at(v));
+        state.mass_displacement = x;
+        state.mass_velocity = v;
+        output.primary_force = primary.value;
+        output.spring_force = inner.force;
+        output.series_deflection = 0.0;
+        force = inner.force + primary.value;
+        by_x = inner.by_x;
+        by_v = inner.by_v + primary.slope;
+    }
+    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    output.friction_force = friction.force;
+    output.gas_force = preload.force;
+    force += friction.force + preload.force;
+    by_x += friction.by_x + preload.by_x;
+    by_v += friction.by_v + preload.by_v;
+    if !PLAIN && e.has_memory() {
+        // Copies, so that nobody but this branch keeps them in memory.
+        let (path, outer) = (path, outer);
+        let sum = advance_memories::<T>(e, &path, substeps, &outer, &mut state.memory);
+        force += sum.force;
+        by_x += sum.by_x;
+        by_v += sum.by_v;
+    }
+    output.force = force;
+    output.force_by_displacement = by_x;
+    output.force_by_velocity = by_v;
+}

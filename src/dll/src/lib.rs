@@ -1,0 +1,26 @@
+//! What is shipped: the C interface of `dashpot-abi` as a shared and a static library, and the one thing that a
+//! library without `std` must bring, a panic handler.
+//!
+//! The library must have no path to a panic. The linker proves it: the handler calls a function that exists nowhere,
+//! so a surviving path shows as an undefined symbol of the shared library, and a static link fails.
+
+#![no_std]
+
+pub use dashpot_abi::*;
+
+#[cfg(not(debug_assertions))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    unsafe extern "C" {
+        fn dashpot_panic_path_exists() -> !;
+    }
+    // SAFETY: never linked, so never called.
+    unsafe { dashpot_panic_path_exists() }
+}
+
+/// Builds with debug assertions have panic paths; there is nobody to tell.
+#[cfg(debug_assertions)]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}

@@ -1,0 +1,120 @@
+//! How far the fixed step is from the exact solution, over a test matrix.
+
+pub mod radau;
+
+use dashpot_core::{Input, Model, step};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// One sine test.
+#[derive(Debug, Clone, Copy)]
+pub struct Sine {
+    /// Amplitude, m.
+    pub amplitude: f64,
+    /// Frequency, Hz.
+    pub frequency: f64,
+}
+
+impl Sine {
+    /// Displacement and velocity: from rest at the lower end.
+    pub fn motion(self) -> impl Fn(f64) -> (f64, f64) {
+        let (a, w) = (self.amplitude, TAU * self.frequency);
+        move |t| (-a * (w * t).cos(), a * w * (w * t).sin())
+    }
+}
+
+/// What the host tells the damper at each step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// Displacement and velocity.
+    Motion,
+    /// Velocity alone.
+    Velocity,
+}
+
+/// Errors of one test, as shares of its largest force.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Errors {
+    /// Root mean square.
+    pub rms: f64,
+    /// Largest.
+    pub largest: f64,
+}
+
+/// Forces of the fixed step at each multiple of `dt`.
+pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: Given) -> Vec<f64> {
+    let input = |t: f64| {
+        let (x, v) = motion.at(t);
+        match given {
+            Given::Motion => Input::motion(x, v),
+            Given::Velocity => Input::velocity(v),
+        }
+    };
+    let (x, v) = motion.at(0.0);
+    let mut state = model.settled(&Input::motion(x, v));
+    let mut forces = vec![dashpot_core::evaluate(model, &state, &Input::motion(x, v)).0.force];
+    for i in 1..=steps {
+        let (next, output) = step(model, &state, &input(i as f64 * dt), dt);
+        state = next;
+        forces.push(output.force);
+    }
+    forces
+}
+
+/// Errors of `forces` against `exact`, as shares of the largest exact force.
+pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
+    let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    let (mut sum, mut largest) = (0.0, 0.0f64);
+    for (f, e) in forces.iter().zip(exact) {
+        sum += (f - e) * (f - e);
+        largest = largest.max((f - e).abs());
+    }
+    Errors { rms: (sum / exact.len() as f64).sqrt() / top, largest: largest / top }
+}
+
+/// The converged reference of each test, at the finest step that will be asked for.
+pub struct References {
+    tests: Vec<(Sine, Vec<f64>)>,
+    dt: f64,
+}
+
+/// Radau steps inside the finest interval; doubling them changes the reference by less than a thousandth of the
+/// errors measured against it (see the tests).
+const PARTS: usize = 4;
+/// Cycles of each test; slow tests are cut to [`LONGEST`].
+const CYCLES: f64 = 2.0;
+const LONGEST: f64 = 8.0;
+
+impl References {
+    /// Solves each test on the grid of step `dt`.
+    pub fn solve(model: &Model, tests: &[Sine], dt: f64) -> References {
+        let tests = tests
+            .par_iter()
+            .map(|sine| {
+                let steps = ((CYCLES / sine.frequency).min(LONGEST) / dt).ceil() as usize;
+                // A whole number of the coarsest host steps.
+                let steps = steps.div_ceil(40) * 40;
+                (*sine, radau::reference_forces(model, &sine.motion(), dt, steps, PARTS))
+            })
+            .collect();
+        References { tests, dt }
+    }
+
+    /// Errors of the model's own step at `dt` for each test; `dt` is a multiple of the reference's.
+    pub fn compare(&self, model: &Model, dt: f64, given: Given) -> Vec<(Sine, Errors)> {
+        let every = (dt / self.dt).round() as usize;
+        self.tests
+            .par_iter()
+            .map(|(sine, exact)| {
+                let exact: Vec<f64> = exact.iter().copied().step_by(every).collect();
+                let forces = step_forces(model, &sine.motion(), dt, exact.len() - 1, given);
+                (*sine, errors(&forces, &exact))
+            })
+            .collect()
+    }
+}
+
+/// The worst of several tests.
+pub fn worst(errors: &[(Sine, Errors)]) -> Errors {
+    errors.iter().fold(Errors::default(), |w, (_, e)| Errors { rms: w.rms.max(e.rms), largest: w.largest.max(e.largest) })
+}

@@ -1,0 +1,334 @@
+//! The whole way from records to an identified model.
+
+use super::first_guess::{self, SLOW};
+use super::intervals::{Estimate, Standing, estimates};
+use super::least_squares::{Effort, solve};
+use super::segment::{Segment, segments};
+use super::unknowns::{CurveName, Unknown, Unknowns};
+use super::variants::{Choice, FRICTION, SPRING, Structure, choose};
+use crate::records::Record;
+use dashpot_core::elements;
+use dashpot_core::parameter::find;
+use dashpot_core::Params;
+use nalgebra::{DMatrix, DVector};
+
+/// Which kind of model is fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Family {
+    /// The thesis's model.
+    #[default]
+    Thesis,
+    /// The plain FV curve with a constant gas force: what a vehicle model uses today.
+    Fv,
+    /// Polynomial FV curve with a first-order lag.
+    Lag,
+}
+
+/// What a fit may do.
+#[derive(Debug, Clone, Default)]
+pub struct FitOptions {
+    /// Kind of model.
+    pub family: Family,
+    /// Elements that may be used; all of the family's where `None`.
+    pub elements: Option<Vec<String>>,
+}
+
+/// Why there is no fit.
+#[derive(Debug, thiserror::Error)]
+pub enum FitError {
+    /// Nothing to fit.
+    #[error("there is no test to fit: give a folder or files with at least one record")]
+    NoTests,
+    /// An unknown element name.
+    #[error("there is no element called {name:?}; the elements are {}", elements::names().collect::<Vec<_>>().join(", "))]
+    UnknownElement {
+        /// The name given.
+        name: String,
+    },
+    /// No velocity on one side.
+    #[error("the tests never move in {0}: a force-velocity curve needs both directions")]
+    OneSided(&'static str),
+    /// The least-squares fit found no finite forces.
+    #[error("no finite force could be computed for test {test:?}; look at its channels (a jump in displacement?)")]
+    NotFinite {
+        /// Name of the test.
+        test: String,
+    },
+}
+
+/// Where a fit is, for the progress line.
+#[derive(Debug, Clone, Copy)]
+pub struct Stage {
+    /// Share done, 0..1.
+    pub done: f64,
+    /// What is being done.
+    pub text: &'static str,
+}
+
+/// An identified model.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// The model's parameters.
+    pub params: Params,
+    /// What is known of every fitted number.
+    pub estimates: Vec<Estimate>,
+    /// How friction and spring were chosen.
+    pub choices: Vec<Choice>,
+    /// Remarks for the engineer.
+    pub notes: Vec<String>,
+    /// Names of the tests used.
+    pub tests: Vec<String>,
+    /// The plain FV curve fitted to the same tests, to compare with.
+    pub fv_only: Params,
+    /// Root mean square of the weighted residual: 1 is what noise and floor allow.
+    pub misfit: f64,
+}
+
+const ROUGH: Effort = Effort { steps: 8, tolerance: 1e-3 };
+const FINE: Effort = Effort { steps: 60, tolerance: 1e-8 };
+/// Starting values of the series stiffness, N/m: soft mount, oil column, stiff oil column.
+const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
+
+/// Fits a model to records.
+///
+/// # Errors
+/// No tests, an unknown element name, tests that move in one direction only, or forces that are not finite.
+pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) -> Result<Fit, FitError> {
+    if records.is_empty() {
+        return Err(FitError::NoTests);
+    }
+    if let Some(names) = &options.elements {
+        if let Some(name) = names.iter().find(|n| !elements::names().any(|e| e == n.as_str())) {
+            return Err(FitError::UnknownElement { name: name.clone() });
+        }
+    }
+    progress(Stage { done: 0.0, text: "preparing records" });
+    let segments = segments(records);
+    let any = |test: fn(f64) -> bool| segments.iter().any(|s| s.input.iter().any(|i| test(i.velocity)));
+    if !any(|v| v > 0.0) {
+        return Err(FitError::OneSided("rebound"));
+    }
+    if !any(|v| v < 0.0) {
+        return Err(FitError::OneSided("compression"));
+    }
+    if let Some(s) = segments.iter().find(|s| !s.force.iter().all(|f| f.is_finite())) {
+        return Err(FitError::NotFinite { test: s.name.clone() });
+    }
+    let guess = first_guess::guess(&segments);
+    progress(Stage { done: 0.05, text: "plain FV curve" });
+    let fv_only = fit_fv_only(&guess, &segments);
+    let mut fit = match options.family {
+        Family::Thesis => fit_thesis(&guess, &segments, options, &progress),
+        Family::Fv => {
+            let unknowns = fv_unknowns(&fv_only);
+            finish(&segments, unknowns, fv_only, Vec::new(), Vec::new())
+        }
+        Family::Lag => fit_lag(&guess, &segments, &progress),
+    };
+    fit.fv_only = fv_only;
+    fit.notes.extend(coverage_notes(&segments));
+    progress(Stage { done: 1.0, text: "done" });
+    Ok(fit)
+}
+
+fn fv_unknowns(from: &Params) -> Unknowns {
+    let mut base = *from;
+    base.disable_all();
+    let _ = base.enable("fv_curve", true);
+    let _ = base.enable("gas_preload", true);
+    let mut list = Unknowns::rises(&base, CurveName::Fv);
+    list.push(Unknown::Linear("gas_force"));
+    Unknowns { base, list }
+}
+
+fn fit_fv_only(guess: &Params, segments: &[Segment]) -> Params {
+    let unknowns = fv_unknowns(guess);
+    let refs: Vec<&Segment> = segments.iter().collect();
+    unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), FINE).theta)
+}
+
+fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Fit {
+    let allowed = |name: &str| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
+    let variants = |all: &[super::variants::Variant]| -> Vec<_> {
+        all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect()
+    };
+    let (frictions, springs) = (variants(FRICTION), variants(SPRING));
+    let refs: Vec<&Segment> = segments.iter().collect();
+    let varied_side_force = {
+        let side = || segments.iter().flat_map(|s| s.input.iter().map(|i| i.side_force.abs()));
+        side().fold(0.0, f64::max) - side().fold(f64::INFINITY, f64::min) > 20.0
+    };
+    let find_variant = |list: &[super::variants::Variant], name: &str| {
+        list.iter().copied().find(|v| v.name == name).unwrap_or(list[0])
+    };
+    let start = Structure {
+        friction: find_variant(&frictions, "Coulomb"),
+        spring: find_variant(&springs, "linear"),
+        series: allowed("series_compliance"),
+        gas: allowed("gas_preload"),
+        side_force: varied_side_force && allowed("side_force_friction"),
+    };
+    // Several starts: a soft and a stiff series spring are separated by a hill.
+    progress(Stage { done: 0.1, text: "first fit from several starts" });
+    let mut best: Option<(f64, Params)> = None;
+    for stiffness in if start.series { &STIFFNESS_STARTS[..] } else { &STIFFNESS_STARTS[..1] } {
+        let mut from = *guess;
+        let _ = from.set("series_stiffness", *stiffness);
+        let unknowns = start.unknowns(&from, segments);
+        let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 10, tolerance: 1e-4 });
+        if best.as_ref().is_none_or(|(cost, _)| found.cost < *cost) {
+            best = Some((found.cost, unknowns.params(&found.theta)));
+        }
+    }
+    let mut from = best.map_or(*guess, |(_, params)| params);
+    let mut choices = Vec::new();
+    let mut structure = start;
+    progress(Stage { done: 0.3, text: "choosing the friction" });
+    let (k, choice) =
+        choose("friction", &frictions, segments, &from, |v| Structure { friction: v, ..structure }, ROUGH);
+    structure.friction = frictions[k];
+    choices.push(choice);
+    let unknowns = structure.unknowns(&from, segments);
+    from = unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), ROUGH).theta);
+    progress(Stage { done: 0.55, text: "choosing the spring" });
+    let (k, choice) = choose("spring", &springs, segments, &from, |v| Structure { spring: v, ..structure }, ROUGH);
+    structure.spring = springs[k];
+    choices.push(choice);
+    progress(Stage { done: 0.85, text: "refining everything together" });
+    let unknowns = structure.unknowns(&from, segments);
+    let mut notes = Vec::new();
+    if !varied_side_force {
+        notes.push(
+            "side_force_friction was not identified: it needs slow tests at two or more side forces, with a side-force \
+             channel"
+                .to_owned(),
+        );
+    }
+    finish(segments, unknowns, from, choices, notes)
+}
+
+/// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
+fn finish(
+    segments: &[Segment],
+    mut unknowns: Unknowns,
+    fv_only: Params,
+    choices: Vec<Choice>,
+    mut notes: Vec<String>,
+) -> Fit {
+    let refs: Vec<&Segment> = segments.iter().collect();
+    let mut theta = solve(&refs, &unknowns, &unknowns.start(), FINE).theta;
+    let mut left_out: Vec<Estimate> = Vec::new();
+    let estimates = loop {
+        let (list, loose) = estimates(segments, &unknowns, &theta);
+        // One at a time, the loosest first: the others may be determined once it is held.
+        let Some(worst) = loose.iter().copied().max_by(|a, b| width(&list[*a]).total_cmp(&width(&list[*b]))) else {
+            break list;
+        };
+        let mut estimate = list[worst].clone();
+        let mut base = unknowns.params(&theta);
+        // A value that the data hardly touches goes back to its default, any other stays where the fit left it.
+        if width(&estimate) > 4.0 {
+            if let Some(row) = find(estimate.name) {
+                let _ = base.set(estimate.name, row.parameter.default[0]);
+                estimate.value = row.parameter.default[0];
+            }
+        }
+        (estimate.low, estimate.high) = (None, None);
+        left_out.push(estimate);
+        unknowns.list.remove(worst);
+        unknowns.base = base;
+        theta = solve(&refs, &unknowns, &unknowns.start(), FINE).theta;
+    };
+    for estimate in &left_out {
+        notes.push(format!(
+            "{} could not be identified from this data; it is held at {:.4} {}",
+            estimate.name, estimate.value, estimate.unit
+        ));
+    }
+    let params = unknowns.params(&theta);
+    let misfit = misfit(segments, &params);
+    let mut estimates = estimates;
+    for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
+        notes.push(format!(
+            "{} ran into the bound {:.4} {} of the parameter table: the data asks for something this element cannot do",
+            estimate.name, estimate.value, estimate.unit
+        ));
+    }
+    estimates.extend(left_out);
+    Fit {
+        params,
+        estimates,
+        choices,
+        notes,
+        tests: segments.iter().map(|s| s.name.clone()).collect(),
+        fv_only,
+        misfit,
+    }
+}
+
+/// Relative width of an interval.
+fn width(estimate: &Estimate) -> f64 {
+    match (estimate.low, estimate.high) {
+        (Some(low), Some(high)) => (high - low) / estimate.value.abs().max(1e-12),
+        _ => 0.0,
+    }
+}
+
+fn misfit(segments: &[Segment], params: &Params) -> f64 {
+    let Ok(model) = dashpot_core::Model::new(params) else { return f64::NAN };
+    let (mut sum, mut count) = (0.0, 0usize);
+    for s in segments {
+        let f = super::sensitivity::forces(&model, s);
+        for i in s.from..s.force.len() {
+            sum += ((f[i] - s.force[i]) / s.scale).powi(2);
+            count += 1;
+        }
+    }
+    (sum / count.max(1) as f64).sqrt()
+}
+
+/// Degree of the comparison model's polynomial.
+const DEGREE: usize = 7;
+
+fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> Fit {
+    progress(Stage { done: 0.3, text: "polynomial with lag" });
+    let mut base = *guess;
+    base.disable_all();
+    let _ = base.enable("lagged_polynomial", true);
+    // Without lag the model is linear in its coefficients: one linear fit is the first guess.
+    let n = DEGREE + 1;
+    let (mut matrix, mut right) = (DMatrix::zeros(n, n), DVector::zeros(n));
+    for s in segments {
+        for i in s.from..s.force.len() {
+            let powers = DVector::from_fn(n, |k, _| s.input[i].velocity.powi(k as i32) / s.scale);
+            right += &powers * (s.force[i] / s.scale);
+            matrix += &powers * powers.transpose();
+        }
+    }
+    let trace = matrix.trace();
+    let coefficients = (matrix + DMatrix::identity(n, n) * (1e-14 * trace))
+        .cholesky()
+        .map_or(vec![0.0; n], |c| c.solve(&right).iter().copied().collect());
+    let _ = base.set_list("polynomial", &coefficients);
+    let mut list: Vec<Unknown> = (0..n).map(|k| Unknown::Entry("polynomial", k)).collect();
+    list.extend([Unknown::Log("lag_slow"), Unknown::Log("lag_fast")]);
+    finish(segments, Unknowns { base, list }, base, Vec::new(), Vec::new())
+}
+
+/// What the campaign cannot show.
+fn coverage_notes(segments: &[Segment]) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !segments.iter().any(|s| s.peak_velocity < SLOW) {
+        notes.push(format!(
+            "there is no slow test (peak below {:.0} mm/s): friction is taken from the slow parts of faster tests",
+            1e3 * SLOW
+        ));
+    }
+    let amplitudes: Vec<f64> = segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude).collect();
+    let (low, high) = amplitudes.iter().fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
+    if high < 2.0 * low {
+        notes.push("all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone".to_owned());
+    }
+    notes
+}
+

@@ -1,0 +1,19 @@
+//! Identification: from rig records to a parameter set with intervals.
+//!
+//! The thesis's way (chapter 4): FV curve from the peak-velocity points, friction and gas force from the slow tests,
+//! everything refined together on the stitched records. Variants of friction and spring are chosen by tests that the
+//! fit did not see.
+
+pub mod curve_weights;
+pub mod first_guess;
+mod fit;
+mod intervals;
+pub mod least_squares;
+pub mod segment;
+pub mod sensitivity;
+pub mod unknowns;
+mod variants;
+
+pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
+pub use intervals::{Estimate, Standing};
+pub use variants::Choice;

@@ -1,0 +1,116 @@
+//! The stretches of record that a fit works on: clean motion, averaged force, a weight.
+
+use crate::motion;
+use crate::prediction::integration_for;
+use crate::records::Record;
+use dashpot_core::step::Integration;
+use dashpot_core::{Input, Model};
+use rayon::prelude::*;
+
+/// Samples that a cycle is thinned to; the force between is averaged, not dropped.
+const PER_CYCLE: usize = 160;
+/// Samples of one test that a fit uses: as many whole cycles as fit.
+const PER_TEST: usize = 400;
+/// Share of a cycle that runs ahead of the first scored sample, so that the settled start is forgotten.
+const LEAD_IN: f64 = 0.1;
+/// Share of a test's largest force below which no model is expected to be right; it keeps clean tests from
+/// outweighing all others.
+const MODEL_FLOOR: f64 = 0.01;
+
+/// One test, ready for a fit.
+#[derive(Debug, Clone)]
+pub struct Segment {
+    /// Name of the test.
+    pub name: String,
+    /// Time from one sample to the next, s; the first is 0.
+    pub dt: Vec<f64>,
+    /// The motion, side force and temperature at the samples.
+    pub input: Vec<Input>,
+    /// Measured force, N.
+    pub force: Vec<f64>,
+    /// First sample whose force counts.
+    pub from: usize,
+    /// Force that one unit of weighted residual stands for, N.
+    pub scale: f64,
+    /// Largest measured force, N.
+    pub top: f64,
+    /// Peak velocity of the test, m/s.
+    pub peak_velocity: f64,
+    /// Amplitude, m.
+    pub amplitude: f64,
+    /// Mean distance of its samples, s.
+    pub mean_dt: f64,
+}
+
+impl Segment {
+    /// How a model is stepped between the samples.
+    pub fn integration(&self, model: &Model) -> Integration {
+        integration_for(model, self.mean_dt)
+    }
+}
+
+/// Makes the segments of all records, in their order.
+pub fn segments(records: &[&Record]) -> Vec<Segment> {
+    records.par_iter().map(|r| segment(r)).collect()
+}
+
+fn segment(record: &Record) -> Segment {
+    let n = record.time.len();
+    let clean = motion::smooth(record);
+    let (first, last, cycle) = match (record.cycles.first(), record.cycles.len()) {
+        (None, _) => (0, n, n),
+        (Some(first), count) => {
+            let cycle = first.len().max(1);
+            let thinned = cycle.div_ceil(stride_of(cycle));
+            let wanted = (PER_TEST / thinned).clamp(1, count);
+            // From the middle: the first cycles may still settle, the last may already stop.
+            let skip = (count - wanted).div_ceil(2);
+            (record.cycles[skip].start, record.cycles[skip + wanted - 1].end.min(n), cycle)
+        }
+    };
+    let stride = if record.cycles.is_empty() { n.div_ceil(10 * PER_TEST) } else { stride_of(cycle) };
+    let lead = ((LEAD_IN * cycle as f64) as usize).max(2 * stride).min(first);
+    let begin = first - lead / stride * stride;
+    let picks: Vec<usize> = (begin..last).step_by(stride).collect();
+    let mut from = picks.iter().position(|i| *i >= first).unwrap_or(0);
+    if from * stride < (LEAD_IN * cycle as f64) as usize / 2 {
+        from = (picks.len() / 20).max(1);
+    }
+    let average = |i: usize| {
+        let (low, high) = (i.saturating_sub(stride / 2), (i + stride.div_ceil(2)).min(n));
+        record.force[low..high].iter().sum::<f64>() / (high - low) as f64
+    };
+    let force: Vec<f64> = picks.iter().map(|i| average(*i)).collect();
+    let at = |channel: &Option<Vec<f64>>, i: usize, or: f64| channel.as_ref().map_or(or, |c| c[i]);
+    let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    let noise = record.noise.force_rms / (stride as f64).sqrt();
+    let dt: Vec<f64> = std::iter::once(0.0)
+        .chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]]))
+        .collect();
+    let mean_dt = dt.iter().sum::<f64>() / dt.len().max(2) as f64;
+    Segment {
+        name: record.name.clone(),
+        mean_dt,
+        input: picks
+            .iter()
+            .map(|i| Input {
+                displacement: Some(clean.displacement[*i]),
+                velocity: clean.velocity[*i],
+                side_force: at(&record.side_force, *i, 0.0),
+                temperature: at(&record.temperature, *i, 20.0),
+            })
+            .collect(),
+        dt,
+        force,
+        from,
+        scale: (noise * noise + (MODEL_FLOOR * top).powi(2)).sqrt().max(1e-6),
+        top,
+        peak_velocity: record.peak_velocity,
+        amplitude: record.amplitude,
+    }
+}
+
+/// How many samples become one.
+fn stride_of(cycle: usize) -> usize {
+    (cycle / PER_CYCLE).max(1)
+}

@@ -1,0 +1,180 @@
+//! What a fit may change, and how a vector of unknowns becomes a parameter set.
+
+use dashpot_core::Params;
+use dashpot_core::parameter::find;
+
+/// A named list of unknowns over a base parameter set.
+#[derive(Debug, Clone)]
+pub struct Unknowns {
+    /// Everything that stays, and which elements are on.
+    pub base: Params,
+    /// One entry per component of the vector.
+    pub list: Vec<Unknown>,
+}
+
+/// One component of the vector of unknowns.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unknown {
+    /// The logarithm of a positive parameter.
+    Log(&'static str),
+    /// A parameter itself.
+    Linear(&'static str),
+    /// Rise of a curve from one point to the next, away from its fixed point at the origin.
+    Rise {
+        /// Which curve.
+        curve: CurveName,
+        /// The point that this rise leads to, counted in the curve's list.
+        point: usize,
+    },
+    /// One entry of a list parameter.
+    Entry(&'static str, usize),
+}
+
+/// The curves whose points can be fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurveName {
+    /// `fv_velocity`, `fv_force`.
+    Fv,
+    /// `spring_displacement`, `spring_force`.
+    Spring,
+}
+
+impl CurveName {
+    /// Name of the list of abscissae.
+    pub fn abscissae(self) -> &'static str {
+        match self {
+            CurveName::Fv => "fv_velocity",
+            CurveName::Spring => "spring_displacement",
+        }
+    }
+
+    /// Name of the list of forces.
+    pub fn forces(self) -> &'static str {
+        match self {
+            CurveName::Fv => "fv_force",
+            CurveName::Spring => "spring_force",
+        }
+    }
+}
+
+/// The point of a curve that stays at zero force: the one nearest the origin.
+pub fn anchor(abscissae: &[f64]) -> usize {
+    (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
+}
+
+impl Unknowns {
+    /// Unknowns that rise to every point of a curve but its anchor.
+    pub fn rises(base: &Params, curve: CurveName) -> Vec<Unknown> {
+        let u = base.list(curve.abscissae());
+        let zero = anchor(u);
+        (0..u.len()).filter(|point| *point != zero).map(|point| Unknown::Rise { curve, point }).collect()
+    }
+
+    /// The vector that stands for the base set.
+    pub fn start(&self) -> Vec<f64> {
+        self.list
+            .iter()
+            .map(|unknown| match unknown {
+                Unknown::Log(name) => self.base.scalar(name).max(1e-12).ln(),
+                Unknown::Linear(name) => self.base.scalar(name),
+                Unknown::Entry(name, i) => self.base.list(name)[*i],
+                Unknown::Rise { curve, point } => {
+                    let f = self.base.list(curve.forces());
+                    let zero = anchor(self.base.list(curve.abscissae()));
+                    let inner = if *point > zero { point - 1 } else { point + 1 };
+                    (f[*point] - f[inner]).abs()
+                }
+            })
+            .collect()
+    }
+
+    /// Bounds of the vector, from the parameter table.
+    pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
+        self.list
+            .iter()
+            .map(|unknown| {
+                let of = |name: &str| find(name).map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
+                match unknown {
+                    Unknown::Log(name) => {
+                        let (low, high) = of(name);
+                        (low.max(1e-6).ln(), high.ln())
+                    }
+                    Unknown::Linear(name) | Unknown::Entry(name, _) => of(name),
+                    Unknown::Rise { .. } => (0.0, 1e5),
+                }
+            })
+            .unzip()
+    }
+
+    /// The parameter set that a vector stands for.
+    pub fn params(&self, theta: &[f64]) -> Params {
+        let mut params = self.base;
+        for curve in [CurveName::Fv, CurveName::Spring] {
+            let u = params.list(curve.abscissae()).to_vec();
+            let mut f = params.list(curve.forces()).to_vec();
+            let zero = anchor(&u);
+            let rises: Vec<(usize, f64)> = self
+                .list
+                .iter()
+                .zip(theta)
+                .filter_map(|(unknown, t)| match unknown {
+                    Unknown::Rise { curve: c, point } if *c == curve => Some((*point, *t)),
+                    _ => None,
+                })
+                .collect();
+            if rises.is_empty() {
+                continue;
+            }
+            f[zero] = 0.0;
+            let rise = |point: usize| rises.iter().find(|r| r.0 == point).map_or(0.0, |r| r.1);
+            for point in zero + 1..f.len() {
+                f[point] = f[point - 1] + rise(point);
+            }
+            for point in (0..zero).rev() {
+                f[point] = f[point + 1] - rise(point);
+            }
+            // Bounds keep every entry inside the table; a refused list would leave the base curve in place.
+            let _ = params.set_list(curve.forces(), &f);
+        }
+        for (unknown, t) in self.list.iter().zip(theta) {
+            match unknown {
+                Unknown::Log(name) => set_inside(&mut params, name, t.exp()),
+                Unknown::Linear(name) => set_inside(&mut params, name, *t),
+                Unknown::Entry(name, i) => {
+                    let mut list = params.list(name).to_vec();
+                    list[*i] = *t;
+                    let _ = params.set_list(name, &list);
+                }
+                Unknown::Rise { .. } => {}
+            }
+        }
+        params
+    }
+}
+
+/// Sets a scalar, held inside its bounds: exp(ln(bound)) may lie a rounding outside.
+fn set_inside(params: &mut Params, name: &str, value: f64) {
+    if let Some(row) = find(name) {
+        let inside = value.clamp(row.parameter.low, row.parameter.high);
+        let _ = params.set(name, inside);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_start_vector_stands_for_the_base_set() {
+        let base = Params::new();
+        let mut list = Unknowns::rises(&base, CurveName::Fv);
+        list.extend([Unknown::Log("series_stiffness"), Unknown::Linear("gas_force")]);
+        let unknowns = Unknowns { base, list };
+        let back = unknowns.params(&unknowns.start());
+        for (a, b) in back.list("fv_force").iter().zip(base.list("fv_force")) {
+            assert!((a - b).abs() < 1e-9);
+        }
+        assert!((back.scalar("series_stiffness") / base.scalar("series_stiffness") - 1.0).abs() < 1e-12);
+        assert_eq!(back.scalar("gas_force"), base.scalar("gas_force"));
+    }
+}

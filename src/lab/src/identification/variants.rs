@@ -1,0 +1,260 @@
+//! The variants of friction and spring, and the choice among them by tests that the fit did not see.
+
+use super::least_squares::{Effort, solve};
+use super::segment::Segment;
+use super::sensitivity::forces;
+use super::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_core::{Model, Params};
+use serde::Serialize;
+
+/// Parts into which the tests are dealt; each is left out once.
+const FOLDS: usize = 3;
+/// Points of the lookup spring.
+const LOOKUP_POINTS: usize = 7;
+
+/// How a variant is told apart from its rivals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Variant {
+    /// Name in the report.
+    pub name: &'static str,
+    /// Elements that it switches on.
+    pub elements: &'static [&'static str],
+    /// Its unknowns; those that start with `log:` vary by factors.
+    unknowns: &'static [&'static str],
+    /// Choice parameters that it sets.
+    choices: &'static [(&'static str, f64)],
+}
+
+/// Friction variants, simplest first (thesis 3.1–3.7).
+pub const FRICTION: &[Variant] = &[
+    Variant { name: "none", elements: &[], unknowns: &[], choices: &[] },
+    Variant {
+        name: "Coulomb",
+        elements: &["coulomb_friction"],
+        unknowns: &["coulomb_force", "log:coulomb_steepness"],
+        choices: &[],
+    },
+    Variant {
+        name: "Coulomb + viscous",
+        elements: &["coulomb_friction", "viscous_friction"],
+        unknowns: &["coulomb_force", "log:coulomb_steepness", "viscous_coefficient"],
+        choices: &[],
+    },
+    Variant {
+        name: "simplified Stribeck",
+        elements: &["stribeck_friction"],
+        unknowns: &["stribeck_breakaway_force", "stribeck_coulomb_force", "log:stribeck_breakaway_velocity"],
+        choices: &[("stribeck_form", 0.0)],
+    },
+    Variant {
+        name: "full Stribeck",
+        elements: &["stribeck_friction"],
+        unknowns: &[
+            "stribeck_breakaway_force",
+            "stribeck_coulomb_force",
+            "log:stribeck_breakaway_velocity",
+            "log:stribeck_velocity",
+        ],
+        choices: &[("stribeck_form", 1.0)],
+    },
+];
+
+/// Spring variants, simplest first (thesis 3, F_p).
+pub const SPRING: &[Variant] = &[
+    Variant { name: "none", elements: &[], unknowns: &[], choices: &[] },
+    Variant { name: "linear", elements: &["parallel_spring"], unknowns: &["spring_linear"], choices: &[] },
+    Variant { name: "quadratic", elements: &["parallel_spring"], unknowns: &["spring_quadratic"], choices: &[] },
+    Variant { name: "cubic", elements: &["parallel_spring"], unknowns: &["spring_cubic"], choices: &[] },
+    Variant { name: "quartic", elements: &["parallel_spring"], unknowns: &["spring_quartic"], choices: &[] },
+    Variant { name: "lookup", elements: &["parallel_spring"], unknowns: &["lookup"], choices: &[] },
+];
+
+/// What is on in a fit.
+#[derive(Debug, Clone, Copy)]
+pub struct Structure {
+    /// Friction.
+    pub friction: Variant,
+    /// Spring parallel to the primary damper.
+    pub spring: Variant,
+    /// Series compliance and internal mass.
+    pub series: bool,
+    /// Constant gas force.
+    pub gas: bool,
+    /// Friction growing with side force.
+    pub side_force: bool,
+}
+
+impl Structure {
+    /// Base set and unknowns of this structure, starting from the values in `from`.
+    pub fn unknowns(&self, from: &Params, segments: &[Segment]) -> Unknowns {
+        let mut base = *from;
+        let mut list = Vec::new();
+        base.disable_all();
+        let on = |base: &mut Params, name: &str| {
+            // The names come from the kernel's own list.
+            let _ = base.enable(name, true);
+        };
+        on(&mut base, "fv_curve");
+        list.extend(Unknowns::rises(&base, CurveName::Fv));
+        if self.series {
+            on(&mut base, "series_compliance");
+            list.extend([
+                Unknown::Log("series_stiffness"),
+                Unknown::Linear("series_damping"),
+                Unknown::Log("internal_mass"),
+            ]);
+        }
+        if self.gas {
+            on(&mut base, "gas_preload");
+            list.push(Unknown::Linear("gas_force"));
+        }
+        if self.side_force {
+            on(&mut base, "side_force_friction");
+            list.push(Unknown::Linear("side_force_coefficient"));
+        }
+        for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {
+            if !self.spring.unknowns.contains(&name) {
+                let _ = base.set(name, 0.0);
+            }
+        }
+        if !self.spring.unknowns.contains(&"lookup") {
+            let _ = base.set_list("spring_displacement", &[]);
+            let _ = base.set_list("spring_force", &[]);
+        }
+        for variant in [self.friction, self.spring] {
+            for (name, value) in variant.choices {
+                let _ = base.set(name, *value);
+            }
+            for element in variant.elements {
+                on(&mut base, element);
+            }
+            for name in variant.unknowns {
+                match name.strip_prefix("log:") {
+                    Some(name) => list.push(Unknown::Log(name)),
+                    None if *name == "lookup" => {
+                        if base.list("spring_displacement").is_empty() {
+                            start_lookup(&mut base, segments);
+                        }
+                        list.extend(Unknowns::rises(&base, CurveName::Spring));
+                    }
+                    None => list.push(Unknown::Linear(name)),
+                }
+            }
+        }
+        Unknowns { base, list }
+    }
+}
+
+/// A flat lookup spring over the displacements that the tests cover, with a point at zero.
+fn start_lookup(base: &mut Params, segments: &[Segment]) {
+    let x = || segments.iter().flat_map(|s| s.input.iter().filter_map(|i| i.displacement));
+    let (low, high) = (x().fold(0.0f64, f64::min), x().fold(0.0f64, f64::max));
+    let span = (high - low).max(1e-6);
+    let step = span / (LOOKUP_POINTS - 1) as f64;
+    let first = (low / step).round() * step;
+    let points: Vec<f64> = (0..LOOKUP_POINTS)
+        .map(|k| {
+            let p = first + k as f64 * step;
+            if p.abs() < 0.5 * step { 0.0 } else { p }
+        })
+        .collect();
+    let forces: Vec<f64> = points.iter().map(|x| 1.0 * x).collect();
+    let _ = base.set_list("spring_displacement", &points);
+    let _ = base.set_list("spring_force", &forces);
+}
+
+/// The outcome of one choice.
+#[derive(Debug, Clone, Serialize)]
+pub struct Choice {
+    /// What was chosen: "friction" or "spring".
+    pub of: &'static str,
+    /// The name of the variant that was kept.
+    pub chosen: &'static str,
+    /// Each variant with its error on left-out tests, in units of what a test's noise and floor allow.
+    pub scores: Vec<Score>,
+    /// Why, in words.
+    pub why: String,
+}
+
+/// Error of one variant on left-out tests.
+#[derive(Debug, Clone, Serialize)]
+pub struct Score {
+    /// Variant.
+    pub name: &'static str,
+    /// Root mean square over the left-out tests of rms error per allowed error.
+    pub held_out: f64,
+    /// Largest excess of the mean square over the best variant's that chance explains (one standard error).
+    pub tie_within: f64,
+}
+
+/// Chooses among `variants`, each put into a structure by `with`; returns the place of the winner.
+///
+/// Every variant is refitted without each fold of tests and judged on it. The simplest one within one standard error
+/// of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984, 3.4.3).
+pub fn choose(
+    of: &'static str,
+    variants: &[Variant],
+    segments: &[Segment],
+    from: &Params,
+    with: impl Fn(Variant) -> Structure,
+    effort: Effort,
+) -> (usize, Choice) {
+    let folds = FOLDS.min(segments.len()).max(1);
+    let errors: Vec<Vec<f64>> = variants
+        .iter()
+        .map(|variant| {
+            let structure = with(*variant);
+            let mut errors = vec![0.0; segments.len()];
+            let unknowns = structure.unknowns(from, segments);
+            // One fit on everything is the start of all folds.
+            let all: Vec<&Segment> = segments.iter().collect();
+            let start = solve(&all, &unknowns, &unknowns.start(), effort).theta;
+            for fold in 0..folds {
+                let kept: Vec<&Segment> =
+                    segments.iter().enumerate().filter(|(i, _)| folds == 1 || i % folds != fold).map(|(_, s)| s).collect();
+                let theta = if folds == 1 { start.clone() } else { solve(&kept, &unknowns, &start, effort).theta };
+                let Ok(model) = Model::new(&unknowns.params(&theta)) else { continue };
+                for (i, segment) in segments.iter().enumerate().filter(|(i, _)| i % folds == fold) {
+                    errors[i] = mean_square(&model, segment);
+                }
+            }
+            errors
+        })
+        .collect();
+    let n = segments.len() as f64;
+    let mean = |e: &[f64]| e.iter().sum::<f64>() / n;
+    let best = (0..variants.len()).min_by(|a, b| mean(&errors[*a]).total_cmp(&mean(&errors[*b]))).unwrap_or(0);
+    let tie = |k: usize| {
+        let d: Vec<f64> = errors[k].iter().zip(&errors[best]).map(|(a, b)| a - b).collect();
+        let m = mean(&d);
+        (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
+    };
+    let complexity = |k: usize| variants[k].unknowns.len() + if variants[k].name == "lookup" { LOOKUP_POINTS } else { 0 };
+    let kept = (0..variants.len())
+        .filter(|k| mean(&errors[*k]) - mean(&errors[best]) <= tie(*k))
+        .min_by(|a, b| complexity(*a).cmp(&complexity(*b)).then(mean(&errors[*a]).total_cmp(&mean(&errors[*b]))))
+        .unwrap_or(best);
+    let rms = |k: usize| mean(&errors[k]).sqrt();
+    let why = if kept == best {
+        format!("smallest error on left-out tests ({:.2} of the allowed error)", rms(best))
+    } else {
+        format!(
+            "simplest within one standard error of the best on left-out tests ({:.2} against {:.2} of the allowed error for {})",
+            rms(kept),
+            rms(best),
+            variants[best].name
+        )
+    };
+    let scores = (0..variants.len())
+        .map(|k| Score { name: variants[k].name, held_out: rms(k), tie_within: tie(k) })
+        .collect();
+    (kept, Choice { of, chosen: variants[kept].name, scores, why })
+}
+
+/// Mean square error of a model on a segment, in units of its allowed error.
+fn mean_square(model: &Model, segment: &Segment) -> f64 {
+    let f = forces(model, segment);
+    let scored = segment.from..segment.force.len();
+    let count = scored.len().max(1) as f64;
+    scored.map(|i| ((f[i] - segment.force[i]) / segment.scale).powi(2)).sum::<f64>() / count
+}

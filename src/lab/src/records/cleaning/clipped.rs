@@ -1,0 +1,234 @@
+//! Channels cut off at the end of their measuring range: flat tops at an extreme value.
+
+use super::super::channel::Channel;
+use super::super::error::RecordError;
+use super::super::samples::Samples;
+
+/// Fewest equal samples at the extreme that make a flat top.
+const RUN: usize = 4;
+/// Share of clipped force samples up to which the record is still used without them.
+const FORCE_SHARE: f64 = 0.05;
+
+/// Clipped samples of a channel.
+#[derive(Debug, Default)]
+struct FlatTops {
+    clipped: Vec<bool>,
+    count: usize,
+    first: usize,
+    value: f64,
+}
+
+/// Deals with clipped channels; returns which samples have no usable force.
+///
+/// Clipped force samples are dropped by the caller once the motion is complete, since the motion is sound there. A
+/// clipped motion channel is given up if the other can replace it.
+pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
+    for (channel, other) in [
+        (Channel::Velocity, Channel::Displacement),
+        (Channel::Displacement, Channel::Velocity),
+    ] {
+        let Some(tops) = samples.channel(channel).and_then(flat_tops) else {
+            continue;
+        };
+        let percent = 100.0 * tops.count as f64 / samples.len() as f64;
+        let value = tops.value;
+        if samples.channel(other).is_none() {
+            return Err(RecordError::Clipped {
+                at: samples.at.clone(),
+                line: samples.lines[tops.first],
+                channel,
+                value,
+                percent,
+                advice: "there is no other motion channel; measure again with a larger range",
+            });
+        }
+        let line = samples.lines[tops.first];
+        match channel {
+            Channel::Velocity => samples.velocity = None,
+            _ => samples.displacement = None,
+        }
+        samples.note(
+            "clipped",
+            format!("{channel} is clipped at {value:.5} (SI) in {percent:.1} % of the samples, first at line {line}; the channel \
+                     is left out and derived from {other}"),
+        );
+    }
+    let Some(tops) = flat_tops(&samples.force) else {
+        return Ok(vec![false; samples.len()]);
+    };
+    let percent = 100.0 * tops.count as f64 / samples.len() as f64;
+    let (line, value) = (samples.lines[tops.first], tops.value);
+    if tops.count as f64 > FORCE_SHARE * samples.len() as f64 {
+        return Err(RecordError::Clipped {
+            at: samples.at.clone(),
+            line,
+            channel: Channel::Force,
+            value,
+            percent,
+            advice: "measure again with a larger range of the load cell or its amplifier",
+        });
+    }
+    samples.note(
+        "clipped",
+        format!("force is clipped at {value:.1} N in {} samples ({percent:.2} %), first at line {line}; these samples are left out",
+            tops.count),
+    );
+    Ok(tops.clipped)
+}
+
+/// Finds flat tops at the largest and the smallest value.
+///
+/// The top of a coarse sine is flat too. What tells clipping is that the signal runs into the top with a slope that
+/// would have carried it on: with slope s at both ends of a gap of length m a parabola rises s·m/4 above its ends.
+fn flat_tops(values: &[f64]) -> Option<FlatTops> {
+    let n = values.len();
+    let quantum = quantum(values);
+    let mut tops = FlatTops {
+        clipped: vec![false; n],
+        ..FlatTops::default()
+    };
+    tops.first = n;
+    let (low, high) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
+            (l.min(v), h.max(v))
+        });
+    if low == high {
+        return None;
+    }
+    for (extreme, up) in [(high, 1.0), (low, -1.0)] {
+        let mut start = 0;
+        let mut found = Vec::new();
+        for run in values.chunk_by(|a, b| a == b) {
+            let end = start + run.len();
+            // The slope is taken over half the gap: next to a rounded top the last digit's own step would pass for slope.
+            let reach = (run.len() / 2).max(3);
+            if run[0] == extreme && run.len() >= RUN && start >= reach && end + reach <= n {
+                let rise = up * (values[start] - values[start - reach]) / reach as f64;
+                let fall = up * (values[end - 1] - values[end - 1 + reach]) / reach as f64;
+                let overshoot = rise.min(fall) * run.len() as f64 / 4.0;
+                if overshoot > 3.0 * quantum && overshoot > 1e-3 * (high - low) {
+                    found.push(start..end);
+                }
+            }
+            start = end;
+        }
+        for run in found {
+            tops.count += run.len();
+            if run.start < tops.first {
+                tops.first = run.start;
+                tops.value = extreme;
+            }
+            tops.clipped[run].fill(true);
+        }
+    }
+    (tops.count > 0).then_some(tops)
+}
+
+/// The step of the channel's last digit: the smallest difference of neighbours that is not zero.
+fn quantum(values: &[f64]) -> f64 {
+    let smallest = values
+        .windows(2)
+        .map(|w| (w[1] - w[0]).abs())
+        .filter(|&d| d > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    if smallest.is_finite() { smallest } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::SineTest;
+    use super::*;
+
+    #[test]
+    fn a_little_clipped_force_is_masked_and_much_is_refused() {
+        let sound = SineTest {
+            noise: 1.0,
+            ..SineTest::default()
+        }
+        .samples();
+        let clip = |limit: f64| {
+            let mut samples = sound.clone();
+            samples.force.iter_mut().for_each(|f| *f = f.min(limit));
+            samples
+        };
+        let top = sound
+            .force
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        let mut samples = clip(0.98 * top);
+        let expected: Vec<bool> = samples.force.iter().map(|f| *f == 0.98 * top).collect();
+        let masked = deal(&mut samples).unwrap();
+        // Single noisy samples at the limit are no flat top; all long runs are.
+        let missed = masked
+            .iter()
+            .zip(&expected)
+            .filter(|(m, e)| !**m && **e)
+            .count();
+        let hits = masked.iter().filter(|m| **m).count();
+        assert!(
+            hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e),
+            "{hits} {missed}"
+        );
+        assert_eq!(samples.notes[0].kind, "clipped");
+        let error = deal(&mut clip(0.7 * top)).unwrap_err().to_string();
+        assert!(
+            error.contains("force is clipped") && error.contains("load cell"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn a_clipped_motion_channel_gives_way_to_the_other() {
+        let mut samples = SineTest::default().samples();
+        samples
+            .velocity
+            .as_mut()
+            .unwrap()
+            .iter_mut()
+            .for_each(|v| *v = v.clamp(-0.2, 0.2));
+        deal(&mut samples).unwrap();
+        assert!(samples.velocity.is_none() && samples.displacement.is_some());
+        let mut samples = SineTest::default().samples();
+        samples.velocity = None;
+        samples
+            .displacement
+            .as_mut()
+            .unwrap()
+            .iter_mut()
+            .for_each(|x| *x = x.min(0.04));
+        assert!(
+            deal(&mut samples)
+                .unwrap_err()
+                .to_string()
+                .contains("no other motion channel")
+        );
+    }
+
+    #[test]
+    fn coarse_tops_of_a_sine_are_not_clipped() {
+        for quantum in [0.0, 5e-6, 2e-4, 2e-3] {
+            let mut samples = SineTest {
+                noise: 0.0,
+                per_cycle: 2000,
+                ..SineTest::default()
+            }
+            .samples();
+            if quantum > 0.0 {
+                samples
+                    .displacement
+                    .as_mut()
+                    .unwrap()
+                    .iter_mut()
+                    .for_each(|x| *x = (*x / quantum).round() * quantum);
+                samples
+                    .force
+                    .iter_mut()
+                    .for_each(|f| *f = (*f / quantum / 1e4).round() * quantum * 1e4);
+            }
+            assert!(!deal(&mut samples).unwrap().contains(&true), "{quantum}");
+            assert!(samples.notes.is_empty());
+        }
+    }
+}

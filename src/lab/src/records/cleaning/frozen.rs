@@ -1,0 +1,199 @@
+//! A channel that stands still while the others move: a lost sensor or a stalled logger.
+
+use super::super::channel::Channel;
+use super::super::error::RecordError;
+use super::super::noise::difference_noise;
+use super::super::samples::{Samples, range};
+use super::cycles::turning_points;
+
+/// Fewest equal samples in a row that can be called frozen.
+const RUN: usize = 30;
+
+/// Refuses a record with a frozen channel.
+///
+/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell), so a channel that
+/// is coarse elsewhere is only frozen if it stays the same through two whole strokes.
+pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
+    check(samples, Channel::Force, &motion(samples))?;
+    if let Some(velocity) = &samples.velocity {
+        // The motion that the velocity channel tells of, to hold the displacement against.
+        let travelled = travelled(&samples.time, velocity);
+        check(samples, Channel::Displacement, &travelled)?;
+    } else {
+        check(samples, Channel::Displacement, &samples.force)?;
+    }
+    if let Some(displacement) = &samples.displacement {
+        check(samples, Channel::Velocity, displacement)?;
+    }
+    Ok(())
+}
+
+/// The displacement, or what the velocity adds up to.
+fn motion(samples: &Samples) -> Vec<f64> {
+    match (&samples.displacement, &samples.velocity) {
+        (Some(x), _) => x.clone(),
+        (None, Some(v)) => travelled(&samples.time, v),
+        (None, None) => vec![0.0; samples.len()],
+    }
+}
+
+fn travelled(time: &[f64], velocity: &[f64]) -> Vec<f64> {
+    let mut x = 0.0;
+    let mut out = Vec::with_capacity(time.len());
+    for i in 0..time.len() {
+        if i > 0 {
+            x += 0.5 * (velocity[i] + velocity[i - 1]) * (time[i] - time[i - 1]);
+        }
+        out.push(x);
+    }
+    out
+}
+
+fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), RecordError> {
+    let Some(values) = samples.channel(channel) else {
+        return Ok(());
+    };
+    let n = values.len();
+    let whole = range(other);
+    if whole == 0.0 || n < RUN {
+        return Ok(());
+    }
+    let noise = difference_noise(other);
+    // Force may change a little at rest, as friction relaxes.
+    let share = if channel == Channel::Displacement {
+        0.5
+    } else {
+        0.1
+    };
+    let mut start = 0;
+    for run in values.chunk_by(|a, b| a == b) {
+        let end = start + run.len();
+        if run.len() >= RUN {
+            // The first samples may still settle after a stop.
+            let inner = &other[start + run.len() / 10..end];
+            let moved = range(inner) - 8.0 * noise;
+            let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
+            let coarse = equal_share(&values[..start], &values[end..]) > 0.2;
+            // Constant velocity over a stroke is a triangle test, not a fault; zero velocity in motion is.
+            let steady_motion = channel == Channel::Velocity && run[0] != 0.0;
+            let frozen = swings >= 2 || (!coarse && !steady_motion && moved > share * whole);
+            if frozen {
+                return Err(RecordError::Frozen {
+                    at: samples.at.clone(),
+                    channel,
+                    first: samples.lines[start],
+                    last: samples.lines[end - 1],
+                    value: run[0],
+                    seconds: samples.time[end - 1] - samples.time[start],
+                    moving: match channel {
+                        Channel::Force => "the damper moves",
+                        Channel::Displacement if samples.velocity.is_some() => {
+                            "the velocity says it moves"
+                        }
+                        Channel::Displacement => "the force changes",
+                        _ => "the displacement changes",
+                    },
+                    advice: match channel {
+                        Channel::Force => {
+                            "check the load cell and its cable, and cut these rows or measure again"
+                        }
+                        Channel::Velocity => {
+                            "cut these rows, or read the displacement only: --ignore velocity"
+                        }
+                        _ if samples.velocity.is_some() => {
+                            "cut these rows, or read the velocity only: --ignore displacement"
+                        }
+                        _ => "cut these rows or measure again",
+                    },
+                });
+            }
+        }
+        start = end;
+    }
+    Ok(())
+}
+
+/// Share of neighbouring samples that are equal, outside the run in question.
+fn equal_share(before: &[f64], after: &[f64]) -> f64 {
+    let pairs = before.windows(2).chain(after.windows(2));
+    let (equal, all) = pairs.fold((0, 0), |(equal, all), w| {
+        (equal + usize::from(w[0] == w[1]), all + 1)
+    });
+    if all == 0 {
+        1.0
+    } else {
+        equal as f64 / all as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::SineTest;
+    use super::*;
+
+    fn freeze(values: &mut [f64], range: std::ops::Range<usize>) {
+        let value = values[range.start];
+        values[range].fill(value);
+    }
+
+    #[test]
+    fn frozen_channels_are_named_with_their_lines() {
+        let sound = SineTest::default().samples();
+        assert!(refuse(&sound).is_ok());
+        for channel in [Channel::Force, Channel::Displacement] {
+            let mut samples = sound.clone();
+            freeze(samples.channel_mut(channel).unwrap(), 600..760);
+            let error = refuse(&samples).unwrap_err().to_string();
+            assert!(
+                error.contains(&format!("lines 602 to 761: {channel} is frozen")),
+                "{error}"
+            );
+        }
+        let mut samples = sound.clone();
+        samples.velocity.as_mut().unwrap().fill(0.0);
+        assert!(
+            refuse(&samples)
+                .unwrap_err()
+                .to_string()
+                .contains("--ignore velocity")
+        );
+        let mut samples = sound;
+        samples.velocity = None;
+        freeze(samples.displacement.as_mut().unwrap(), 500..900);
+        assert!(
+            refuse(&samples)
+                .unwrap_err()
+                .to_string()
+                .contains("displacement is frozen")
+        );
+    }
+
+    #[test]
+    fn rest_and_coarse_plateaus_are_not_frozen() {
+        // Pure friction without noise, load cell of 1 N: the force stays the same through most of every stroke.
+        let mut samples = SineTest {
+            rest: 3.0,
+            frequency: 0.01,
+            ..SineTest::default()
+        }
+        .samples();
+        let velocity = samples.velocity.clone().unwrap();
+        samples.force = velocity
+            .iter()
+            .map(|v| (60.0 * (v / 1e-5).tanh()).round() - 120.0)
+            .collect();
+        refuse(&samples).unwrap();
+        // Rest is rest, in every channel, also without a velocity to say so.
+        let mut samples = SineTest {
+            rest: 3.0,
+            frequency: 0.01,
+            ..SineTest::default()
+        }
+        .samples();
+        samples.velocity = None;
+        for x in samples.displacement.as_mut().unwrap() {
+            *x = (*x * 2e5).round() / 2e5;
+        }
+        refuse(&samples).unwrap();
+    }
+}

@@ -1,0 +1,193 @@
+//! Spikes: one to three samples far off both neighbours, which nothing mechanical does.
+
+use super::super::channel::Channel;
+use super::super::noise::difference_noise;
+use super::super::samples::Samples;
+
+/// Longest spike, samples.
+const LONGEST: usize = 3;
+/// Above this share of samples the channel is not spiky but noisy, and is left alone.
+const SHARE: f64 = 0.01;
+
+/// Replaces spikes in force and motion by straight lines, with a note.
+pub(crate) fn replace(samples: &mut Samples) {
+    for channel in [Channel::Force, Channel::Displacement, Channel::Velocity] {
+        let Some(values) = samples.channel_mut(channel) else {
+            continue;
+        };
+        let spikes = find(values);
+        let count: usize = spikes.iter().map(|s| s.1).sum();
+        if count == 0 {
+            continue;
+        }
+        if count as f64 > (SHARE * values.len() as f64).max(3.0) {
+            let percent = 100.0 * count as f64 / values.len() as f64;
+            samples.note("outlier", format!("{channel} is spiky: {percent:.1} % of the samples stand off their \
+                                             neighbours; too many to be stray spikes, left as they are"));
+            continue;
+        }
+        let mut largest = 0.0_f64;
+        for &(start, length) in &spikes {
+            let (from, to) = (values[start - 1], values[start + length]);
+            for k in 0..length {
+                let line = from + (to - from) * (k + 1) as f64 / (length + 1) as f64;
+                largest = largest.max((values[start + k] - line).abs());
+                values[start + k] = line;
+            }
+        }
+        let line = samples.lines[spikes[0].0];
+        let unit = match channel {
+            Channel::Force => "N",
+            Channel::Displacement => "m",
+            _ => "m/s",
+        };
+        samples.note(
+            "outlier",
+            format!("{count} samples of {channel} in {} spikes replaced by straight lines, first at line {line}, largest \
+                     {largest:.4} {unit} off", spikes.len()),
+        );
+    }
+}
+
+/// Start and length of every spike.
+///
+/// A spike leaves the band between its neighbours and comes back. A reversal of friction or the knee of a blow-off
+/// does not: there the force stays on the other side, or only changes its slope. A break-away peak does leave the
+/// band, but by less than the friction step it rides on.
+fn find(values: &[f64]) -> Vec<(usize, usize)> {
+    let n = values.len();
+    let sigma = difference_noise(values);
+    let steps: Vec<f64> = values.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
+    let mut spikes: Vec<(usize, usize)> = Vec::new();
+    let mut i = 1;
+    while i + 1 < n {
+        let mut length_found = None;
+        // Only a step well above the noise can begin a spike.
+        if steps[i - 1] > 8.0 * sigma {
+            for length in 1..=LONGEST.min(n - 1 - i) {
+                if is_spike(values, &steps, sigma, i, length) {
+                    length_found = Some(length);
+                    break;
+                }
+            }
+        }
+        if let Some(length) = length_found {
+            spikes.push((i, length));
+            i += length + 1;
+        } else {
+            i += 1;
+        }
+    }
+    spikes
+}
+
+fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usize) -> bool {
+    let n = values.len();
+    let (left, right) = (values[start - 1], values[start + length]);
+    let before = &values[start.saturating_sub(2)..start];
+    let after = &values[start + length..(start + length + 2).min(n)];
+    let band = before
+        .iter()
+        .chain(after)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
+            (l.min(v), h.max(v))
+        });
+    let inside = &values[start..start + length];
+    let above = inside
+        .iter()
+        .map(|v| v - band.1)
+        .fold(f64::INFINITY, f64::min);
+    let below = inside
+        .iter()
+        .map(|v| band.0 - v)
+        .fold(f64::INFINITY, f64::min);
+    let off = above.max(below);
+    // Steps nearby that are not the spike's own.
+    let nearby = steps[start.saturating_sub(8)..start - 1]
+        .iter()
+        .chain(
+            steps
+                .get(start + length..(start + length + 7).min(steps.len()))
+                .unwrap_or_default(),
+        )
+        .fold(0.0_f64, |most, &s| most.max(s));
+    off > 8.0 * sigma && off > 3.0 * nearby && off > 1.2 * (right - left).abs() && off > 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::{Random, SineTest};
+    use super::*;
+
+    #[test]
+    fn spikes_are_replaced_and_nothing_else() {
+        let sound = SineTest::default().samples();
+        let mut samples = sound.clone();
+        for (at, length, height) in [(300, 1, 900.0), (555, 2, -700.0), (801, 3, 1500.0)] {
+            samples.force[at..at + length]
+                .iter_mut()
+                .for_each(|f| *f += height);
+        }
+        samples.displacement.as_mut().unwrap()[640] = 0.0;
+        replace(&mut samples);
+        assert_eq!(samples.notes.len(), 2, "{:?}", samples.notes);
+        let changed: Vec<usize> = (0..sound.len())
+            .filter(|&i| samples.force[i] != sound.force[i])
+            .collect();
+        assert_eq!(changed, [300, 555, 556, 801, 802, 803]);
+        for i in changed {
+            assert!((samples.force[i] - sound.force[i]).abs() < 60.0, "{i}");
+        }
+        let (a, b) = (
+            samples.displacement.unwrap()[640],
+            sound.displacement.unwrap()[640],
+        );
+        assert!((a - b).abs() < 2e-4, "{a} {b}");
+    }
+
+    /// Friction that reverses within a sample, break-away peaks half as high again, and a blow-off knee, at every sampling
+    /// rate and with and without noise.
+    #[test]
+    fn reversals_break_away_and_knees_stay() {
+        for per_cycle in [20, 47, 200, 1000] {
+            for noise in [0.0, 1.0, 10.0] {
+                let mut random = Random::new(5);
+                let mut since_reversal = 0;
+                let mut last = 1.0;
+                let force: Vec<f64> = (0..6 * per_cycle)
+                    .map(|i| {
+                        let v = (std::f64::consts::TAU * (f64::from(i) + 0.3)
+                            / f64::from(per_cycle))
+                        .cos();
+                        since_reversal = if v.signum() == last {
+                            since_reversal + 1
+                        } else {
+                            0
+                        };
+                        last = v.signum();
+                        let friction = if since_reversal == 0 { 75.0 } else { 50.0 };
+                        let valve = if v.abs() < 0.5 {
+                            800.0 * v
+                        } else {
+                            v.signum() * (400.0 + 60.0 * (v.abs() - 0.5))
+                        };
+                        friction * v.signum() + valve + noise * random.normal()
+                    })
+                    .collect();
+                assert_eq!(find(&force), [], "{per_cycle} per cycle, noise {noise}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_channel_full_of_spikes_is_left_alone_but_told() {
+        let mut samples = SineTest::default().samples();
+        for i in (30..samples.len() - 30).step_by(40) {
+            samples.force[i] += 800.0;
+        }
+        let before = samples.force.clone();
+        replace(&mut samples);
+        assert_eq!(samples.force, before);
+        assert!(samples.notes[0].text.contains("left as they are"));
+    }
+}

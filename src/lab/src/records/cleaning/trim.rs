@@ -1,0 +1,108 @@
+//! Cuts off what is not whole cycles: rest and run-up before, run-down and rest after, a noisy last cycle.
+
+use super::super::noise::cycle_deviations;
+use super::super::record::Note;
+use super::super::samples::median;
+use super::Motion;
+
+/// A last cycle that deviates from the others by so many times their typical deviation is left out.
+const NOISY: f64 = 3.0;
+
+/// Cuts the test to its whole cycles, with notes; a test that is not periodic is kept whole.
+pub(crate) fn trim(motion: &mut Motion) {
+    let n = motion.time.len();
+    if motion.cycles.is_empty() {
+        motion.notes.push(Note {
+            kind: "not_periodic",
+            text: format!("no whole cycles found; the record is kept whole ({n} samples)"),
+        });
+        return;
+    }
+    drop_noisy_last(motion);
+    let span = motion.steady();
+    let first = &motion.cycles[0];
+    let (before, after) = (
+        motion.time[span.start] - motion.time[0],
+        motion.time[n - 1] - motion.time[span.end - 1],
+    );
+    let count = motion.cycles.len();
+    let frequency = count as f64 / motion.cycles.iter().map(super::Cycle::period).sum::<f64>();
+    if span.start > 0 || span.end < n {
+        // What follows the last whole cycle is the beginning of another, a run-down or rest.
+        let moved =
+            super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
+        let tail = if moved {
+            "an incomplete cycle or run-down"
+        } else {
+            "rest"
+        };
+        motion.notes.push(Note {
+            kind: "trimmed",
+            text: format!(
+                "cut {before:.3} s ({} samples) of rest and run-up before the first whole cycle and {after:.3} s ({} samples) \
+                 after the last ({}); {count} cycles at {frequency:.4} Hz kept",
+                span.start,
+                n - span.end,
+                if span.end < n { tail } else { "nothing" },
+            ),
+        });
+    }
+    let runs = motion
+        .cycles
+        .windows(2)
+        .filter(|pair| pair[0].end != pair[1].start)
+        .count();
+    if runs > 0 {
+        motion.notes.push(Note {
+            kind: "cycles",
+            text: format!("in {runs} places between the cycles the motion is no whole cycle like the others (pause or \
+                           disturbance); kept in the record, left out of its cycles"),
+        });
+    }
+    let cut = |values: &mut Vec<f64>| {
+        values.truncate(span.end);
+        values.drain(..span.start);
+    };
+    for values in [
+        &mut motion.time,
+        &mut motion.displacement,
+        &mut motion.velocity,
+        &mut motion.force,
+    ] {
+        cut(values);
+    }
+    for values in [&mut motion.side_force, &mut motion.temperature]
+        .into_iter()
+        .flatten()
+    {
+        cut(values);
+    }
+    for cycle in &mut motion.cycles {
+        cycle.start -= span.start;
+        cycle.end -= span.start;
+    }
+}
+
+/// Many rigs disturb the last cycle by stopping; with four or more there are enough others to judge it by.
+fn drop_noisy_last(motion: &mut Motion) {
+    let count = motion.cycles.len();
+    if count < 4 {
+        return;
+    }
+    let deviations = cycle_deviations(
+        &motion.time,
+        &motion.force,
+        &motion.cycles[count.saturating_sub(9)..],
+    );
+    let last = deviations[deviations.len() - 1];
+    let typical = median(&mut deviations[..deviations.len() - 1].to_vec());
+    if last > NOISY * typical && typical > 0.0 {
+        let seconds = motion.cycles[count - 1].start_time;
+        motion.cycles.pop();
+        motion.notes.push(Note {
+            kind: "noisy_last_cycle",
+            text: format!("the last cycle (from {seconds:.3} s) deviates from the others by {last:.1} N rms where they deviate \
+                           by {typical:.1} N; left out"),
+        });
+    }
+}

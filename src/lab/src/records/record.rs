@@ -1,0 +1,81 @@
+//! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
+
+use serde::Serialize;
+
+/// One test of a campaign after reading and cleaning.
+///
+/// All channels have the same length. SI units, extension (rebound) velocity positive, tension force positive.
+#[derive(Debug, Clone, Default, Serialize)]
+pub struct Record {
+    /// Name of the test: the file stem, or the value of the test column.
+    pub name: String,
+    /// Where it was read from: path, and sheet or test column value.
+    pub source: String,
+    /// Time, s, strictly increasing.
+    #[serde(skip)]
+    pub time: Vec<f64>,
+    /// Damper displacement, m.
+    #[serde(skip)]
+    pub displacement: Vec<f64>,
+    /// Damper velocity, m/s.
+    #[serde(skip)]
+    pub velocity: Vec<f64>,
+    /// Damper force, N.
+    #[serde(skip)]
+    pub force: Vec<f64>,
+    /// Side force, N, where the rig measured it.
+    #[serde(skip)]
+    pub side_force: Option<Vec<f64>>,
+    /// Damper temperature, °C, where the rig measured it.
+    #[serde(skip)]
+    pub temperature: Option<Vec<f64>>,
+    /// Sample ranges of the whole cycles (between upward zero crossings of the displacement about its
+    /// mean); empty where the motion is not periodic.
+    pub cycles: Vec<std::ops::Range<usize>>,
+    /// Displacement amplitude, m (half the peak-to-peak of a typical cycle).
+    pub amplitude: f64,
+    /// Frequency of the cycles, Hz; 0 where the motion is not periodic.
+    pub frequency: f64,
+    /// Peak velocity, m/s (a robust maximum of |velocity|, not a single noisy sample).
+    pub peak_velocity: f64,
+    /// Mean displacement, m.
+    pub mean_displacement: f64,
+    /// Noise of the force channel.
+    pub noise: Noise,
+    /// What cleaning and derivation did or noticed, in the order it happened.
+    pub notes: Vec<Note>,
+}
+
+/// Noise floor of the force of one test.
+#[derive(Debug, Clone, Copy, Default, Serialize)]
+pub struct Noise {
+    /// Root mean square of the force noise of one sample, N.
+    pub force_rms: f64,
+    /// Autocorrelation of that noise from one sample to the next, −1..1.
+    pub lag1: f64,
+    /// How it was estimated.
+    pub from: NoiseSource,
+}
+
+/// What a noise figure rests on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum NoiseSource {
+    /// Differences between repeated cycles at equal phase.
+    CycleRepeat,
+    /// Too few cycles: high-pass differences of neighbouring samples.
+    SampleDifferences,
+    /// The record is too short for either.
+    #[default]
+    Unknown,
+}
+
+/// One thing that cleaning or derivation did to a record, or noticed in it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Note {
+    /// Kind of finding, one word in snake case (`trimmed`, `clipped`, `frozen`, `duplicated`, `out_of_order`,
+    /// `outlier`, `drift`, `derived`, `converted`, ...).
+    pub kind: &'static str,
+    /// The sentence a person reads, with figures.
+    pub text: String,
+}

@@ -1,0 +1,392 @@
+//! Running the tests of a matrix.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::{Campaign, Options, Record};
+use crate::damper::{Damper, Excitation, State};
+use crate::drive::Drive;
+use crate::sensors::Sensors;
+use crate::solver::Integrator;
+use crate::{Matrix, RigError, TestPoint};
+
+/// Samples per cycle aimed at by default.
+pub const SAMPLES_PER_CYCLE: f64 = 400.0;
+/// Highest sample rate chosen by default, Hz.
+pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;
+/// Lowest sample rate chosen by default, Hz.
+pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
+
+/// Rates whose sample times are whole microseconds, so that they are exact in a file with six decimals, Hz.
+const RATES_HZ: [f64; 13] = [
+    20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0,
+];
+/// Sample rates the data logger allows, Hz.
+const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
+/// Most samples of one record; a longer one is a mistake in the options.
+const LONGEST_RECORD: f64 = 5e6;
+/// Fewest samples per cycle that still show a sine.
+const LEAST_PER_CYCLE: f64 = 8.0;
+/// Most noise that still leaves something to measure, percent.
+const NOISE_LIMIT_PERCENT: f64 = 100.0;
+
+/// The sample rate for a test when none is asked for: 400 samples per cycle, rounded up to a usual rate, within 20 to
+/// 1000 Hz. A slow test is thus sampled finely enough for its break-away, and a fast one as a usual logger does.
+pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
+    let wanted = SAMPLES_PER_CYCLE * frequency_hz;
+    RATES_HZ
+        .into_iter()
+        .find(|rate| *rate >= wanted)
+        .unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
+}
+
+impl Campaign {
+    /// Runs all tests of the matrix on the damper of the seed. `progress` is called with the number of tests done and their
+    /// total after each test, from any thread and not always in rising order.
+    ///
+    /// The result is the same whatever the order of the tests and the number of threads.
+    ///
+    /// # Errors
+    /// [`RigError::Option`] when an option is out of range, [`RigError::Motion`] when a test cannot be simulated.
+    pub fn run(
+        matrix: &Matrix,
+        options: &Options,
+        progress: impl Fn(usize, usize) + Sync,
+    ) -> Result<Self, RigError> {
+        Self::run_on(&Damper::seeded(options.seed), matrix, options, progress)
+    }
+
+    /// Like [`Campaign::run`], on a damper of one's own; the seed then chooses the noise only.
+    ///
+    /// # Errors
+    /// As [`Campaign::run`].
+    pub fn run_on(
+        damper: &Damper,
+        matrix: &Matrix,
+        options: &Options,
+        progress: impl Fn(usize, usize) + Sync,
+    ) -> Result<Self, RigError> {
+        check(matrix, options)?;
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(options.threads.unwrap_or(0))
+            .build()
+            .map_err(|error| RigError::Option {
+                option: "threads",
+                problem: format!("the worker threads could not be started: {error}"),
+            })?;
+        let total = matrix.points().len();
+        let done = AtomicUsize::new(0);
+        let with_side_force = matrix.has_side_force();
+        let records: Vec<Result<Record, RigError>> = pool.install(|| {
+            matrix
+                .points()
+                .par_iter()
+                // Tests differ a hundredfold in length.
+                .with_max_len(1)
+                .map(|point| {
+                    let record = measure(damper, point, options, with_side_force);
+                    progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+                    record
+                })
+                .collect()
+        });
+        Ok(Self {
+            options: options.clone(),
+            // Collected first, so that of several faults always the same one is reported.
+            records: records.into_iter().collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
+    let fail = |option, problem| Err(RigError::Option { option, problem });
+    let noise = options.noise_percent;
+    if !(0.0..=NOISE_LIMIT_PERCENT).contains(&noise) {
+        return fail(
+            "noise",
+            format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"),
+        );
+    }
+    if i64::try_from(options.seed).is_err() {
+        // The description is TOML, whose integers end there.
+        return fail("seed", format!("{}; give 0 to {}", options.seed, i64::MAX));
+    }
+    if options.threads == Some(0) {
+        return fail("threads", "0 threads; give at least 1".into());
+    }
+    let Some(rate) = options.sample_rate_hz else {
+        return Ok(());
+    };
+    let (low, high) = RATE_RANGE_HZ;
+    if !(low..=high).contains(&rate) {
+        return fail("sample rate", format!("{rate} Hz; give {low} to {high} Hz"));
+    }
+    for point in matrix.points() {
+        if rate < LEAST_PER_CYCLE * point.frequency_hz {
+            return fail(
+                "sample rate",
+                format!(
+                    "{rate} Hz shows fewer than {LEAST_PER_CYCLE} samples per cycle of test '{}' ({:.3} Hz); raise the rate",
+                    point.name, point.frequency_hz
+                ),
+            );
+        }
+        let samples = rate * Drive::new(point).duration_s();
+        if samples > LONGEST_RECORD {
+            return fail(
+                "sample rate",
+                format!(
+                    "{rate} Hz makes {samples:.0} samples of test '{}'; lower the rate (at most {LONGEST_RECORD:.0} samples per test)",
+                    point.name
+                ),
+            );
+        }
+    }
+    Ok(())
+}
+
+/// One test, from rest to rest.
+fn measure(
+    damper: &Damper,
+    point: &TestPoint,
+    options: &Options,
+    with_side_force: bool,
+) -> Result<Record, RigError> {
+    let drive = Drive::new(point);
+    let excitation = |time: f64| {
+        let (displacement_m, velocity_m_s) = drive.motion(time);
+        Excitation {
+            displacement_m,
+            velocity_m_s,
+            side_force_n: point.side_force_n,
+        }
+    };
+    let sample_rate_hz = options
+        .sample_rate_hz
+        .unwrap_or_else(|| default_sample_rate_hz(point.frequency_hz));
+    let count = (drive.duration_s() * sample_rate_hz).floor() as usize + 1;
+    let mut record = Record {
+        point: point.clone(),
+        sample_rate_hz,
+        time_s: Vec::with_capacity(count),
+        displacement_m: Vec::with_capacity(count),
+        velocity_m_s: Vec::with_capacity(count),
+        force_n: Vec::with_capacity(count),
+        side_force_n: with_side_force.then(|| vec![point.side_force_n; count]),
+    };
+
+    let mut motion = Integrator::new(
+        |time, state: &State| damper.rates(state, &excitation(time)),
+        0.0,
+        damper.at_rest(point.mean_displacement_m),
+        Damper::tolerance(),
+    );
+    for index in 0..count {
+        let time = index as f64 / sample_rate_hz;
+        motion.advance_to(time).map_err(|stuck| RigError::Motion {
+            test: point.name.clone(),
+            time_s: stuck.time_s,
+            problem: stuck.reason.into(),
+        })?;
+        let input = excitation(time);
+        record.time_s.push(time);
+        record.displacement_m.push(input.displacement_m);
+        record.velocity_m_s.push(input.velocity_m_s);
+        record.force_n.push(damper.force_n(motion.state()));
+    }
+
+    let rms_n = rms_of_full_cycles(&record, drive.full_cycles_s());
+    let sensors = Sensors::new(options.seed, &point.name, options.noise_percent);
+    sensors.disturb_force(rms_n, &mut record.force_n);
+    sensors.disturb_displacement(&mut record.displacement_m);
+    sensors.disturb_velocity(point.peak_velocity_m_s, &mut record.velocity_m_s);
+    if let Some(side_force_n) = &mut record.side_force_n {
+        sensors.disturb_side_force(side_force_n);
+    }
+    Ok(record)
+}
+
+/// Rms of the force over the cycles at full amplitude, N; rest and ramps do not count.
+fn rms_of_full_cycles(record: &Record, (start, end): (f64, f64)) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (time, force) in record.time_s.iter().zip(&record.force_n) {
+        if (start..=end).contains(time) {
+            sum += force * force;
+            count += 1.0;
+        }
+    }
+    if count > 0.0 {
+        f64::sqrt(sum / count)
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MatrixOptions;
+
+    fn small_matrix() -> Matrix {
+        Matrix::thesis(&MatrixOptions {
+            amplitudes_m: vec![0.02],
+            peak_velocities_m_s: vec![0.25, 1.0],
+            slow_tests: false,
+            ..MatrixOptions::default()
+        })
+        .unwrap()
+    }
+
+    fn ideal() -> Options {
+        Options {
+            noise_percent: 0.0,
+            ..Options::default()
+        }
+    }
+
+    #[test]
+    fn default_rates_give_exact_times_and_enough_samples() {
+        for point in Matrix::default().points() {
+            let rate = default_sample_rate_hz(point.frequency_hz);
+            assert!((LOWEST_DEFAULT_RATE_HZ..=HIGHEST_DEFAULT_RATE_HZ).contains(&rate));
+            assert!(
+                rate >= SAMPLES_PER_CYCLE * point.frequency_hz || rate == HIGHEST_DEFAULT_RATE_HZ
+            );
+            assert_eq!((1e6 / rate).fract(), 0.0);
+        }
+    }
+
+    #[test]
+    fn noise_has_the_stated_size_on_every_channel() {
+        let matrix = small_matrix();
+        let clean = Campaign::run(&matrix, &ideal(), |_, _| {}).unwrap();
+        let noisy = Campaign::run(
+            &matrix,
+            &Options {
+                noise_percent: 2.0,
+                sample_rate_hz: None,
+                ..ideal()
+            },
+            |_, _| {},
+        )
+        .unwrap();
+        for (clean, noisy) in clean.records.iter().zip(&noisy.records) {
+            let deviation = |a: &[f64], b: &[f64]| {
+                (a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64).sqrt()
+            };
+            let rms = rms_of_full_cycles(clean, Drive::new(&clean.point).full_cycles_s());
+            for (measured, stated) in [
+                (deviation(&clean.force_n, &noisy.force_n), 0.02 * rms + 0.5),
+                (
+                    deviation(&clean.displacement_m, &noisy.displacement_m),
+                    2e-6,
+                ),
+                (
+                    deviation(&clean.velocity_m_s, &noisy.velocity_m_s),
+                    1e-3 * clean.point.peak_velocity_m_s,
+                ),
+            ] {
+                let error = 4.0 / (2.0 * clean.time_s.len() as f64).sqrt();
+                assert!(
+                    (measured / stated - 1.0).abs() < error,
+                    "{measured} against {stated}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_test_does_not_depend_on_its_company() {
+        let matrix = small_matrix();
+        let both = Campaign::run(&matrix, &Options::default(), |_, _| {}).unwrap();
+        let reversed = Matrix::new(matrix.points().iter().rev().cloned().collect()).unwrap();
+        let other = Campaign::run(
+            &reversed,
+            &Options {
+                threads: Some(1),
+                ..Options::default()
+            },
+            |_, _| {},
+        )
+        .unwrap();
+        assert_eq!(both.records[0], other.records[1]);
+        assert_eq!(both.records[1], other.records[0]);
+    }
+
+    #[test]
+    fn progress_counts_every_test() {
+        let last = AtomicUsize::new(0);
+        Campaign::run(&small_matrix(), &ideal(), |done, total| {
+            assert_eq!(total, 2);
+            last.fetch_max(done, Ordering::Relaxed);
+        })
+        .unwrap();
+        assert_eq!(last.into_inner(), 2);
+    }
+
+    #[test]
+    fn options_out_of_range_are_named() {
+        for (options, words) in [
+            (
+                Options {
+                    noise_percent: -1.0,
+                    ..ideal()
+                },
+                "option noise",
+            ),
+            (
+                Options {
+                    noise_percent: f64::NAN,
+                    ..ideal()
+                },
+                "option noise",
+            ),
+            (
+                Options {
+                    sample_rate_hz: Some(0.0),
+                    ..ideal()
+                },
+                "option sample rate: 0 Hz",
+            ),
+            (
+                Options {
+                    sample_rate_hz: Some(20.0),
+                    ..ideal()
+                },
+                "fewer than 8 samples per cycle",
+            ),
+            (
+                Options {
+                    threads: Some(0),
+                    ..ideal()
+                },
+                "option threads",
+            ),
+            (
+                Options {
+                    seed: u64::MAX,
+                    ..ideal()
+                },
+                "option seed",
+            ),
+        ] {
+            let message = Campaign::run(&small_matrix(), &options, |_, _| {})
+                .unwrap_err()
+                .to_string();
+            assert!(message.contains(words), "{message}");
+        }
+        let slow = Matrix::default();
+        let message = Campaign::run(
+            &slow,
+            &Options {
+                sample_rate_hz: Some(20e3),
+                ..ideal()
+            },
+            |_, _| {},
+        )
+        .unwrap_err()
+        .to_string();
+        assert!(message.contains("lower the rate"), "{message}");
+    }
+}

@@ -1,0 +1,29 @@
+//! What lies between rod and load cell: rod end, fixture and the rod itself.
+
+/// Elastic mount. The rod hangs on it and moves only by its deflection, because the rig drives the tube.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mount {
+    /// Stiffness, N/m.
+    pub stiffness_n_m: f64,
+    /// Damping, N s/m.
+    pub damping_n_s_m: f64,
+    /// Mass of rod and piston, kg.
+    pub rod_mass_kg: f64,
+}
+
+impl Default for Mount {
+    fn default() -> Self {
+        Self {
+            stiffness_n_m: 9.0e6,
+            damping_n_s_m: 600.0,
+            rod_mass_kg: 0.5,
+        }
+    }
+}
+
+impl Mount {
+    /// Force on the load cell, N.
+    pub fn force_n(&self, deflection_m: f64, rate_m_s: f64) -> f64 {
+        self.stiffness_n_m * deflection_m + self.damping_n_s_m * rate_m_s
+    }
+}

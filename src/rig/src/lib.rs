@@ -1,0 +1,35 @@
+//! The virtual rig: a physical damper on a test bench, and the campaigns measured on it.
+//!
+//! It is the independent reality that identification and diagnosis are tried on, so it shares nothing with the model being
+//! identified: chambers with compressible oil instead of a spring, valves instead of a force-velocity table, a bristle seal
+//! instead of a friction curve.
+//!
+//! SI units; extension (rebound) displacement and velocity positive, tension force positive.
+//!
+//! ```
+//! use dashpot_rig::{Campaign, Matrix, MatrixOptions, Options};
+//!
+//! let matrix = Matrix::thesis(&MatrixOptions {
+//!     amplitudes_m: vec![0.05],
+//!     peak_velocities_m_s: vec![0.5236],
+//!     slow_tests: false,
+//!     ..MatrixOptions::default()
+//! })?;
+//! let campaign = Campaign::run(&matrix, &Options::default(), |_done, _total| {})?;
+//! assert_eq!(campaign.records[0].point.name, "a50mm_v0524mm_s");
+//! # Ok::<(), dashpot_rig::RigError>(())
+//! ```
+
+pub mod campaign;
+pub mod damper;
+mod drive;
+mod error;
+mod files;
+pub mod matrix;
+mod sensors;
+mod solver;
+
+pub use campaign::{Campaign, Options, Record};
+pub use damper::Damper;
+pub use error::RigError;
+pub use matrix::{Matrix, MatrixOptions, TestPoint};

@@ -1,0 +1,61 @@
+//! The test matrix: which tests a campaign consists of.
+
+mod point;
+mod table;
+mod thesis;
+
+use std::collections::BTreeMap;
+
+use crate::RigError;
+
+pub use point::{DEFAULT_CYCLES_FAST, DEFAULT_CYCLES_SLOW, TestPoint, default_cycles};
+pub use thesis::{MatrixOptions, RIG_FREQUENCY_LIMIT_HZ};
+
+/// The tests of a campaign, in the order in which they are run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matrix {
+    points: Vec<TestPoint>,
+}
+
+impl Matrix {
+    /// A matrix of the given tests.
+    ///
+    /// # Errors
+    /// [`RigError::TestPoint`] when a test is outside the rig's limits or two tests share a name
+    /// (upper and lower case count as equal, because the names become file names); [`RigError::Option`] when there is none.
+    pub fn new(points: Vec<TestPoint>) -> Result<Self, RigError> {
+        if points.is_empty() {
+            return Err(RigError::Option {
+                option: "matrix",
+                problem: "it contains no test; give at least one".into(),
+            });
+        }
+        let mut seen = BTreeMap::new();
+        for (index, point) in points.iter().enumerate() {
+            point.check().map_err(|fault| RigError::TestPoint {
+                test: point.name.clone(),
+                problem: fault.problem,
+            })?;
+            if let Some(first) = seen.insert(point.name.to_lowercase(), index) {
+                return Err(RigError::TestPoint {
+                    test: point.name.clone(),
+                    problem: format!(
+                        "test {} of the matrix has this name too; every test needs a name of its own",
+                        first + 1
+                    ),
+                });
+            }
+        }
+        Ok(Self { points })
+    }
+
+    /// The tests, in the order in which they are run.
+    pub fn points(&self) -> &[TestPoint] {
+        &self.points
+    }
+
+    /// Whether any test is run under side force, so that the records need a column for it.
+    pub fn has_side_force(&self) -> bool {
+        self.points.iter().any(|point| point.side_force_n != 0.0)
+    }
+}

@@ -1,0 +1,253 @@
+//! One test: a sine at constant amplitude and frequency.
+
+use std::f64::consts::TAU;
+
+/// Whole cycles measured by default up to 2 Hz.
+pub const DEFAULT_CYCLES_SLOW: u32 = 3;
+/// Whole cycles measured by default above 2 Hz, where a cycle has fewer samples.
+pub const DEFAULT_CYCLES_FAST: u32 = 5;
+/// Above this frequency a test counts as fast, Hz.
+const FAST_FREQUENCY_HZ: f64 = 2.0;
+
+/// Largest travel from mid-stroke that the rig allows, m.
+const TRAVEL_LIMIT_M: f64 = 0.075;
+/// Largest velocity of the rig's actuator, m/s.
+const VELOCITY_LIMIT_M_S: f64 = 3.0;
+/// Frequencies the rig's controller accepts, Hz.
+const FREQUENCY_RANGE_HZ: (f64, f64) = (1e-3, 50.0);
+/// Largest side force of the loading device, N.
+const SIDE_FORCE_LIMIT_N: f64 = 3000.0;
+/// Most whole cycles of one test.
+const CYCLES_LIMIT: u32 = 1000;
+/// Relative difference allowed between the stated peak velocity and 2 pi A f: room for rounded figures in a matrix file.
+const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
+
+/// One sine test.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TestPoint {
+    /// Name, unique in the matrix; also the record's file name without `.csv`.
+    pub name: String,
+    /// Amplitude of the sine (half the stroke), m.
+    pub amplitude_m: f64,
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Largest velocity of the sine, `2 pi A f`, m/s.
+    pub peak_velocity_m_s: f64,
+    /// Position about which the sine runs, from mid-stroke, extension positive, m.
+    pub mean_displacement_m: f64,
+    /// Constant side force on the rod, N.
+    pub side_force_n: f64,
+    /// Whole cycles at full amplitude.
+    pub cycles: u32,
+}
+
+/// Why a test point is refused: the field and the reason.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Fault {
+    /// The field, by its column name in a matrix file.
+    pub column: &'static str,
+    /// What is wrong and what to do.
+    pub problem: String,
+}
+
+impl TestPoint {
+    /// A centred test without side force at the given amplitude and peak velocity, with the default number of cycles.
+    pub fn at_peak_velocity(name: String, amplitude_m: f64, peak_velocity_m_s: f64) -> Self {
+        let frequency_hz = peak_velocity_m_s / (TAU * amplitude_m);
+        Self {
+            name,
+            amplitude_m,
+            frequency_hz,
+            peak_velocity_m_s,
+            mean_displacement_m: 0.0,
+            side_force_n: 0.0,
+            cycles: default_cycles(frequency_hz),
+        }
+    }
+
+    /// Whether the rig can run this test; the first fault otherwise.
+    pub(crate) fn check(&self) -> Result<(), Fault> {
+        let fault = |column, problem: String| Err(Fault { column, problem });
+        if let Some(problem) = name_problem(&self.name) {
+            return fault("name", problem);
+        }
+        for (column, value) in [
+            ("amplitude_mm", self.amplitude_m),
+            ("frequency_hz", self.frequency_hz),
+            ("peak_velocity_mm_s", self.peak_velocity_m_s),
+            ("mean_displacement_mm", self.mean_displacement_m),
+            ("side_force_n", self.side_force_n),
+        ] {
+            if !value.is_finite() {
+                return fault(column, format!("{value} is not a number that can be used"));
+            }
+        }
+        if self.amplitude_m <= 0.0 {
+            return fault(
+                "amplitude_mm",
+                format!(
+                    "the amplitude is {} mm; give a positive number",
+                    self.amplitude_m * 1e3
+                ),
+            );
+        }
+        let travel = self.amplitude_m + self.mean_displacement_m.abs();
+        // The small term forgives rounding of a value on the limit.
+        if travel > TRAVEL_LIMIT_M * (1.0 + 1e-9) {
+            let column = if self.amplitude_m > TRAVEL_LIMIT_M {
+                "amplitude_mm"
+            } else {
+                "mean_displacement_mm"
+            };
+            return fault(
+                column,
+                format!(
+                    "amplitude and mean displacement together reach {:.1} mm from mid-stroke, the damper ends at {:.0} mm; \
+                     reduce one of them",
+                    travel * 1e3,
+                    TRAVEL_LIMIT_M * 1e3
+                ),
+            );
+        }
+        let (low, high) = FREQUENCY_RANGE_HZ;
+        if !(self.frequency_hz >= low && self.frequency_hz <= high) {
+            return fault(
+                "frequency_hz",
+                format!(
+                    "{} Hz is outside what the rig can run, {low} to {high} Hz",
+                    self.frequency_hz
+                ),
+            );
+        }
+        let peak = TAU * self.amplitude_m * self.frequency_hz;
+        if peak > VELOCITY_LIMIT_M_S {
+            return fault(
+                "frequency_hz",
+                format!(
+                    "{:.3} mm at {:.4} Hz needs {peak:.2} m/s, the actuator reaches {VELOCITY_LIMIT_M_S} m/s; \
+                     reduce amplitude or frequency",
+                    self.amplitude_m * 1e3,
+                    self.frequency_hz
+                ),
+            );
+        }
+        if (self.peak_velocity_m_s / peak - 1.0).abs() > PEAK_VELOCITY_TOLERANCE {
+            return fault(
+                "peak_velocity_mm_s",
+                format!(
+                    "{:.3} mm/s contradicts amplitude and frequency, 2 pi A f = {:.3} mm/s; \
+                     correct one of them or leave one of the three columns empty",
+                    self.peak_velocity_m_s * 1e3,
+                    peak * 1e3
+                ),
+            );
+        }
+        if self.side_force_n.abs() > SIDE_FORCE_LIMIT_N {
+            return fault(
+                "side_force_n",
+                format!(
+                    "{} N is beyond the loading device's {SIDE_FORCE_LIMIT_N} N",
+                    self.side_force_n
+                ),
+            );
+        }
+        if self.cycles == 0 || self.cycles > CYCLES_LIMIT {
+            return fault(
+                "cycles",
+                format!("{} cycles; give 1 to {CYCLES_LIMIT}", self.cycles),
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Whole cycles measured when a test does not say otherwise.
+pub fn default_cycles(frequency_hz: f64) -> u32 {
+    if frequency_hz > FAST_FREQUENCY_HZ {
+        DEFAULT_CYCLES_FAST
+    } else {
+        DEFAULT_CYCLES_SLOW
+    }
+}
+
+/// Names become file names on every system, so they are kept to what all of them accept.
+fn name_problem(name: &str) -> Option<String> {
+    if name.is_empty() || name.len() > 100 {
+        return Some("the name must have 1 to 100 characters".into());
+    }
+    if name.starts_with(['.', '-']) || name.ends_with('.') {
+        return Some("the name must not begin with '.' or '-' nor end with '.'".into());
+    }
+    let bad = name
+        .chars()
+        .find(|c| !(c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')))?;
+    Some(format!(
+        "the name '{name}' contains '{bad}'; use letters, digits, '_', '-' and '.' only, the name becomes a file name"
+    ))
+}
+
+/// `a50mm_v0524mm_s`: sorts by amplitude, then by peak velocity. `decimals` tells close neighbours apart.
+pub(crate) fn sine_name(amplitude_m: f64, peak_velocity_m_s: f64, decimals: usize) -> String {
+    let width = |digits: usize| {
+        if decimals == 0 {
+            digits
+        } else {
+            digits + 1 + decimals
+        }
+    };
+    // Amplitudes such as 2.5 mm keep their decimals whatever the velocities need.
+    let amplitude = format!("{:.3}", amplitude_m * 1e3);
+    let amplitude = amplitude.trim_end_matches('0').trim_end_matches('.');
+    let whole = amplitude.split('.').next().map_or(0, str::len);
+    let pad = "0".repeat(2usize.saturating_sub(whole));
+    format!(
+        "a{pad}{amplitude}mm_v{:0velocity_width$.decimals$}mm_s",
+        peak_velocity_m_s * 1e3,
+        velocity_width = width(4),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_that_are_no_numbers_are_refused() {
+        let good = TestPoint::at_peak_velocity("good".into(), 0.05, 0.5);
+        assert_eq!(good.check(), Ok(()));
+        let refused = |change: fn(&mut TestPoint, f64)| {
+            let mut point = good.clone();
+            change(&mut point, f64::NAN);
+            point.check().unwrap_err().column
+        };
+        assert_eq!(refused(|p, x| p.amplitude_m = x), "amplitude_mm");
+        assert_eq!(refused(|p, x| p.frequency_hz = x), "frequency_hz");
+        assert_eq!(
+            refused(|p, x| p.peak_velocity_m_s = x),
+            "peak_velocity_mm_s"
+        );
+        assert_eq!(
+            refused(|p, x| p.mean_displacement_m = x),
+            "mean_displacement_mm"
+        );
+        assert_eq!(refused(|p, x| p.side_force_n = x), "side_force_n");
+    }
+
+    #[test]
+    fn names_are_safe_as_file_names() {
+        for name in [
+            "",
+            ".hidden",
+            "-option",
+            "a/b",
+            "a\\b",
+            "a:b",
+            "dot.",
+            "gr\u{fc}n",
+            "a b",
+        ] {
+            assert!(name_problem(name).is_some(), "{name}");
+        }
+        assert_eq!(name_problem("a02.5mm_v0100mm_s"), None);
+    }
+}

@@ -1,0 +1,121 @@
+//! The C header, written from the sources of the C interface.
+//!
+//! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual: every file is a
+//! section, its module documentation the text that opens it. What C alone needs (guards, initialisers) comes from
+//! `src/abi/header/`; the last section is the parameter table.
+
+use std::path::{Path, PathBuf};
+
+use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
+use dashpot_core::elements::{GROUPS, names};
+use dashpot_core::parameter::{Params, Shape};
+
+/// The sections in order, by source file.
+const SECTIONS: [&str; 9] = ["lib", "version", "status", "params", "model", "input", "state", "step", "evaluate"];
+/// Behind the parameter table.
+const TABLE: &str = "table";
+
+/// Where the header is kept.
+pub fn path() -> PathBuf {
+    root().join("include/dashpot.h")
+}
+
+/// The header as it must be.
+pub fn text() -> String {
+    let mut header = String::from("// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test abi_header`; do not edit.\n\n");
+    let mut sections = SECTIONS.iter();
+    header += &comment(&manual(sections.next().expect("the title")));
+    header += &part("begin");
+    for section in sections {
+        header += &chapter(section);
+    }
+    header += &chapter(TABLE);
+    header += &rule("Parameters, their units, bounds and defaults");
+    header += &comment(&parameters());
+    header + "\n" + &part("end")
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn source(section: &str) -> PathBuf {
+    root().join(format!("src/abi/src/{section}.rs"))
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn chapter(section: &str) -> String {
+    let manual = manual(section);
+    let (title, text) = manual.split_once('\n').expect("a title");
+    rule(title) + &comment(text.trim_start()) + &translated(section) + &part(section)
+}
+
+/// The module documentation of a source file.
+fn manual(section: &str) -> String {
+    let text = read(&source(section));
+    let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
+    lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
+}
+
+/// A piece written in C, with an empty line before it; nothing where the section has none.
+fn part(name: &str) -> String {
+    let path = root().join(format!("src/abi/header/{name}.h"));
+    if path.exists() { format!("\n{}", read(&path)) } else { String::new() }
+}
+
+fn rule(title: &str) -> String {
+    format!("\n\n// {}\n// {title}\n// {}\n\n", "=".repeat(110), "=".repeat(110))
+}
+
+fn comment(text: &str) -> String {
+    text.lines().map(|line| format!("// {line}").trim_end().to_string() + "\n").collect()
+}
+
+/// The items of one source file, in C.
+fn translated(section: &str) -> String {
+    // cbindgen leaves out structures that no function of the same file takes, unless they are asked for by name.
+    let text = read(&source(section));
+    let structures = text.lines().filter_map(|line| line.strip_prefix("pub struct ")?.split([' ', '(']).next());
+    let mut config = Config {
+        language: Language::C,
+        style: Style::Both,
+        no_includes: true,
+        usize_is_size_t: true,
+        documentation_style: DocumentationStyle::C99,
+        line_length: 120,
+        ..Config::default()
+    };
+    config.export.include = structures.map(String::from).collect();
+    config.layout.aligned_n = Some("DASHPOT_ALIGNED".into());
+    config.function.args = cbindgen::Layout::Auto;
+    let bindings = Builder::new().with_src(source(section)).with_config(config).generate();
+    let mut bytes = Vec::new();
+    bindings.unwrap_or_else(|error| panic!("{section}: {error}")).write(&mut bytes);
+    "\n".to_string() + String::from_utf8(bytes).expect("text").trim() + "\n"
+}
+
+/// The parameter table as text.
+fn parameters() -> String {
+    let defaults = Params::new();
+    let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");
+    for group in GROUPS {
+        let on = match names().any(|name| name == group.name) {
+            true if defaults.is_on(group.name) => " (element, on by default)",
+            true => " (element, off by default)",
+            false => "",
+        };
+        text += &format!("\n{}{on}: {}\n", group.name, group.meaning);
+        for p in group.parameters {
+            let range = match p.shape {
+                Shape::Choice(words) => words.iter().enumerate().map(|(i, w)| format!("{i} {w}")).collect::<Vec<_>>().join(", "),
+                Shape::Scalar => format!("{}, {} to {}, default {}", p.unit, p.low, p.high, p.default[0]),
+                Shape::List(n) => format!("{}, {} to {}, at most {n} numbers", p.unit, p.low, p.high),
+            };
+            text += &format!("  {:<24} {} [{range}]\n", p.name, p.meaning);
+        }
+    }
+    text
+}

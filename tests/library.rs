@@ -1,0 +1,86 @@
+//! The shipped library, built as it is shipped, and host programs compiled against it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+/// The two compilers a host is written for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// C99, by `$CC` or gcc.
+    C,
+    /// C++11, by `$CXX` or g++.
+    Cxx,
+}
+
+/// Which of the two libraries a host links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Linkage {
+    /// `libdashpot.so`.
+    Shared,
+    /// `libdashpot.a`.
+    Static,
+}
+
+/// The root of the project.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project's root").to_path_buf()
+}
+
+/// Directory with the shared and the static library of a release build; builds them once per process.
+pub fn directory() -> &'static Path {
+    static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
+    DIRECTORY.get_or_init(|| {
+        let mut build = Command::new(env!("CARGO"));
+        build.args(["build", "--release", "--quiet", "-p", "dashpot-dll"]).current_dir(root());
+        succeed(&mut build);
+        // target/<profile>/deps/<this test>
+        let test = std::env::current_exe().expect("the path of this test");
+        test.ancestors().nth(3).expect("a target directory").join("release")
+    })
+}
+
+/// The shared library.
+pub fn shared() -> PathBuf {
+    directory().join("libdashpot.so")
+}
+
+/// Runs a command that must succeed, and returns what it printed.
+pub fn succeed(command: &mut Command) -> String {
+    let Output { status, stdout, stderr } = command.output().unwrap_or_else(|error| {
+        panic!("{:?} cannot be run ({error}); these tests need gcc, g++ and binutils, or $CC and $CXX", command.get_program())
+    });
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    assert!(status.success(), "{command:?}: {status}\n{}{}", text(&stdout), text(&stderr));
+    text(&stdout)
+}
+
+/// The compiler with the flags that hosts must survive.
+pub fn compiler(language: Language) -> Command {
+    let (variable, default, standard) = match language {
+        Language::C => ("CC", "gcc", "-std=c99"),
+        Language::Cxx => ("CXX", "g++", "-std=c++11"),
+    };
+    let mut compiler = Command::new(std::env::var_os(variable).unwrap_or(default.into()));
+    compiler.args([standard, "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-g"]);
+    compiler.arg("-I").arg(root().join("include"));
+    compiler
+}
+
+/// Compiles `tests/hosts/<source>` with more `flags` into `directory`, linked with the library.
+pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], to: &Path) -> PathBuf {
+    let program = to.join(format!("{}-{language:?}-{linkage:?}-{}", source.replace('.', "-"), flags.len()));
+    let mut compiler = compiler(language);
+    compiler.args(flags).arg(root().join("tests/hosts").join(source)).arg("-o").arg(&program);
+    match linkage {
+        Linkage::Shared => {
+            compiler.arg(shared()).arg(format!("-Wl,-rpath,{}", directory().display()));
+        }
+        Linkage::Static => {
+            compiler.arg(directory().join("libdashpot.a"));
+        }
+    }
+    compiler.arg("-lm");
+    succeed(&mut compiler);
+    program
+}
