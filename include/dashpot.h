@@ -30,13 +30,13 @@
 //
 // Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
 // Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-// blocks that were never initialised, and numbers that are NaN, infinite or of a magnitude beyond 1e9.
+// blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (above 1e9).
 //
 // Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 // of them write the same block and none writes what another reads. One model serves any number of dampers; each
 // damper needs its own state. Every call takes a bounded time, takes no lock and leaves the floating-point mode alone.
 //
-// Results are the same to the last bit on every platform, from every compiler, in every thread.
+// Results are the same to the last bit on every 64-bit platform, whatever compiler built the host.
 
 #ifndef DASHPOT_H
 #define DASHPOT_H
@@ -103,7 +103,7 @@ const char *dashpot_version(void);
 // The parameters or the model were not initialised, or by another build of the library.
 #define DASHPOT_NOT_SET -5
 
-// An input is NaN, infinite or of a magnitude beyond 1e9.
+// An input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9.
 #define DASHPOT_BAD_INPUT -6
 
 // The state holds NaN or infinity: it was not initialised.
@@ -206,44 +206,44 @@ typedef struct dashpot_fault {
 } dashpot_fault;
 
 // Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
-int32_t dashpot_params_default(struct dashpot_params *params);
+int32_t dashpot_params_default(dashpot_params *params);
 
 // Sets one number, or a choice by its number.
-int32_t dashpot_params_set(struct dashpot_params *params, const char *name, double value);
+int32_t dashpot_params_set(dashpot_params *params, const char *name, double value);
 
 // Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
 // checked by dashpot_params_check() and dashpot_model_init().
-int32_t dashpot_params_set_list(struct dashpot_params *params, const char *name, const double *values, uint32_t count);
+int32_t dashpot_params_set_list(dashpot_params *params, const char *name, const double *values, uint32_t count);
 
 // Reads one number, or the number of a choice, into *value.
-int32_t dashpot_params_get(const struct dashpot_params *params, const char *name, double *value);
+int32_t dashpot_params_get(const dashpot_params *params, const char *name, double *value);
 
 // Reads a list into values, which has room for capacity numbers, and its length into *count. With values null only
 // the length is told.
-int32_t dashpot_params_get_list(const struct dashpot_params *params,
+int32_t dashpot_params_get_list(const dashpot_params *params,
                                 const char *name,
                                 double *values,
                                 uint32_t capacity,
                                 uint32_t *count);
 
 // Switches an element of the model on (on not 0) or off (0).
-int32_t dashpot_params_enable(struct dashpot_params *params, const char *element, uint32_t on);
+int32_t dashpot_params_enable(dashpot_params *params, const char *element, uint32_t on);
 
 // Tells whether an element of the model is on: *on becomes 1 or 0.
-int32_t dashpot_params_is_on(const struct dashpot_params *params, const char *element, uint32_t *on);
+int32_t dashpot_params_is_on(const dashpot_params *params, const char *element, uint32_t *on);
 
 // Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
 // are set: those that the file does not name get their defaults. Where it refuses, *fault tells the line and the
 // parameter; fault may be null.
 //
 // Numbers are read the same way whatever the locale: the decimal sign is a point.
-int32_t dashpot_params_read(struct dashpot_params *params,
+int32_t dashpot_params_read(dashpot_params *params,
                             const char *text,
                             size_t length,
-                            struct dashpot_fault *fault);
+                            dashpot_fault *fault);
 
 // Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
-int32_t dashpot_params_check(const struct dashpot_params *params, struct dashpot_fault *fault);
+int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault);
 
 /** A parameter set before dashpot_params_default(): dashpot_params params = DASHPOT_PARAMS_INIT; */
 #define DASHPOT_PARAMS_INIT {sizeof(dashpot_params), DASHPOT_ABI_VERSION, {0}}
@@ -264,7 +264,7 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_model {
 
 // Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
 // to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
-int32_t dashpot_model_init(struct dashpot_model *model, const dashpot_params *params);
+int32_t dashpot_model_init(dashpot_model *model, const dashpot_params *params);
 
 
 // ==============================================================================================================
@@ -364,7 +364,7 @@ typedef struct dashpot_output {
 
 // The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
 // gives the static force.
-int32_t dashpot_state_init(const dashpot_model *model, double initial_position, struct dashpot_state *state);
+int32_t dashpot_state_init(const dashpot_model *model, double initial_position, dashpot_state *state);
 
 
 // ==============================================================================================================
@@ -438,7 +438,7 @@ int32_t dashpot_evaluate(const dashpot_model *model,
 int32_t dashpot_jacobian(const dashpot_model *model,
                          const dashpot_state *state,
                          const dashpot_input *input,
-                         struct dashpot_partials *partials);
+                         dashpot_partials *partials);
 
 
 // ==============================================================================================================
@@ -486,7 +486,7 @@ typedef struct dashpot_parameter {
 uint32_t dashpot_parameter_count(void);
 
 // Describes row `row` of the parameter table, from 0.
-int32_t dashpot_parameter_info(uint32_t row, struct dashpot_parameter *info);
+int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 
 
 // ==============================================================================================================
@@ -496,66 +496,66 @@ int32_t dashpot_parameter_info(uint32_t row, struct dashpot_parameter *info);
 // Names for dashpot_params_set(), dashpot_params_set_list() and model files.
 //
 // fv_curve (element, on by default): primary damper: the force-velocity (FV) curve
-//   fv_form                  FV curve from the table or from slopes and knees [0 table, 1 piecewise]
-//   fv_interpolation         how the FV table runs between its points [0 monotone_cubic, 1 linear]
-//   fv_velocity              velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
-//   fv_force                 forces of the FV table, tension positive, non-decreasing [N, -1000000 to 1000000, at most 63 numbers]
-//   fv_rebound_c1            Cr1: rebound slope below the first knee [N s/m, 0 to 1000000, default 6000]
-//   fv_rebound_c2            Cr2: rebound slope between the knees [N s/m, 0 to 1000000, default 2500]
-//   fv_rebound_c3            Cr3: rebound slope above the second knee [N s/m, 0 to 1000000, default 1600]
-//   fv_rebound_v1            first rebound knee [m/s, 0.0001 to 10, default 0.13]
-//   fv_rebound_v2            second rebound knee [m/s, 0.0001 to 10, default 0.4]
-//   fv_compression_c1        Cc1: compression slope below the knee [N s/m, 0 to 1000000, default 3500]
-//   fv_compression_c2        Cc2: compression slope above the knee [N s/m, 0 to 1000000, default 950]
-//   fv_compression_v1        compression knee, as a speed [m/s, 0.0001 to 10, default 0.13]
+//   fv_form                      FV curve from the table or from slopes and knees [0 table, 1 piecewise]
+//   fv_interpolation             how the FV table runs between its points [0 monotone_cubic, 1 linear]
+//   fv_velocity                  velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
+//   fv_force                     forces of the FV table, tension positive, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
+//   fv_rebound_c1                Cr1: rebound slope below the first knee [N s/m, 0 to 1e6, default 6000]
+//   fv_rebound_c2                Cr2: rebound slope between the knees [N s/m, 0 to 1e6, default 2500]
+//   fv_rebound_c3                Cr3: rebound slope above the second knee [N s/m, 0 to 1e6, default 1600]
+//   fv_rebound_v1                first rebound knee [m/s, 1e-4 to 10, default 0.13]
+//   fv_rebound_v2                second rebound knee [m/s, 1e-4 to 10, default 0.4]
+//   fv_compression_c1            Cc1: compression slope below the knee [N s/m, 0 to 1e6, default 3500]
+//   fv_compression_c2            Cc2: compression slope above the knee [N s/m, 0 to 1e6, default 950]
+//   fv_compression_v1            compression knee, as a speed [m/s, 1e-4 to 10, default 0.13]
 //
 // series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
-//   series_stiffness         stiffness of the series spring, k_s [N/m, 10000 to 100000000, default 3000000]
-//   series_damping           damping beside the series spring, c_s [N s/m, 0 to 100000, default 200]
-//   internal_mass            moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
+//   series_stiffness             stiffness of the series spring, k_s [N/m, 10000 to 1e8, default 3e6]
+//   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e5, default 200]
+//   internal_mass                moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
-//   spring_linear            k_p of k_p x [N/m, 0 to 10000000, default 0]
-//   spring_quadratic         k_p of k_p x|x| [N/m^2, 0 to 100000000, default 10000]
-//   spring_cubic             k_p of k_p x^3 [N/m^3, 0 to 1000000000, default 0]
-//   spring_quartic           k_p of k_p x^3|x| [N/m^4, 0 to 10000000000, default 0]
-//   spring_displacement      displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
-//   spring_force             forces of the lookup spring, non-decreasing [N, -1000000 to 1000000, at most 63 numbers]
+//   spring_linear                k_p of k_p x [N/m, 0 to 1e7, default 0]
+//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e6, default 10000]
+//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e7, default 0]
+//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e8, default 0]
+//   spring_displacement          displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
+//   spring_force                 forces of the lookup spring, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
 //
 // coulomb_friction (element, off by default): dry friction of constant level, F_s tanh(K v)
-//   coulomb_force            friction level, F_s [N, 0 to 10000, default 40]
-//   coulomb_steepness        steepness of the change of sign, K [s/m, 1 to 100000, default 2000]
+//   coulomb_force                friction level, F_s [N, 0 to 10000, default 40]
+//   coulomb_steepness            steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
 //
 // stribeck_friction (element, on by default): dry friction with a break-away peak
-//   stribeck_form            which of the two Stribeck forms [0 simplified, 1 full]
-//   stribeck_breakaway_force peak (transition) force, F_brk or F_t [N, 0 to 10000, default 50]
-//   stribeck_coulomb_force   level after the peak, F_c or F_s [N, 0 to 10000, default 40]
-//   stribeck_breakaway_velocity velocity of the peak, v_brk or V_fs [m/s, 0.00001 to 1, default 0.005]
-//   stribeck_velocity        full form: velocity scale of the fall, V_s [m/s, 0.00001 to 5, default 0.01]
-//   stribeck_fall            full form: exponent of the fall, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
-//   stribeck_rise            full form: how near F_t the peak comes, c [-, 0.1 to 20, default 3]
-//   stribeck_rise_power      full form: exponent of the rise, d [-, 1 to 4, default 1]
+//   stribeck_form                which of the two Stribeck forms [0 simplified, 1 full]
+//   stribeck_breakaway_force     peak (transition) force, F_brk or F_t [N, 0 to 10000, default 50]
+//   stribeck_coulomb_force       level after the peak, F_c or F_s [N, 0 to 10000, default 40]
+//   stribeck_breakaway_velocity  velocity of the peak, v_brk or V_fs [m/s, 1e-5 to 1, default 0.005]
+//   stribeck_velocity            full form: velocity scale of the fall, V_s [m/s, 1e-5 to 5, default 0.01]
+//   stribeck_fall                full form: exponent of the fall, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
+//   stribeck_rise                full form: how near F_t the peak comes, c [-, 0.1 to 20, default 3]
+//   stribeck_rise_power          full form: exponent of the rise, d [-, 1 to 4, default 1]
 //
 // viscous_friction (element, on by default): viscous friction, F_v v|v|
-//   viscous_coefficient      F_v of F_v v|v| [N s^2/m^2, 0 to 100000, default 10]
+//   viscous_coefficient          F_v of F_v v|v| [N s^2/m^2, 0 to 1e5, default 10]
 //
 // side_force_friction (element, off by default): dry friction proportional to side force
-//   side_force_coefficient   friction per side force, k_avg [-, 0 to 2, default 0.05]
-//   side_force_steepness     steepness of the change of sign, K [s/m, 1 to 100000, default 2000]
+//   side_force_coefficient       friction per side force, k_avg [-, 0 to 2, default 0.05]
+//   side_force_steepness         steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
 //
 // gas_preload (element, on by default): constant gas force
-//   gas_force                gas force, positive where it pushes the rod out [N, -10000 to 10000, default 80]
+//   gas_force                    gas force, positive where it pushes the rod out [N, -10000 to 10000, default 80]
 //
 // lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag whose time constant ramps with speed
-//   polynomial               coefficients of v^0, v^1, ... [N (s/m)^k, -1000000000 to 1000000000, at most 12 numbers]
-//   lag_slow                 time constant at low speed [s, 0.00001 to 1, default 0.004]
-//   lag_fast                 time constant at high speed [s, 0.00001 to 1, default 0.001]
-//   lag_v1                   speed at which the time constant starts to change [m/s, 0 to 10, default 0.05]
-//   lag_v2                   speed at which it has changed [m/s, 0.0001 to 20, default 0.5]
+//   polynomial                   coefficients of v^0, v^1, ... [N (s/m)^k, -1e9 to 1e9, at most 12 numbers]
+//   lag_slow                     time constant at low speed [s, 1e-5 to 1, default 0.004]
+//   lag_fast                     time constant at high speed [s, 1e-5 to 1, default 0.001]
+//   lag_v1                       speed at which the time constant starts to change [m/s, 0 to 10, default 0.05]
+//   lag_v2                       speed at which it has changed [m/s, 1e-4 to 20, default 0.5]
 //
 // integration: settings of the fixed-step integration
-//   method                   method inside a step [0 fourth_order, 1 second_order, 2 euler]
-//   substeps                 substeps inside one host step; 0: as many as the model's stiffness asks for [-, 0 to 64, default 0]
+//   method                       method inside a step [0 fourth_order, 1 second_order, 2 euler]
+//   substeps                     substeps inside one host step; 0: as many as the model's stiffness asks for [-, 0 to 64, default 0]
 
 
 #ifdef __cplusplus

@@ -12,9 +12,9 @@ use core::mem::{align_of, offset_of, size_of};
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Output, Partials, State};
 
-use crate::input::dashpot_input;
-use crate::model::{dashpot_model, prepared};
-use crate::pointer::{exclusive, shared};
+use crate::input::{self, dashpot_input};
+use crate::model::{dashpot_model, prepared_aligned};
+use crate::pointer::{aligned, present};
 use crate::state::{checked, dashpot_output, dashpot_state};
 use crate::status::status;
 use crate::step::range_warning;
@@ -51,11 +51,21 @@ pub unsafe extern "C" fn dashpot_evaluate(
     rate: *mut dashpot_state,
 ) -> i32 {
     status((|| {
-        let model = unsafe { prepared(model) }?;
-        let input = unsafe { shared(input) }?.checked()?;
-        let state = *checked(unsafe { shared(state.cast::<State>()) }?)?;
-        let (output, rate) = unsafe { (exclusive(output.cast::<Output>())?, exclusive(rate.cast::<State>())?) };
-        (*output, *rate) = dashpot_core::evaluate(model, &state, &input);
+        aligned!(model, state, input, output, rate);
+        let (model, state, input) = unsafe {
+            (
+                prepared_aligned(model)?,
+                checked(state)?,
+                input::checked(input)?,
+            )
+        };
+        present(output)?;
+        present(rate)?;
+        let (answer, rates) = dashpot_core::evaluate(model, &state, &input);
+        unsafe {
+            *output.cast::<Output>() = answer;
+            *rate.cast::<State>() = rates;
+        }
         Ok(range_warning(model, input.velocity))
     })())
 }
@@ -69,11 +79,16 @@ pub unsafe extern "C" fn dashpot_jacobian(
     partials: *mut dashpot_partials,
 ) -> i32 {
     status((|| {
-        let model = unsafe { prepared(model) }?;
-        let input = unsafe { shared(input) }?.checked()?;
-        let state = checked(unsafe { shared(state.cast::<State>()) }?)?;
-        let to = unsafe { exclusive(partials.cast::<Partials>()) }?;
-        *to = self::partials(model, state, &input);
+        aligned!(model, state, input, partials);
+        let (model, state, input) = unsafe {
+            (
+                prepared_aligned(model)?,
+                checked(state)?,
+                input::checked(input)?,
+            )
+        };
+        present(partials)?;
+        unsafe { *partials.cast::<Partials>() = self::partials(model, &state, &input) };
         Ok(range_warning(model, input.velocity))
     })())
 }

@@ -6,6 +6,7 @@ use core::mem::size_of;
 
 use dashpot_core::Input;
 
+use crate::pointer::present;
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_STRUCT_SIZE, DASHPOT_UNKNOWN_FLAG, Refused};
 
 /// The host gives the displacement; without this bit it is integrated from the initial position.
@@ -33,9 +34,10 @@ pub struct dashpot_input {
     pub temperature: f64,
 }
 
-const KNOWN: u32 = DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+const KNOWN: u32 =
+    DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
 
-/// Largest magnitude of a number from the host, in any unit: beyond it something is broken, and the force could
+/// Largest sum of magnitudes of numbers from the host, in any unit: beyond it something is broken, and the force could
 /// overflow.
 pub(crate) const LARGEST: f64 = 1e9;
 
@@ -45,10 +47,20 @@ pub(crate) fn sane(number: f64) -> bool {
     number.abs() <= LARGEST
 }
 
+/// What the host handed in.
+///
+/// # Safety
+/// Null, or an aligned input that nobody writes meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refused> {
+    present(input)?;
+    unsafe { &*input }.checked()
+}
+
 impl dashpot_input {
     /// As the kernel takes it.
     #[inline(always)]
-    pub(crate) fn checked(&self) -> Result<Input, Refused> {
+    fn checked(&self) -> Result<Input, Refused> {
         if self.struct_size as usize != size_of::<dashpot_input>() {
             return Err(Refused(DASHPOT_STRUCT_SIZE));
         }
@@ -57,19 +69,27 @@ impl dashpot_input {
         }
         let knows = |bit| self.known & bit != 0;
         let mut input = Input::velocity(self.velocity);
+        // A sum of magnitudes is sane only if every one is; NaN makes it NaN.
+        let mut sum = self.velocity.abs();
         if knows(DASHPOT_KNOWS_DISPLACEMENT) {
             input.displacement = Some(self.displacement);
+            sum += self.displacement.abs();
         }
-        if knows(DASHPOT_KNOWS_SIDE_FORCE) {
-            input.side_force = self.side_force;
+        // Most hosts know neither: one question instead of two.
+        if knows(DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE) {
+            if knows(DASHPOT_KNOWS_SIDE_FORCE) {
+                input.side_force = self.side_force;
+                sum += self.side_force.abs();
+            }
+            if knows(DASHPOT_KNOWS_TEMPERATURE) {
+                input.temperature = self.temperature;
+                sum += self.temperature.abs();
+            }
         }
-        if knows(DASHPOT_KNOWS_TEMPERATURE) {
-            input.temperature = self.temperature;
+        if sane(sum) {
+            Ok(input)
+        } else {
+            Err(Refused(DASHPOT_BAD_INPUT))
         }
-        let all = sane(input.velocity)
-            && sane(input.displacement.unwrap_or(0.0))
-            && sane(input.side_force)
-            && sane(input.temperature);
-        if all { Ok(input) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
     }
 }

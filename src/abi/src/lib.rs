@@ -28,13 +28,13 @@
 //!
 //! Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
 //! Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-//! blocks that were never initialised, and numbers that are NaN, infinite or of a magnitude beyond 1e9.
+//! blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (above 1e9).
 //!
 //! Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 //! of them write the same block and none writes what another reads. One model serves any number of dampers; each
 //! damper needs its own state. Every call takes a bounded time, takes no lock and leaves the floating-point mode alone.
 //!
-//! Results are the same to the last bit on every platform, from every compiler, in every thread.
+//! Results are the same to the last bit on every 64-bit platform, whatever compiler built the host.
 
 #![no_std]
 #![allow(non_camel_case_types)]

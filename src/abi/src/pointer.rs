@@ -1,19 +1,45 @@
 //! Pointers from C: refused when null or misaligned, references afterwards.
 
 use core::ffi::c_char;
+use core::mem::align_of;
 
 use crate::status::{DASHPOT_MISALIGNED, DASHPOT_NULL, DASHPOT_UNKNOWN_NAME, Refused};
 
 /// Refuses an address that cannot be one of a `T`.
 #[inline(always)]
 pub(crate) fn usable<T>(pointer: *const T) -> Result<(), Refused> {
+    present(pointer)?;
+    if pointer.is_aligned() {
+        Ok(())
+    } else {
+        Err(Refused(DASHPOT_MISALIGNED))
+    }
+}
+
+/// Refuses a null pointer.
+#[inline(always)]
+pub(crate) fn present<T>(pointer: *const T) -> Result<(), Refused> {
     if pointer.is_null() {
         Err(Refused(DASHPOT_NULL))
-    } else if !pointer.is_aligned() {
-        Err(Refused(DASHPOT_MISALIGNED))
     } else {
         Ok(())
     }
+}
+
+/// Refuses unless all pointers are aligned (or null). One question for all of them: this is in the way of every step.
+macro_rules! aligned {
+    ($($pointer:expr),+ $(,)?) => {
+        if 0 $(| $crate::pointer::off($pointer))+ != 0 {
+            return Err($crate::status::Refused($crate::status::DASHPOT_MISALIGNED));
+        }
+    };
+}
+pub(crate) use aligned;
+
+/// The bits of the address that must be zero.
+#[inline(always)]
+pub(crate) fn off<T>(pointer: *const T) -> usize {
+    pointer.addr() & (align_of::<T>() - 1)
 }
 
 /// What `pointer` points to, for reading.
@@ -57,7 +83,9 @@ pub(crate) unsafe fn one_of(
     mut known: impl Iterator<Item = &'static str>,
 ) -> Result<&'static str, Refused> {
     usable(pointer)?;
-    known.find(|name| unsafe { spells(pointer, name.as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+    known
+        .find(|name| unsafe { spells(pointer, name.as_bytes()) })
+        .ok_or(Refused(DASHPOT_UNKNOWN_NAME))
 }
 
 /// Whether the C string is `name`.
@@ -66,6 +94,9 @@ pub(crate) unsafe fn one_of(
 /// A zero-terminated string.
 unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
     // A name holds no zero, so the comparison stops at the string's end at the latest.
-    let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
+    let same = name
+        .iter()
+        .enumerate()
+        .all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
     same && unsafe { *pointer.add(name.len()) } == 0
 }

@@ -28,7 +28,7 @@ pub const DASHPOT_STRUCT_SIZE: i32 = -3;
 pub const DASHPOT_ABI_MISMATCH: i32 = -4;
 /// The parameters or the model were not initialised, or by another build of the library.
 pub const DASHPOT_NOT_SET: i32 = -5;
-/// An input is NaN, infinite or of a magnitude beyond 1e9.
+/// An input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9.
 pub const DASHPOT_BAD_INPUT: i32 = -6;
 /// The state holds NaN or infinity: it was not initialised.
 pub const DASHPOT_BAD_STATE: i32 = -7;
@@ -81,21 +81,57 @@ const LENGTH: usize = 128;
 /// The one list of codes and texts.
 static TEXTS: [(i32, [u8; LENGTH]); 32] = [
     (DASHPOT_OK, padded("success")),
-    (DASHPOT_OUTSIDE_RANGE, padded("velocity outside the identified force-velocity curve, which is prolonged straight")),
-    (DASHPOT_LONG_STEP, padded("step longer than 0.01 s; fast motion inside it is not resolved")),
+    (
+        DASHPOT_OUTSIDE_RANGE,
+        padded("velocity outside the identified force-velocity curve, which is prolonged straight"),
+    ),
+    (
+        DASHPOT_LONG_STEP,
+        padded("step longer than 0.01 s; fast motion inside it is not resolved"),
+    ),
     (
         DASHPOT_OUTSIDE_RANGE | DASHPOT_LONG_STEP,
         padded("velocity outside the identified force-velocity curve, and step longer than 0.01 s"),
     ),
     (DASHPOT_NULL, padded("a pointer is null")),
-    (DASHPOT_MISALIGNED, padded("an address is not aligned for what it points to")),
-    (DASHPOT_STRUCT_SIZE, padded("struct_size is not the size of that structure; start from its initialiser")),
-    (DASHPOT_ABI_MISMATCH, padded("header and library have different interface versions; rebuild with the header of this library")),
-    (DASHPOT_NOT_SET, padded("parameters or model not initialised; call dashpot_params_default or dashpot_model_init first")),
-    (DASHPOT_BAD_INPUT, padded("an input is NaN, infinite or of a magnitude beyond 1e9")),
-    (DASHPOT_BAD_STATE, padded("the state holds NaN or infinity; call dashpot_state_init first")),
-    (DASHPOT_BAD_TIME_STEP, padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s")),
-    (DASHPOT_UNKNOWN_FLAG, padded("known has a bit that this library does not know")),
+    (
+        DASHPOT_MISALIGNED,
+        padded("an address is not aligned for what it points to"),
+    ),
+    (
+        DASHPOT_STRUCT_SIZE,
+        padded("struct_size is not the size of that structure; start from its initialiser"),
+    ),
+    (
+        DASHPOT_ABI_MISMATCH,
+        padded(
+            "header and library have different interface versions; rebuild with the header of this library",
+        ),
+    ),
+    (
+        DASHPOT_NOT_SET,
+        padded(
+            "parameters or model not initialised; call dashpot_params_default or dashpot_model_init first",
+        ),
+    ),
+    (
+        DASHPOT_BAD_INPUT,
+        padded(
+            "an input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9",
+        ),
+    ),
+    (
+        DASHPOT_BAD_STATE,
+        padded("the state holds NaN or infinity; call dashpot_state_init first"),
+    ),
+    (
+        DASHPOT_BAD_TIME_STEP,
+        padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s"),
+    ),
+    (
+        DASHPOT_UNKNOWN_FLAG,
+        padded("known has a bit that this library does not know"),
+    ),
     (DASHPOT_UNKNOWN_NAME, padded(Reason::UnknownName.text())),
     (DASHPOT_NOT_FINITE, padded(Reason::NotFinite.text())),
     (DASHPOT_OUT_OF_BOUNDS, padded(Reason::OutOfBounds.text())),
@@ -112,9 +148,15 @@ static TEXTS: [(i32, [u8; LENGTH]); 32] = [
     (DASHPOT_FILE_REPEATED, padded(Problem::Repeated.text())),
     (DASHPOT_FILE_FORMAT, padded(Problem::Format.text())),
     (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
-    (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
+    (
+        DASHPOT_FILE_UNKNOWN_ELEMENT,
+        padded(Problem::UnknownElement.text()),
+    ),
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
-    (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
+    (
+        DASHPOT_NO_SUCH_ROW,
+        padded("the parameter table has no row with this number"),
+    ),
 ];
 static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's");
 
@@ -122,7 +164,12 @@ static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's
 /// parameter's name: "fv_force" "falls from one point to the next; ...".
 #[unsafe(no_mangle)]
 pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
-    TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
+    TEXTS
+        .iter()
+        .find(|(code, _)| *code == status)
+        .map_or(&UNKNOWN, |(_, text)| text)
+        .as_ptr()
+        .cast()
 }
 
 /// A refusal: a negative status.
@@ -188,10 +235,22 @@ mod tests {
     #[test]
     fn every_constant_of_this_file_has_a_text() {
         let mut seen = 0;
-        for line in include_str!("status.rs").lines().filter(|l| l.starts_with("pub const DASHPOT_")) {
-            let number = line.split(['=', ';']).nth(1).unwrap().trim().parse().unwrap();
+        for line in include_str!("status.rs")
+            .lines()
+            .filter(|l| l.starts_with("pub const DASHPOT_"))
+        {
+            let number = line
+                .split(['=', ';'])
+                .nth(1)
+                .unwrap()
+                .trim()
+                .parse()
+                .unwrap();
             let text = unsafe { CStr::from_ptr(dashpot_status_text(number)) };
-            assert!(!text.to_str().unwrap().starts_with("unknown status"), "{line}");
+            assert!(
+                !text.to_str().unwrap().starts_with("unknown status"),
+                "{line}"
+            );
             seen += 1;
         }
         // All but the texts for warnings that come together.

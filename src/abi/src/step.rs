@@ -10,12 +10,13 @@
 use dashpot_core::step::step_into;
 use dashpot_core::{Input, Model, Output, State};
 
-use crate::input::{LARGEST, dashpot_input, sane};
-use crate::model::{dashpot_model, prepared};
-use crate::pointer::{exclusive, shared, usable};
+use crate::input::{self, LARGEST, dashpot_input, sane};
+use crate::model::{dashpot_model, prepared, prepared_aligned};
+use crate::pointer::{aligned, present};
 use crate::state::{checked, dashpot_output, dashpot_state};
 use crate::status::{
-    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused, status,
+    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE,
+    Refused, status,
 };
 
 /// Steps longer than this get a warning, s.
@@ -23,20 +24,48 @@ const LONG_STEP: f64 = 0.01;
 /// Shorter steps cannot be told from 0, s.
 const SHORTEST_STEP: f64 = 1e-15;
 
+// Written out: `contains` costs seven instructions more in every step.
+#[allow(clippy::manual_range_contains)]
 #[inline(always)]
 fn checked_step(dt: f64) -> Result<f64, Refused> {
-    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
+    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 {
+        Ok(dt)
+    } else {
+        Err(Refused(DASHPOT_BAD_TIME_STEP))
+    }
+}
+
+/// The warnings for a step.
+#[inline(always)]
+fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
+    let long = if dt > LONG_STEP {
+        DASHPOT_LONG_STEP
+    } else {
+        DASHPOT_OK
+    };
+    range_warning(model, velocity) | long
 }
 
 /// The warning for a velocity.
 #[inline(always)]
 pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
-    if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
+    let (low, high) = model.elements().fv_curve.range();
+    if velocity >= low && velocity <= high {
+        DASHPOT_OK
+    } else {
+        outside(model, velocity)
+    }
 }
 
-#[inline(always)]
-fn step_warning(dt: f64) -> i32 {
-    if dt > LONG_STEP { DASHPOT_LONG_STEP } else { DASHPOT_OK }
+/// Out of the way of steps without a warning.
+#[cold]
+#[inline(never)]
+fn outside(model: &Model, velocity: f64) -> i32 {
+    if model.covers(velocity) {
+        DASHPOT_OK
+    } else {
+        DASHPOT_OUTSIDE_RANGE
+    }
 }
 
 /// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
@@ -50,17 +79,26 @@ pub unsafe extern "C" fn dashpot_force(
     force: *mut f64,
 ) -> i32 {
     status((|| {
-        let model = unsafe { prepared(model) }?;
-        let (state, force) = unsafe { (exclusive(state.cast::<State>())?, exclusive(force)?) };
-        let from = *checked(state)?;
+        aligned!(model, state, force);
+        let (model, from) = unsafe { (prepared_aligned(model)?, checked(state)?) };
         if !sane(velocity) {
             return Err(Refused(DASHPOT_BAD_INPUT));
         }
         let dt = checked_step(dt)?;
+        present(force)?;
         let mut output = Output::ZERO;
-        step_into(model, &from, &Input::velocity(velocity), dt, state, &mut output);
-        *force = output.force;
-        Ok(range_warning(model, velocity) | step_warning(dt))
+        unsafe {
+            step_into(
+                model,
+                &from,
+                &Input::velocity(velocity),
+                dt,
+                &mut *state.cast(),
+                &mut output,
+            );
+            *force = output.force;
+        }
+        Ok(warnings(model, velocity, dt))
     })())
 }
 
@@ -76,14 +114,29 @@ pub unsafe extern "C" fn dashpot_step(
     output: *mut dashpot_output,
 ) -> i32 {
     status((|| {
-        let model = unsafe { prepared(model) }?;
-        let input = unsafe { shared(to_input) }?.checked()?;
-        // A copy: the caller's state may be the one that is written.
-        let from = *checked(unsafe { shared(from.cast::<State>()) }?)?;
+        aligned!(model, from, to_input, to, output);
+        // A copy of the state, because the caller's may be the one that is written.
+        let (model, from, input) = unsafe {
+            (
+                prepared_aligned(model)?,
+                checked(from)?,
+                input::checked(to_input)?,
+            )
+        };
         let dt = checked_step(dt)?;
-        let (to, output) = unsafe { (exclusive(to.cast::<State>())?, exclusive(output.cast::<Output>())?) };
-        step_into(model, &from, &input, dt, to, output);
-        Ok(range_warning(model, input.velocity) | step_warning(dt))
+        present(to)?;
+        present(output)?;
+        unsafe {
+            step_into(
+                model,
+                &from,
+                &input,
+                dt,
+                &mut *to.cast(),
+                &mut *output.cast(),
+            )
+        };
+        Ok(warnings(model, input.velocity, dt))
     })())
 }
 
@@ -103,28 +156,36 @@ pub unsafe extern "C" fn dashpot_step_batch(
 ) -> i32 {
     status((|| {
         let dt = checked_step(dt)?;
-        usable(models)?;
-        usable(from)?;
-        usable(to_inputs)?;
-        usable(to)?;
-        usable(outputs)?;
+        aligned!(models, from, to_inputs, to, outputs);
+        present(models)?;
+        present(to)?;
+        present(outputs)?;
+        present(from)?;
+        present(to_inputs)?;
         for i in 0..count as usize {
             unsafe {
                 prepared(*models.add(i))?;
-                checked(&*from.add(i).cast::<State>())?;
-                (*to_inputs.add(i)).checked()?;
+                checked(from.add(i))?;
+                input::checked(to_inputs.add(i))?;
             }
         }
-        let mut warnings = step_warning(dt);
+        let mut status = DASHPOT_OK;
         for i in 0..count as usize {
             unsafe {
                 let model = prepared(*models.add(i))?;
-                let input = (*to_inputs.add(i)).checked()?;
+                let input = input::checked(to_inputs.add(i))?;
                 let from = *from.add(i).cast::<State>();
-                step_into(model, &from, &input, dt, &mut *to.add(i).cast(), &mut *outputs.add(i).cast());
-                warnings |= range_warning(model, input.velocity);
+                step_into(
+                    model,
+                    &from,
+                    &input,
+                    dt,
+                    &mut *to.add(i).cast(),
+                    &mut *outputs.add(i).cast(),
+                );
+                status |= warnings(model, input.velocity, dt);
             }
         }
-        Ok(warnings)
+        Ok(status)
     })())
 }

@@ -70,8 +70,8 @@ pub fn exp_below_bound(x: f64) -> f64 {
     let f = scaled - (shifted - ROUND);
     let bits = shifted.to_bits();
     // 2^n goes into the exponent of the root.
-    let root = ROOTS[(bits & 31) as usize].to_bits();
-    let scale = f64::from_bits(root.wrapping_add((bits >> 5) << 52));
+    let j = bits & 31;
+    let scale = f64::from_bits(ROOTS[j as usize].to_bits().wrapping_add(bits.wrapping_sub(j) << 47));
     scale + scale * (f * (LN2 + f * (C2 + f * (C3 + f * (C4 + f * C5)))))
 }
 

@@ -5,8 +5,8 @@ use crate::input::Input;
 use crate::model::Model;
 use crate::state::{Output, State};
 
-/// Newton steps for the deflection of the series spring: setting up may cost more than a step.
-const NEWTON_STEPS: usize = 40;
+/// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
+const STEPS: usize = 100;
 
 impl Model {
     /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
@@ -21,10 +21,19 @@ impl Model {
         if e.has_series() {
             let k = e.series_compliance.stiffness;
             let primary = e.fv_curve.at(v).value;
-            for _ in 0..NEWTON_STEPS {
+            // The springs never fall, so that the series spring alone would go further than both together.
+            let furthest = x - (primary + e.inner(&motion(x)).force) / k;
+            let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
+            for _ in 0..STEPS {
                 let inner = e.inner(&motion(x_m));
-                let slope = k + if inner.by_x > 0.0 { inner.by_x } else { 0.0 };
-                x_m += (k * (x - x_m) - primary - inner.force) / slope;
+                let left = k * (x - x_m) - primary - inner.force;
+                if left > 0.0 {
+                    low = x_m;
+                } else {
+                    high = x_m;
+                }
+                let newton = x_m + left / (k + inner.by_x);
+                x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
             }
         }
         let mut memory = [0.0; 8];

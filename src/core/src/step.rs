@@ -173,6 +173,13 @@ pub struct Stage<'a> {
 pub trait Follow {
     /// Called after every stage.
     fn stage(&mut self, elements: &Elements, stage: &Stage);
+
+    /// Slopes of k_s x_m + c_s v_m over displacement and velocity at the end of the step: what the series force loses
+    /// because the mass yields. Zero where the slopes of the output are to hold the mass still.
+    #[inline(always)]
+    fn yields(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
 }
 
 impl Follow for () {
@@ -220,7 +227,9 @@ impl Follow for ByEnd {
             }
             let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
             u = [0, 1].map(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
-            yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
+            if s.last {
+                yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
+            }
         }
         let moved = u.map(|u| s.g * u);
         if s.last {
@@ -232,6 +241,11 @@ impl Follow for ByEnd {
             *gains = [moved, [0, 1].map(|k| u[k] - v[k])];
         }
     }
+
+    #[inline(always)]
+    fn yields(&self) -> [f64; 2] {
+        self.yields
+    }
 }
 
 /// Where the mass is, and what acts on it.
@@ -242,6 +256,9 @@ struct Mass {
     primary: f64,
     inner: f64,
 }
+
+/// Deflection of the series spring, m, beyond which the springs on the mass are taken as straight.
+const REACH: f64 = 0.05;
 
 /// One substep under way.
 struct Substep<'a> {
@@ -291,7 +308,11 @@ impl Substep<'_> {
             known = [0, 1].map(|k| known[k] + a * self.gains[j][k]);
         }
         let [known_x, known_v] = known;
+        // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
+        // of a hardening spring from where it will never be.
         let inner_at = known_x + g * self.predicted;
+        let inner_at = if inner_at < point.x - REACH { point.x - REACH } else { inner_at };
+        let inner_at = if inner_at > point.x + REACH { point.x + REACH } else { inner_at };
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = self.elements.inner(&at);
@@ -300,7 +321,10 @@ impl Substep<'_> {
         let inner_slope = inner.by_v + g * inner.by_x;
         let a = self.resistance + inner_slope;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
-        let (u, fd) = self.elements.fv_curve.solve(a, self.mass_rate * known_v + drive - inner_known);
+        let r = self.mass_rate * known_v + drive - inner_known;
+        // The cheap step is content with two iterations; where the others are used, three are below their own error.
+        let curve = &self.elements.fv_curve;
+        let (u, fd) = if T::STAGES == 1 { curve.solve::<2>(a, r) } else { curve.solve::<3>(a, r) };
         let moved = g * u;
         self.gains[I] = [moved, u - known_v];
         self.predicted = u;
@@ -434,6 +458,8 @@ fn advance_memory<T: Tableau>(
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
             pushes[i] = now - known;
+            // Differentiated where the stage ends: there the rate depends on the input alone.
+            let recall = element.recall(&at, now);
             for k in 0..2 {
                 let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
                 d_now[k] = (d_known[k] + g * drive) * divide;
@@ -479,6 +505,15 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
     }
 }
 
+/// One step of several dampers of one model, such as the corners of a car: to the bit what single steps give.
+///
+/// Stops at the shortest of the lists.
+pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: &mut [State], outputs: &mut [Output]) {
+    for (((from, to), state), output) in from.iter().zip(to).zip(states).zip(outputs) {
+        step_into(model, from, to, dt, state, output);
+    }
+}
+
 /// A step with its exact slopes. `PLAIN`: in one substep and without private states, as most steps are. Not inlined, so
 /// that each has the registers to itself.
 #[inline(never)]
@@ -492,10 +527,6 @@ fn answer<T: Tableau, const PLAIN: bool>(
 ) {
     let mut by_end = ByEnd::new();
     advance_by::<T, PLAIN>(model, from, to, dt, &mut by_end, state, output);
-    if model.elements.has_series() {
-        output.force_by_displacement -= by_end.yields[0];
-        output.force_by_velocity -= by_end.yields[1];
-    }
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -519,6 +550,11 @@ pub fn advance(
     }
 }
 
+/// Between these lengths of a step, s, no power of m/dt or k dt leaves the range of numbers; what lies beyond them
+/// could not be told from them.
+const SHORTEST: f64 = 1e-90;
+const LONGEST: f64 = 1e60;
+
 /// By one method.
 #[inline(always)]
 fn advance_by<T: Tableau, const PLAIN: bool>(
@@ -532,6 +568,8 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
 ) {
     let e = &model.elements;
     let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
+    let dt = if dt > SHORTEST { dt } else { SHORTEST };
+    let dt = if dt < LONGEST { dt } else { LONGEST };
     let path = Path::new(from.displacement, from.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
@@ -550,8 +588,9 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
         output.spring_force = mass.inner;
         output.series_deflection = x - mass.x;
         force = s.stiffness * (x - mass.x) + s.damping * (v - mass.v);
-        by_x = s.stiffness;
-        by_v = s.damping;
+        let [x_yields, v_yields] = follow.yields();
+        by_x = s.stiffness - x_yields;
+        by_v = s.damping - v_yields;
     } else {
         let (inner, primary) = (e.inner(&outer), e.fv_curve.at(v));
         state.mass_displacement = x;

@@ -95,8 +95,8 @@ impl FvCurve {
 
     /// The internal velocity `u` with `a u + F_d(u) = r`; see [`Curve::solve`].
     #[inline(always)]
-    pub fn solve(&self, a: f64, r: f64) -> (f64, Value) {
-        self.0.solve(a, r)
+    pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
+        self.0.solve::<STEPS>(a, r)
     }
 
     /// Velocities that the table covers; beyond them it is prolonged straight.

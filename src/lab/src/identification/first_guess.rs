@@ -6,8 +6,8 @@ use dashpot_core::Params;
 
 /// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
 pub const SLOW: f64 = 0.006;
-/// Points of the FV table on each side of zero.
-const POINTS: usize = 11;
+/// Ratio of one velocity of the FV table to the next: knees are that wide, and closer points would follow noise.
+const RATIO: f64 = 1.65;
 /// Smallest velocity of an FV point: below, friction and damper cannot be told apart.
 const SMALLEST: f64 = 0.010;
 /// Samples that an FV point needs on its side of its neighbours.
@@ -64,8 +64,9 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
         // The last point lies where samples still are, not on a single noisy peak.
         let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
         let first = SMALLEST.min(0.3 * top);
-        for k in 0..POINTS {
-            points.push(first * (top / first).powf(k as f64 / (POINTS - 1) as f64));
+        let count = 1 + ((top / first).ln() / RATIO.ln()).round().max(1.0) as usize;
+        for k in 0..count {
+            points.push(first * (top / first).powf(k as f64 / (count - 1) as f64));
         }
         let mut kept: Vec<f64> = Vec::new();
         for (k, v) in points.iter().enumerate() {
@@ -73,7 +74,7 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
             let count = speeds.partition_point(|s| s <= v) - speeds.partition_point(|s| *s <= below);
             if count >= ENOUGH || k == 0 {
                 kept.push(*v);
-            } else if k + 1 == POINTS {
+            } else if k + 1 == points.len() {
                 // Too little between the last two: the end of the data matters more.
                 if kept.len() > 1 {
                     kept.pop();

@@ -84,8 +84,6 @@ pub struct Fit {
     pub misfit: f64,
 }
 
-const ROUGH: Effort = Effort { steps: 8, tolerance: 1e-3 };
-const FINE: Effort = Effort { steps: 60, tolerance: 1e-8 };
 /// Starting values of the series stiffness, N/m: soft mount, oil column, stiff oil column.
 const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
 
@@ -144,7 +142,7 @@ fn fv_unknowns(from: &Params) -> Unknowns {
 fn fit_fv_only(guess: &Params, segments: &[Segment]) -> Params {
     let unknowns = fv_unknowns(guess);
     let refs: Vec<&Segment> = segments.iter().collect();
-    unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), FINE).theta)
+    unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta)
 }
 
 fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Fit {
@@ -175,7 +173,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         let mut from = *guess;
         let _ = from.set("series_stiffness", *stiffness);
         let unknowns = start.unknowns(&from, segments);
-        let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 10, tolerance: 1e-4 });
+        let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
         if best.as_ref().is_none_or(|(cost, _)| found.cost < *cost) {
             best = Some((found.cost, unknowns.params(&found.theta)));
         }
@@ -184,15 +182,13 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let mut choices = Vec::new();
     let mut structure = start;
     progress(Stage { done: 0.3, text: "choosing the friction" });
-    let (k, choice) =
-        choose("friction", &frictions, segments, &from, |v| Structure { friction: v, ..structure }, ROUGH);
-    structure.friction = frictions[k];
+    let (k, choice, found) =
+        choose("friction", &frictions, segments, &from, |v| Structure { friction: v, ..structure });
+    (structure.friction, from) = (frictions[k], found);
     choices.push(choice);
-    let unknowns = structure.unknowns(&from, segments);
-    from = unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), ROUGH).theta);
     progress(Stage { done: 0.55, text: "choosing the spring" });
-    let (k, choice) = choose("spring", &springs, segments, &from, |v| Structure { spring: v, ..structure }, ROUGH);
-    structure.spring = springs[k];
+    let (k, choice, found) = choose("spring", &springs, segments, &from, |v| Structure { spring: v, ..structure });
+    (structure.spring, from) = (springs[k], found);
     choices.push(choice);
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
@@ -216,7 +212,7 @@ fn finish(
     mut notes: Vec<String>,
 ) -> Fit {
     let refs: Vec<&Segment> = segments.iter().collect();
-    let mut theta = solve(&refs, &unknowns, &unknowns.start(), FINE).theta;
+    let mut theta = solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta;
     let mut left_out: Vec<Estimate> = Vec::new();
     let estimates = loop {
         let (list, loose) = estimates(segments, &unknowns, &theta);
@@ -237,7 +233,7 @@ fn finish(
         left_out.push(estimate);
         unknowns.list.remove(worst);
         unknowns.base = base;
-        theta = solve(&refs, &unknowns, &unknowns.start(), FINE).theta;
+        theta = solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta;
     };
     for estimate in &left_out {
         notes.push(format!(

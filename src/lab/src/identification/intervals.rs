@@ -3,7 +3,7 @@
 use super::first_guess::SLOW;
 use super::least_squares::covariance;
 use super::segment::Segment;
-use super::sensitivity::Run;
+use super::sensitivity::{Accuracy, Run};
 use super::unknowns::{Unknown, Unknowns, anchor};
 use dashpot_core::parameter::find;
 use serde::Serialize;
@@ -66,10 +66,21 @@ pub fn estimates(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> (V
         let sd = cov[(i, i)].max(0.0).sqrt();
         let at_bound = theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
         match unknown {
-            Unknown::Log(name) | Unknown::Linear(name) => {
+            Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => {
                 let value = params.scalar(name);
                 let (a, b) = match unknown {
                     Unknown::Log(_) => (value * (-Z * sd).exp(), value * (Z * sd).exp()),
+                    Unknown::Above(_, below) => {
+                        // level (1 + share): both are uncertain.
+                        let level = params.scalar(below);
+                        let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(below));
+                        let factor = 1.0 + theta[i];
+                        let more = k.map_or(0.0, |k| {
+                            factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]
+                        });
+                        let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
+                        (value - Z * sd, value + Z * sd)
+                    }
                     _ => (value - Z * sd, value + Z * sd),
                 };
                 let half = 0.5 * (b - a);
@@ -158,7 +169,7 @@ pub fn estimates(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> (V
 /// For every unknown, which kind of test carries its information.
 fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<String> {
     let n = theta.len();
-    let Some(run) = Run::new(unknowns, theta) else { return vec![String::new(); n] };
+    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![String::new(); n] };
     let kinds = ["slow tests", "small strokes", "large strokes"];
     let mut information = vec![[0.0; 3]; n];
     for segment in segments {

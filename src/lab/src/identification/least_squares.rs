@@ -5,7 +5,7 @@
 //! number of threads.
 
 use super::segment::Segment;
-use super::sensitivity::Run;
+use super::sensitivity::{Accuracy, Run};
 use super::unknowns::Unknowns;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -20,6 +20,15 @@ pub struct Effort {
     pub steps: usize,
     /// Relative fall of the cost at which a fit has ended.
     pub tolerance: f64,
+    /// How exactly the model is integrated.
+    pub accuracy: Accuracy,
+}
+
+impl Effort {
+    /// To compare variants.
+    pub const ROUGH: Effort = Effort { steps: 8, tolerance: 1e-3, accuracy: Accuracy::Cheap };
+    /// For the result.
+    pub const FINE: Effort = Effort { steps: 60, tolerance: 1e-8, accuracy: Accuracy::Full };
 }
 
 /// Where a fit ended.
@@ -52,15 +61,15 @@ fn cost_of(segment: &Segment, forces: &[f64]) -> f64 {
 }
 
 /// Cost of a parameter vector; infinite where it makes no model or no finite force.
-pub fn cost(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]) -> f64 {
-    let Some(run) = Run::new(unknowns, theta) else { return f64::INFINITY };
+fn cost(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> f64 {
+    let Some(run) = Run::new(unknowns, theta, accuracy) else { return f64::INFINITY };
     let costs: Vec<f64> = segments.par_iter().map(|s| cost_of(s, &run.forces(s))).collect();
     let sum: f64 = costs.iter().sum();
     if sum.is_finite() { sum } else { f64::INFINITY }
 }
 
-fn normal(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]) -> Option<Normal> {
-    let run = Run::new(unknowns, theta)?;
+fn normal(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Option<Normal> {
+    let run = Run::new(unknowns, theta, accuracy)?;
     let n = theta.len();
     let parts: Vec<Normal> = segments
         .par_iter()
@@ -99,7 +108,7 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
     let n = start.len();
     let mut theta: Vec<f64> = (0..n).map(|i| start[i].clamp(low[i], high[i])).collect();
     let mut best = Solution { cost: f64::INFINITY, theta: theta.clone(), converged: false };
-    let Some(mut at) = normal(segments, unknowns, &theta) else { return best };
+    let Some(mut at) = normal(segments, unknowns, &theta, effort.accuracy) else { return best };
     best.cost = at.cost;
     let mut damping = 1e-3;
     for _ in 0..effort.steps {
@@ -128,7 +137,7 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
         for (a, i) in free.iter().enumerate() {
             tried[*i] = (theta[*i] + step[a] / diagonal[a].sqrt()).clamp(low[*i], high[*i]);
         }
-        let tried_cost = cost(segments, unknowns, &tried);
+        let tried_cost = cost(segments, unknowns, &tried, effort.accuracy);
         if tried_cost < at.cost {
             let fall = (at.cost - tried_cost) / at.cost.max(1e-300);
             theta = tried;
@@ -137,7 +146,7 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
             if best.converged {
                 break;
             }
-            match normal(segments, unknowns, &theta) {
+            match normal(segments, unknowns, &theta, effort.accuracy) {
                 Some(next) => at = next,
                 None => break,
             }
@@ -154,12 +163,56 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
     best
 }
 
+/// Share of the full information that stays when a test is left out which alone determines a parameter: without it
+/// the prediction of that test would be arbitrary.
+const RIDGE: f64 = 1e-3;
+
+/// Mean square of each test's weighted residual as predicted from all other tests: the refit without the test is
+/// linearised about the common solution (exact for linear least squares; Cook & Weisberg, *Residuals and Influence in
+/// Regression*, 1982), so one pass serves all tests.
+pub fn left_out_errors(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<f64> {
+    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![f64::INFINITY; segments.len()] };
+    let parts: Vec<(DMatrix<f64>, DVector<f64>)> = segments
+        .par_iter()
+        .map(|segment| {
+            let (forces, rows) = run.jacobian(segment, unknowns, theta);
+            let count = segment.force.len() - segment.from;
+            let rows = rows.columns(segment.from, count) / segment.scale;
+            let residual =
+                DVector::from_fn(count, |k, _| (forces[segment.from + k] - segment.force[segment.from + k]) / segment.scale);
+            (rows, residual)
+        })
+        .collect();
+    let n = theta.len();
+    let mut hessian = DMatrix::zeros(n, n);
+    let own: Vec<DMatrix<f64>> = parts.par_iter().map(|(rows, _)| rows * rows.transpose()).collect();
+    for part in &own {
+        hessian += part;
+    }
+    parts
+        .par_iter()
+        .zip(&own)
+        .map(|((rows, residual), own)| {
+            let mut others = &hessian - own;
+            for i in 0..n {
+                others[(i, i)] += RIDGE * hessian[(i, i)] + 1e-300;
+            }
+            let moved = others.cholesky().map(|c| c.solve(&(rows * residual)));
+            let predicted = match moved {
+                Some(moved) => residual + rows.transpose() * moved,
+                None => residual.clone(),
+            };
+            predicted.norm_squared() / predicted.len().max(1) as f64
+        })
+        .collect()
+}
+
 /// Covariance of the unknowns at a solution: the sandwich form, with the noise of every test taken from its own
 /// residual and its samples discounted for their correlation, so that model error widens the intervals too.
 ///
 /// Returns the covariance and, for each unknown, how well it is determined apart from all others (1: fully, 0: not).
 pub fn covariance(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
-    let run = Run::new(unknowns, theta)?;
+    let run = Run::new(unknowns, theta, Accuracy::Full)?;
     let n = theta.len();
     let parts: Vec<(DMatrix<f64>, f64)> = segments
         .par_iter()

@@ -1,14 +1,15 @@
 //! The stretches of record that a fit works on: clean motion, averaged force, a weight.
 
 use crate::motion;
-use crate::prediction::integration_for;
 use crate::records::Record;
-use dashpot_core::step::Integration;
-use dashpot_core::{Input, Model};
+use dashpot_core::Input;
 use rayon::prelude::*;
 
-/// Samples that a cycle is thinned to; the force between is averaged, not dropped.
+/// Samples that a cycle is thinned to.
 const PER_CYCLE: usize = 160;
+/// Windows per cycle over which the force is averaged, where the record is that dense. A wider window would blur the
+/// knee of the FV curve by more than the noise that it removes.
+const WINDOWS: usize = 400;
 /// Samples of one test that a fit uses: as many whole cycles as fit.
 const PER_TEST: usize = 400;
 /// Share of a cycle that runs ahead of the first scored sample, so that the settled start is forgotten.
@@ -38,15 +39,6 @@ pub struct Segment {
     pub peak_velocity: f64,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Mean distance of its samples, s.
-    pub mean_dt: f64,
-}
-
-impl Segment {
-    /// How a model is stepped between the samples.
-    pub fn integration(&self, model: &Model) -> Integration {
-        integration_for(model, self.mean_dt)
-    }
 }
 
 /// Makes the segments of all records, in their order.
@@ -76,21 +68,27 @@ fn segment(record: &Record) -> Segment {
     if from * stride < (LEAD_IN * cycle as f64) as usize / 2 {
         from = (picks.len() / 20).max(1);
     }
+    // Centred on the sample, with half weight at both ends where the count is even: any other window would shift the
+    // force in time against the motion.
+    let window = if record.cycles.is_empty() { 1 } else { (cycle / WINDOWS).max(1) };
     let average = |i: usize| {
-        let (low, high) = (i.saturating_sub(stride / 2), (i + stride.div_ceil(2)).min(n));
-        record.force[low..high].iter().sum::<f64>() / (high - low) as f64
+        let half = (window / 2).min(i).min(n - 1 - i);
+        if window % 2 == 1 || half == 0 {
+            let around = &record.force[i - half..=i + half];
+            return around.iter().sum::<f64>() / around.len() as f64;
+        }
+        let inner: f64 = record.force[i + 1 - half..i + half].iter().sum();
+        (inner + 0.5 * (record.force[i - half] + record.force[i + half])) / (2 * half) as f64
     };
     let force: Vec<f64> = picks.iter().map(|i| average(*i)).collect();
     let at = |channel: &Option<Vec<f64>>, i: usize, or: f64| channel.as_ref().map_or(or, |c| c[i]);
     let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-    let noise = record.noise.force_rms / (stride as f64).sqrt();
+    let noise = record.noise.force_rms / (window as f64).sqrt();
     let dt: Vec<f64> = std::iter::once(0.0)
         .chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]]))
         .collect();
-    let mean_dt = dt.iter().sum::<f64>() / dt.len().max(2) as f64;
     Segment {
         name: record.name.clone(),
-        mean_dt,
         input: picks
             .iter()
             .map(|i| Input {

@@ -19,6 +19,8 @@ pub enum Unknown {
     Log(&'static str),
     /// A parameter itself.
     Linear(&'static str),
+    /// How far a parameter lies above another, as a share of it: a break-away peak above the level that it falls to.
+    Above(&'static str, &'static str),
     /// Rise of a curve from one point to the next, away from its fixed point at the origin.
     Rise {
         /// Which curve.
@@ -29,6 +31,13 @@ pub enum Unknown {
     /// One entry of a list parameter.
     Entry(&'static str, usize),
 }
+
+/// Widest Stribeck velocity that a fit may take, m/s.
+const STRIBECK_WIDEST: f64 = 0.05;
+
+/// Highest break-away peak that a fit may take, as a share above the Coulomb level: seals show 0.1 to 0.6, and a free
+/// one would turn dry friction into part of the FV curve.
+const HIGHEST_PEAK: f64 = 1.0;
 
 /// The curves whose points can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,6 +86,7 @@ impl Unknowns {
             .map(|unknown| match unknown {
                 Unknown::Log(name) => self.base.scalar(name).max(1e-12).ln(),
                 Unknown::Linear(name) => self.base.scalar(name),
+                Unknown::Above(name, below) => self.base.scalar(name) / self.base.scalar(below).max(1e-9) - 1.0,
                 Unknown::Entry(name, i) => self.base.list(name)[*i],
                 Unknown::Rise { curve, point } => {
                     let f = self.base.list(curve.forces());
@@ -97,8 +107,11 @@ impl Unknowns {
                 match unknown {
                     Unknown::Log(name) => {
                         let (low, high) = of(name);
+                        // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
+                        let high = if name.starts_with("stribeck") { high.min(STRIBECK_WIDEST) } else { high };
                         (low.max(1e-6).ln(), high.ln())
                     }
+                    Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                     Unknown::Linear(name) | Unknown::Entry(name, _) => of(name),
                     Unknown::Rise { .. } => (0.0, 1e5),
                 }
@@ -144,6 +157,11 @@ impl Unknowns {
                     let mut list = params.list(name).to_vec();
                     list[*i] = *t;
                     let _ = params.set_list(name, &list);
+                }
+                // After the parameter below it, which comes first in every list.
+                Unknown::Above(name, below) => {
+                    let level = params.scalar(below);
+                    set_inside(&mut params, name, level * (1.0 + t));
                 }
                 Unknown::Rise { .. } => {}
             }

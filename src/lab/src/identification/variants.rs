@@ -1,14 +1,13 @@
 //! The variants of friction and spring, and the choice among them by tests that the fit did not see.
 
-use super::least_squares::{Effort, solve};
+use super::least_squares::{Effort, left_out_errors, solve};
 use super::segment::Segment;
-use super::sensitivity::forces;
 use super::unknowns::{CurveName, Unknown, Unknowns};
-use dashpot_core::{Model, Params};
+use dashpot_core::Params;
 use serde::Serialize;
 
-/// Parts into which the tests are dealt; each is left out once.
-const FOLDS: usize = 3;
+/// Relative fall of the error that one more parameter must bring to be worth having.
+const WORTH: f64 = 0.02;
 /// Points of the lookup spring.
 const LOOKUP_POINTS: usize = 7;
 
@@ -19,7 +18,7 @@ pub struct Variant {
     pub name: &'static str,
     /// Elements that it switches on.
     pub elements: &'static [&'static str],
-    /// Its unknowns; those that start with `log:` vary by factors.
+    /// Its unknowns; `log:` varies by factors, `above:` starts from the level below.
     unknowns: &'static [&'static str],
     /// Choice parameters that it sets.
     choices: &'static [(&'static str, f64)],
@@ -43,15 +42,15 @@ pub const FRICTION: &[Variant] = &[
     Variant {
         name: "simplified Stribeck",
         elements: &["stribeck_friction"],
-        unknowns: &["stribeck_breakaway_force", "stribeck_coulomb_force", "log:stribeck_breakaway_velocity"],
+        unknowns: &["stribeck_coulomb_force", "above:stribeck_breakaway_force", "log:stribeck_breakaway_velocity"],
         choices: &[("stribeck_form", 0.0)],
     },
     Variant {
         name: "full Stribeck",
         elements: &["stribeck_friction"],
         unknowns: &[
-            "stribeck_breakaway_force",
             "stribeck_coulomb_force",
+            "above:stribeck_breakaway_force",
             "log:stribeck_breakaway_velocity",
             "log:stribeck_velocity",
         ],
@@ -129,15 +128,17 @@ impl Structure {
                 on(&mut base, element);
             }
             for name in variant.unknowns {
-                match name.strip_prefix("log:") {
-                    Some(name) => list.push(Unknown::Log(name)),
-                    None if *name == "lookup" => {
+                match (name.strip_prefix("log:"), name.strip_prefix("above:")) {
+                    (Some(name), _) => list.push(Unknown::Log(name)),
+                    // Only the Stribeck peak lies above something: its own Coulomb level.
+                    (_, Some(name)) => list.push(Unknown::Above(name, "stribeck_coulomb_force")),
+                    _ if *name == "lookup" => {
                         if base.list("spring_displacement").is_empty() {
                             start_lookup(&mut base, segments);
                         }
                         list.extend(Unknowns::rises(&base, CurveName::Spring));
                     }
-                    None => list.push(Unknown::Linear(name)),
+                    _ => list.push(Unknown::Linear(name)),
                 }
             }
         }
@@ -189,72 +190,58 @@ pub struct Score {
 
 /// Chooses among `variants`, each put into a structure by `with`; returns the place of the winner.
 ///
-/// Every variant is refitted without each fold of tests and judged on it. The simplest one within one standard error
-/// of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984, 3.4.3).
+/// Every variant is fitted to all tests and then judged on each test as predicted from all others. The simplest variant
+/// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984,
+/// 3.4.3), each parameter costing [`WORTH`] of the error.
 pub fn choose(
     of: &'static str,
     variants: &[Variant],
     segments: &[Segment],
     from: &Params,
     with: impl Fn(Variant) -> Structure,
-    effort: Effort,
-) -> (usize, Choice) {
-    let folds = FOLDS.min(segments.len()).max(1);
-    let errors: Vec<Vec<f64>> = variants
+) -> (usize, Choice, Params) {
+    let all: Vec<&Segment> = segments.iter().collect();
+    let fitted: Vec<(Params, Vec<f64>)> = variants
         .iter()
         .map(|variant| {
-            let structure = with(*variant);
-            let mut errors = vec![0.0; segments.len()];
-            let unknowns = structure.unknowns(from, segments);
-            // One fit on everything is the start of all folds.
-            let all: Vec<&Segment> = segments.iter().collect();
-            let start = solve(&all, &unknowns, &unknowns.start(), effort).theta;
-            for fold in 0..folds {
-                let kept: Vec<&Segment> =
-                    segments.iter().enumerate().filter(|(i, _)| folds == 1 || i % folds != fold).map(|(_, s)| s).collect();
-                let theta = if folds == 1 { start.clone() } else { solve(&kept, &unknowns, &start, effort).theta };
-                let Ok(model) = Model::new(&unknowns.params(&theta)) else { continue };
-                for (i, segment) in segments.iter().enumerate().filter(|(i, _)| i % folds == fold) {
-                    errors[i] = mean_square(&model, segment);
-                }
-            }
-            errors
+            let unknowns = with(*variant).unknowns(from, segments);
+            let theta = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH).theta;
+            (unknowns.params(&theta), left_out_errors(&all, &unknowns, &theta))
         })
         .collect();
+    let errors = |k: usize| &fitted[k].1;
     let n = segments.len() as f64;
-    let mean = |e: &[f64]| e.iter().sum::<f64>() / n;
-    let best = (0..variants.len()).min_by(|a, b| mean(&errors[*a]).total_cmp(&mean(&errors[*b]))).unwrap_or(0);
+    let mean = |k: usize| errors(k).iter().sum::<f64>() / n;
+    let rms = |k: usize| mean(k).sqrt();
+    let complexity =
+        |k: usize| variants[k].unknowns.len() + if variants[k].name == "lookup" { LOOKUP_POINTS } else { 0 };
+    let priced = |k: usize| rms(k) * (1.0 + WORTH * complexity(k) as f64);
+    let best = (0..variants.len()).min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
     let tie = |k: usize| {
-        let d: Vec<f64> = errors[k].iter().zip(&errors[best]).map(|(a, b)| a - b).collect();
-        let m = mean(&d);
+        let d: Vec<f64> = errors(k).iter().zip(errors(best)).map(|(a, b)| a - b).collect();
+        let m = d.iter().sum::<f64>() / n;
         (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
     };
-    let complexity = |k: usize| variants[k].unknowns.len() + if variants[k].name == "lookup" { LOOKUP_POINTS } else { 0 };
     let kept = (0..variants.len())
-        .filter(|k| mean(&errors[*k]) - mean(&errors[best]) <= tie(*k))
-        .min_by(|a, b| complexity(*a).cmp(&complexity(*b)).then(mean(&errors[*a]).total_cmp(&mean(&errors[*b]))))
+        .filter(|k| mean(*k) - mean(best) <= tie(*k))
+        .min_by(|a, b| complexity(*a).cmp(&complexity(*b)).then(mean(*a).total_cmp(&mean(*b))))
         .unwrap_or(best);
-    let rms = |k: usize| mean(&errors[k]).sqrt();
-    let why = if kept == best {
-        format!("smallest error on left-out tests ({:.2} of the allowed error)", rms(best))
-    } else {
-        format!(
-            "simplest within one standard error of the best on left-out tests ({:.2} against {:.2} of the allowed error for {})",
-            rms(kept),
-            rms(best),
-            variants[best].name
-        )
-    };
+    let others = (0..variants.len())
+        .filter(|k| *k != kept)
+        .map(|k| format!("{} {:.2}", variants[k].name, rms(k)))
+        .collect::<Vec<_>>()
+        .join(", ");
+    let why = format!(
+        "error on left-out tests {:.2} of the allowed error ({others}); {}",
+        rms(kept),
+        if kept == best {
+            "no other variant is better by what its parameters cost"
+        } else {
+            "the simplest within one standard error of the best"
+        }
+    );
     let scores = (0..variants.len())
         .map(|k| Score { name: variants[k].name, held_out: rms(k), tie_within: tie(k) })
         .collect();
-    (kept, Choice { of, chosen: variants[kept].name, scores, why })
-}
-
-/// Mean square error of a model on a segment, in units of its allowed error.
-fn mean_square(model: &Model, segment: &Segment) -> f64 {
-    let f = forces(model, segment);
-    let scored = segment.from..segment.force.len();
-    let count = scored.len().max(1) as f64;
-    scored.map(|i| ((f[i] - segment.force[i]) / segment.scale).powi(2)).sum::<f64>() / count
+    (kept, Choice { of, chosen: variants[kept].name, scores, why }, fitted[kept].0)
 }

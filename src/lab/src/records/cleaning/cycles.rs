@@ -38,7 +38,9 @@ impl Cycle {
 }
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
-const TOLERANCE: (f64, f64) = (0.01, 0.15);
+const TOLERANCE: (f64, f64) = (0.03, 0.15);
+/// The same for the first and the last cycle once the crossings are exact: the tail of a run-up is small.
+const END_TOLERANCE: f64 = 0.003;
 
 /// Phases at which the courses of cycles are compared, and the correlation of neighbours that makes a test periodic.
 const PHASES: usize = 64;
@@ -74,10 +76,10 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
         return candidates;
     }
     let stroke = |c: &Cycle| c.stroke();
-    let (typical_stroke, stroke_tolerance) = typical(&candidates, stroke);
+    let (typical_stroke, stroke_tolerance) = typical(&candidates, stroke, TOLERANCE.0);
     // Noise alone makes the extremes of a cycle scatter.
     let stroke_tolerance = stroke_tolerance.max(6.0 * noise / typical_stroke);
-    let (typical_period, period_tolerance) = typical(&candidates, Cycle::period);
+    let (typical_period, period_tolerance) = typical(&candidates, Cycle::period, TOLERANCE.0);
     let accepted: Vec<Cycle> = candidates
         .iter()
         .copied()
@@ -118,7 +120,30 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     if accepted.len() < 3 && accepted.iter().any(|c| fundamental_share(time, x, c) < 0.9) {
         return Vec::new();
     }
-    refine(time, x, accepted)
+    let mut cycles = refine(time, x, accepted);
+    if drop_run_up(&mut cycles, noise) {
+        cycles = refine(time, x, cycles);
+    }
+    cycles
+}
+
+/// Leaves out first and last cycles that the tail of a run-up or run-down still bends; says whether there were any.
+fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
+    let before = cycles.len();
+    let (stroke, stroke_tolerance) = typical(cycles, Cycle::stroke, END_TOLERANCE);
+    let (period, period_tolerance) = typical(cycles, Cycle::period, END_TOLERANCE);
+    let stroke_tolerance = stroke_tolerance.max(6.0 * noise / stroke);
+    let bent = |c: &Cycle| {
+        (c.stroke() / stroke - 1.0).abs() > stroke_tolerance
+            || (c.period() / period - 1.0).abs() > period_tolerance
+    };
+    while cycles.len() > 2 && cycles.first().is_some_and(bent) {
+        cycles.remove(0);
+    }
+    while cycles.len() > 2 && cycles.last().is_some_and(bent) {
+        cycles.pop();
+    }
+    cycles.len() < before
 }
 
 /// Puts the crossings on the mean of the cycles themselves. Before, the mean was taken between turning points, which
@@ -197,8 +222,8 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// The median and the tolerance around it, as a share of it.
-fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64) -> (f64, f64) {
+/// The median and the tolerance around it, as a share of it and at least `least`.
+fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826
         * median(
@@ -207,10 +232,7 @@ fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64) -> (f64, f64) {
                 .map(|c| (of(c) - centre).abs())
                 .collect::<Vec<_>>(),
         );
-    (
-        centre,
-        (4.0 * scatter / centre).clamp(TOLERANCE.0, TOLERANCE.1),
-    )
+    (centre, (4.0 * scatter / centre).clamp(least, TOLERANCE.1))
 }
 
 /// Everything between two upward crossings, alike or not.

@@ -1,0 +1,152 @@
+//! What the property tests share: motions, an independent reference and random models.
+#![allow(dead_code)]
+
+use dashpot_core::elements::names;
+use dashpot_core::parameter::{Shape, table};
+use dashpot_core::step::{Integration, Method, step};
+use dashpot_core::{Input, Model, Params, State, evaluate};
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+pub const METHODS: [Method; 3] = [Method::Euler, Method::Second, Method::Fourth];
+
+/// The default model with some numbers changed.
+pub fn model(changes: &[(&str, f64)]) -> Model {
+    Model::new(&params(changes)).unwrap()
+}
+
+pub fn params(changes: &[(&str, f64)]) -> Params {
+    let mut params = Params::new();
+    for (name, value) in changes {
+        params.set(name, *value).unwrap();
+    }
+    params
+}
+
+/// Sine from its lower end, where it rests.
+pub fn sine(amplitude: f64, frequency: f64) -> impl Fn(f64) -> (f64, f64) {
+    let w = TAU * frequency;
+    move |t| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin())
+}
+
+/// Forces at each multiple of `dt` of the kernel's step.
+pub fn step_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize, velocity_only: bool) -> Vec<f64> {
+    let (x, v) = motion(0.0);
+    let mut state = model.settled(&Input::motion(x, v));
+    (1..=steps)
+        .map(|i| {
+            let (x, v) = motion(i as f64 * dt);
+            let input = if velocity_only { Input::velocity(v) } else { Input::motion(x, v) };
+            let (next, output) = step(model, &state, &input, dt);
+            state = next;
+            output.force
+        })
+        .collect()
+}
+
+/// The same from the classical explicit Runge–Kutta method on the continuous equations with `parts` steps in each `dt`:
+/// shares nothing with the kernel's step but the right-hand side, and sees the exact motion.
+pub fn reference_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize, parts: usize) -> Vec<f64> {
+    let input = |t: f64| {
+        let (x, v) = motion(t);
+        Input::motion(x, v)
+    };
+    let mut state = model.settled(&input(0.0));
+    let h = dt / parts as f64;
+    let moved = |state: &State, rate: &State, h: f64| {
+        let mut to = *state;
+        to.mass_displacement += h * rate.mass_displacement;
+        to.mass_velocity += h * rate.mass_velocity;
+        for (z, r) in to.memory.iter_mut().zip(&rate.memory) {
+            *z += h * r;
+        }
+        to
+    };
+    (1..=steps)
+        .map(|i| {
+            for j in 0..parts {
+                let t = ((i - 1) * parts + j) as f64 * h;
+                let rate = |state: &State, t: f64| evaluate(model, state, &input(t)).1;
+                let k1 = rate(&state, t);
+                let k2 = rate(&moved(&state, &k1, 0.5 * h), t + 0.5 * h);
+                let k3 = rate(&moved(&state, &k2, 0.5 * h), t + 0.5 * h);
+                let k4 = rate(&moved(&state, &k3, h), t + h);
+                for (k, share) in [(k1, 1.0 / 6.0), (k2, 1.0 / 3.0), (k3, 1.0 / 3.0), (k4, 1.0 / 6.0)] {
+                    state = moved(&state, &k, share * h);
+                }
+            }
+            evaluate(model, &state, &input(i as f64 * dt)).0.force
+        })
+        .collect()
+}
+
+/// Root-mean-square and largest difference as shares of the largest reference force.
+pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
+    let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
+    let largest = forces.iter().zip(exact).fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
+    ((square / exact.len() as f64).sqrt() / top, largest / top)
+}
+
+/// Any parameter set that the table and the elements allow: each number anywhere between its bounds (evenly, or evenly
+/// by decade where the bounds span decades), any elements on, any integration.
+pub fn any_params() -> impl Strategy<Value = Params> {
+    let shares = prop::collection::vec(0.0..1.0f64, table().count());
+    let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);
+    let soft = prop::collection::vec((0.2..1.0f64, 0.0..1.0f64), 2..20);
+    let on = prop::collection::vec(any::<bool>(), names().count());
+    (shares, points, soft, on, any::<bool>(), any::<bool>()).prop_filter_map(
+        "the elements refuse the set",
+        |(shares, fv, spring, on, lookup, steep)| {
+            let mut params = Params::new();
+            for (row, share) in table().zip(&shares) {
+                let p = row.parameter;
+                match p.shape {
+                    Shape::Choice(words) => params.set(p.name, (share * words.len() as f64).floor()).ok()?,
+                    Shape::Scalar if p.name == "substeps" => params.set(p.name, (share * 8.0).floor()).ok()?,
+                    Shape::Scalar => {
+                        let low = if p.low > 0.0 { p.low } else { 1e-9 * p.high };
+                        let by_decade = low * (p.high / low).powf(*share);
+                        let ends = if *share < 0.05 { p.low } else { by_decade };
+                        params.set(p.name, ends.clamp(p.low, p.high)).ok()?;
+                    }
+                    Shape::List(_) => {}
+                }
+            }
+            // The step linearises the parallel spring about a predicted place. That holds for what a parallel spring is:
+            // softer than the series spring over the stroke.
+            let k = params.scalar("series_stiffness");
+            let stroke: f64 = 0.2;
+            for (name, power) in [("spring_quadratic", 1), ("spring_cubic", 2), ("spring_quartic", 3)] {
+                let most = 0.3 * k / (f64::from(power + 1) * stroke.powi(power));
+                params.set(name, params.scalar(name).min(most)).ok()?;
+            }
+            let rising = |points: &[(f64, f64)], width: f64, height: f64| -> (Vec<f64>, Vec<f64>) {
+                let (mut x, mut f) = (vec![0.0], vec![0.0]);
+                for (dx, df) in points {
+                    x.push(x.last().unwrap() + dx);
+                    f.push(f.last().unwrap() + df * df * df);
+                }
+                let (xs, fs) = (*x.last().unwrap(), f.last().unwrap().max(1e-9));
+                (x.iter().map(|x| (2.0 * x / xs - 1.0) * width).collect(), f.iter().map(|f| (2.0 * f / fs - 1.0) * height).collect())
+            };
+            let (u, f) = rising(&fv, if steep { 0.05 } else { 3.0 }, 2e4);
+            params.set_list("fv_velocity", &u).ok()?;
+            params.set_list("fv_force", &f).ok()?;
+            if lookup {
+                let (x, f) = rising(&spring, stroke, (6e-4 * k).min(1e3));
+                params.set_list("spring_displacement", &x).ok()?;
+                params.set_list("spring_force", &f).ok()?;
+            }
+            for (name, on) in names().zip(&on) {
+                params.enable(name, *on).ok()?;
+            }
+            Model::new(&params).ok().map(|_| params)
+        },
+    )
+}
+
+/// With every method and one substep.
+pub fn single(model: &Model, method: Method) -> Model {
+    model.with_integration(Integration::fixed(method, 1))
+}

@@ -1,0 +1,138 @@
+//! What each element is, seen from outside: symmetry, peaks, limits, and silence when it is off.
+
+mod common;
+use common::*;
+use dashpot_core::elements::names;
+use dashpot_core::parameter::{Shape, table};
+use dashpot_core::step::{Integration, Method, step};
+use dashpot_core::{Input, Model, Params, State, evaluate};
+use proptest::prelude::*;
+
+/// A model with these elements alone, without series compliance: its force is theirs.
+fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
+    let mut p = params(changes);
+    p.disable_all();
+    for element in elements {
+        p.enable(element, true).unwrap();
+    }
+    Model::new(&p).unwrap()
+}
+
+fn force(model: &Model, v: f64) -> f64 {
+    evaluate(model, &State::ZERO, &Input { side_force: 500.0, ..Input::motion(0.0, v) }).0.force
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn friction_is_odd(params in any_params(), v in (-7.0..1.0f64).prop_map(|d| 10f64.powf(d))) {
+        for element in ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"] {
+            let mut p = params;
+            p.disable_all();
+            p.enable(element, true).unwrap();
+            let model = Model::new(&p).unwrap();
+            prop_assert_eq!(force(&model, v), -force(&model, -v), "{} at {}", element, v);
+            prop_assert_eq!(force(&model, 0.0), 0.0);
+        }
+    }
+
+    #[test]
+    fn an_element_that_is_off_contributes_nothing(params in any_params(), x in -0.02..0.02f64, v in -1.0..1.0f64) {
+        for (group, element) in names().enumerate() {
+            let mut p = params;
+            p.enable(element, false).unwrap();
+            let before = Model::new(&p).unwrap();
+            for row in table().filter(|row| row.group == group) {
+                match row.parameter.shape {
+                    Shape::List(_) => p.set_list(row.parameter.name, &[]).unwrap(),
+                    Shape::Choice(_) => {}
+                    Shape::Scalar => p.set(row.parameter.name, row.parameter.high).unwrap(),
+                }
+            }
+            // The integration chooses its substeps from stiffness and mass even where they are off.
+            p.set("substeps", 1.0).unwrap();
+            let after = Model::new(&p).unwrap();
+            let one = Integration::fixed(Method::Fourth, 1);
+            let run = |m: Model| {
+                let m = m.with_integration(one);
+                step(&m, &m.settled(&Input::motion(0.0, 0.0)), &Input::motion(x, v), 1e-3)
+            };
+            prop_assert_eq!(run(before), run(after), "{} is off", element);
+        }
+    }
+
+    #[test]
+    fn without_series_compliance_the_damper_is_algebraic(params in any_params(), x in -0.02..0.02f64, v in -1.0..1.0f64, dt in 1e-5..1e-2f64) {
+        let mut p = params;
+        p.enable("series_compliance", false).unwrap();
+        p.enable("lagged_polynomial", false).unwrap();
+        let model = Model::new(&p).unwrap();
+        let input = Input::motion(x, v);
+        let stepped = step(&model, &model.settled(&Input::motion(0.0, 0.0)), &input, dt).1;
+        let direct = evaluate(&model, &State::ZERO, &input).0;
+        prop_assert!((stepped.force - direct.force).abs() <= 1e-12 * (1.0 + direct.force.abs()));
+    }
+
+    #[test]
+    fn simplified_stribeck_peaks_at_breakaway(peak in 20.0..500.0f64, share in 0.2..0.95f64, v in 1e-4..0.1f64) {
+        let coulomb = share * peak;
+        let model = only(&["stribeck_friction"], &[
+            ("stribeck_breakaway_force", peak), ("stribeck_coulomb_force", coulomb), ("stribeck_breakaway_velocity", v),
+        ]);
+        let (at, top) = (1..4000).map(|i| i as f64 * v / 1000.0).map(|u| (u, force(&model, u)))
+            .fold((0.0, 0.0), |best: (f64, f64), now| if now.1 > best.1 { now } else { best });
+        prop_assert!((top - peak).abs() < 1e-3 * peak, "peak {top} for {peak}");
+        prop_assert!((at / v - 1.0).abs() < 0.02, "peak at {at} for {v}");
+        prop_assert!((force(&model, 30.0 * v) - coulomb).abs() < 1e-9 * peak);
+        // Where the exponentials are dropped nothing jumps.
+        let edge = v * (2.0f64 * 40.0).sqrt();
+        prop_assert!((force(&model, edge * 1.000_001) - force(&model, edge * 0.999_999)).abs() < 1e-9 * peak);
+    }
+
+    #[test]
+    fn full_stribeck_runs_from_rest_over_the_peak_to_the_level(peak in 60.0..500.0f64, share in 0.2..0.95f64) {
+        let level = share * peak;
+        let model = only(&["stribeck_friction"], &[
+            ("stribeck_form", 1.0), ("stribeck_breakaway_force", peak), ("stribeck_coulomb_force", level),
+            ("stribeck_breakaway_velocity", 1e-4), ("stribeck_velocity", 0.1),
+        ]);
+        prop_assert_eq!(force(&model, 0.0), 0.0);
+        // Between the scales of rise and fall the peak is reached to tanh and exp of their ratio.
+        prop_assert!((force(&model, 1e-3) - peak).abs() < 2e-4 * peak);
+        prop_assert!((force(&model, 1.0) - level).abs() < 1e-9 * peak);
+        let top = (1..10_000).map(|i| force(&model, i as f64 * 1e-4)).fold(0.0, f64::max);
+        prop_assert!(top <= peak * (1.0 + 1e-12));
+    }
+
+    #[test]
+    fn side_force_friction_follows_the_size_of_the_side_force(side in -3000.0..3000.0f64, k in 0.01..0.5f64) {
+        let model = only(&["side_force_friction"], &[("side_force_coefficient", k)]);
+        let force = |v: f64| evaluate(&model, &State::ZERO, &Input { side_force: side, ..Input::motion(0.0, v) }).0.force;
+        prop_assert!((force(0.5) - k * side.abs()).abs() < 1e-9 * (1.0 + side.abs()));
+        prop_assert!((force(-0.5) + k * side.abs()).abs() < 1e-9 * (1.0 + side.abs()));
+    }
+}
+
+#[test]
+fn lag_answers_a_velocity_step_as_the_exponential() {
+    let mut p = Params::new();
+    p.disable_all();
+    p.enable("lagged_polynomial", true).unwrap();
+    p.set("lag_slow", 0.004).unwrap();
+    p.set("lag_v1", 0.5).unwrap();
+    p.set("lag_v2", 0.6).unwrap();
+    let target = 3000.0 * 0.2;
+    for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
+        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+        // From rest at a velocity that is held from the first step on.
+        let mut state = State { velocity: 0.2, ..model.settled(&Input::motion(0.0, 0.0)) };
+        for i in 1..=20 {
+            let t = i as f64 * 1e-3;
+            let (next, output) = step(&model, &state, &Input::motion(0.2 * t, 0.2), 1e-3);
+            state = next;
+            let exact = target * (1.0 - (-t / 0.004f64).exp());
+            assert!((output.force - exact).abs() < tolerance * target, "{method:?} at {t}: {} for {exact}", output.force);
+        }
+    }
+}

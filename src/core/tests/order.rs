@@ -1,0 +1,56 @@
+//! Each method converges with its order where the damper is smooth.
+
+mod common;
+use common::*;
+use dashpot_core::step::{Integration, Method};
+use dashpot_core::{Model, Params};
+
+/// A damper without kinks: a straight FV curve, a cubic spring, no dry friction. Its stiff motion is slow enough for
+/// steps of a millisecond to show their order.
+fn smooth() -> Model {
+    let mut params = Params::new();
+    params.disable_all();
+    for element in ["fv_curve", "series_compliance", "parallel_spring"] {
+        params.enable(element, true).unwrap();
+    }
+    params.set_list("fv_velocity", &[-2.0, 2.0]).unwrap();
+    params.set_list("fv_force", &[-1500.0, 1500.0]).unwrap();
+    params.set("spring_quadratic", 0.0).unwrap();
+    params.set("spring_cubic", 1e7).unwrap();
+    params.set("series_stiffness", 2e5).unwrap();
+    params.set("internal_mass", 2.0).unwrap();
+    Model::new(&params).unwrap()
+}
+
+#[test]
+fn error_falls_with_the_order_of_the_method() {
+    let model = smooth();
+    let motion = sine(0.02, 4.0);
+    let (coarse, steps) = (2e-3, 250);
+    let exact = reference_forces(&model, &motion, coarse, steps, 400);
+    for (method, order) in [(Method::Euler, 0.9), (Method::Second, 1.9), (Method::Fourth, 3.5)] {
+        let model = model.with_integration(Integration::fixed(method, 1));
+        let error = |finer: usize| {
+            let forces = step_forces(&model, &motion, coarse / finer as f64, steps * finer, false);
+            let forces: Vec<f64> = forces.into_iter().skip(finer - 1).step_by(finer).collect();
+            errors(&forces, &exact).0
+        };
+        let (e1, e2, e4) = (error(1), error(2), error(4));
+        let slopes = ((e1 / e2).log2(), (e2 / e4).log2());
+        assert!(slopes.0 > order && slopes.1 > order, "{method:?}: errors {e1:.2e} {e2:.2e} {e4:.2e}, slopes {slopes:?}");
+    }
+}
+
+#[test]
+fn substeps_and_shorter_steps_are_the_same_refinement() {
+    // On a motion that the cubic path carries exactly, n substeps are n steps.
+    let model = smooth();
+    let motion = |t: f64| (0.02 * t + 3.0 * t * t * t, 0.02 + 9.0 * t * t);
+    for method in METHODS {
+        let whole = step_forces(&model.with_integration(Integration::fixed(method, 4)), &motion, 4e-3, 20, false);
+        let parts = step_forces(&model.with_integration(Integration::fixed(method, 1)), &motion, 1e-3, 80, false);
+        for (whole, part) in whole.iter().zip(parts.iter().skip(3).step_by(4)) {
+            assert!((whole - part).abs() < 1e-8 * part.abs().max(1.0), "{method:?}: {whole} {part}");
+        }
+    }
+}

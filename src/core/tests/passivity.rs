@@ -1,0 +1,95 @@
+//! Friction, series compliance and FV curve together only take energy.
+
+mod common;
+use common::*;
+use dashpot_core::step::{Integration, step};
+use dashpot_core::{Input, Model};
+use proptest::prelude::*;
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Over closed cycles the work done on the damper is not negative, less what the series spring and the mass held at
+    /// first and the error of measuring work at the ends of steps.
+    #[test]
+    fn no_cycle_returns_more_than_it_took(
+        params in any_params(),
+        amplitude in 0.0005..0.08f64,
+        per_cycle in 16usize..400,
+        dt in (-4.5..-2.0f64).prop_map(|d| 10f64.powf(d)),
+    ) {
+        let mut params = params;
+        for element in dashpot_core::elements::names() {
+            let keep = !["parallel_spring", "gas_preload", "lagged_polynomial"].contains(&element);
+            params.enable(element, keep).unwrap();
+        }
+        // A FV curve through the origin takes energy by itself; an offset would be a preload.
+        let middle = |list: &[f64]| list.iter().map(|f| f - 0.0).collect::<Vec<_>>();
+        let (u, f) = (middle(params.list("fv_velocity")), middle(params.list("fv_force")));
+        let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
+        params.set_list("fv_force", &odd).unwrap();
+        params.set("fv_interpolation", 1.0).unwrap();
+        // Friction that falls below the Coulomb level by a negative peak is no friction.
+        let (peak, level) = (params.scalar("stribeck_breakaway_force"), params.scalar("stribeck_coulomb_force"));
+        params.set("stribeck_breakaway_force", peak.max(level)).unwrap();
+
+        let Ok(model) = Model::new(&params) else { return Ok(()) };
+        let frequency = 1.0 / (per_cycle as f64 * dt);
+        let amplitude = amplitude.min(5.0 / (std::f64::consts::TAU * frequency));
+        let motion = sine(amplitude, frequency);
+        let mut state = model.settled(&Input::motion(-amplitude, 0.0));
+        let (mut work, mut gross, mut last) = (0.0, 0.0, 0.0);
+        let (mut cycle_work, mut held) = (0.0, 0.0);
+        for i in 1..=3 * per_cycle {
+            let before = state.displacement;
+            let (x, v) = motion(i as f64 * dt);
+            let (next, output) = step(&model, &state, &Input::motion(x, v), dt);
+            let done = 0.5 * (output.force + last) * (next.displacement - before);
+            work += done;
+            gross += done.abs();
+            (state, last) = (next, output.force);
+            if i == 2 * per_cycle {
+                (cycle_work, held) = (work, stored(&params, &state));
+            }
+        }
+        // The trapezoid of the work errs by the square of the steps per cycle.
+        let blur = 40.0 / (per_cycle * per_cycle) as f64 * gross;
+        prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J");
+        let third = work - cycle_work;
+        prop_assert!(third >= -blur - held, "third cycle returned {third} J of {gross} J, {held} J were held");
+    }
+}
+
+/// Energy of the series spring and the mass.
+fn stored(params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
+    let e = s.displacement - s.mass_displacement;
+    0.5 * params.scalar("series_stiffness") * e * e + 0.5 * params.scalar("internal_mass") * s.mass_velocity * s.mass_velocity
+}
+
+/// Straight interpolation.
+fn at(u: &[f64], f: &[f64], v: f64) -> f64 {
+    let i = u.partition_point(|u| *u <= v).clamp(1, u.len() - 1);
+    f[i - 1] + (f[i] - f[i - 1]) * (v - u[i - 1]) / (u[i] - u[i - 1])
+}
+
+/// The cheap step of the thesis's model loses energy to the method, never gains it.
+#[test]
+fn free_motion_dies_with_every_method() {
+    let mut p = params(&[]);
+    p.enable("stribeck_friction", false).unwrap();
+    p.enable("viscous_friction", false).unwrap();
+    for method in METHODS {
+        for dt in [1e-5, 1e-4, 1e-3, 1e-2] {
+            let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+            let mut state = model.settled(&Input::motion(0.0, 0.0));
+            state.mass_velocity = 3.0;
+            let mut energy = stored(&p, &state);
+            for _ in 0..200 {
+                state = step(&model, &state, &Input::motion(0.0, 0.0), dt).0;
+                let now = stored(&p, &state);
+                assert!(now <= energy * (1.0 + 1e-9) + 1e-12, "{method:?} {dt}: {now} J after {energy} J");
+                energy = now;
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! No parameter set inside the bounds, no step and no motion makes the step diverge.
+
+mod common;
+use common::*;
+use dashpot_core::step::{Integration, step};
+use dashpot_core::{Input, Model};
+use proptest::prelude::*;
+
+/// Steps through `motion` and holds the force against what energy allows.
+///
+/// With H = m u²/2 + k_s e²/2 + ∫F_p the mass gains √H at most as fast as the driven end moves: the deflection e cannot
+/// exceed the length of the path, plus what the parallel spring and the offset of the FV curve hold. Twice that is allowed.
+fn run(params: &dashpot_core::Params, motion: &[(f64, f64)], dt: f64, velocity_only: bool) -> Result<(), TestCaseError> {
+    let model = Model::new(params).unwrap();
+    let (k, m) = (params.scalar("series_stiffness"), params.scalar("internal_mass"));
+    let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
+    let start = dashpot_core::evaluate(&model, &state, &Input::motion(motion[0].0, 0.0)).0;
+    let mut length = 1e-3 + start.series_deflection.abs() + (2.0 * start.spring_force.abs() * motion[0].0.abs() / k).sqrt();
+    for (x, v) in motion {
+        let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
+        let (next, output) = step(&model, &state, &input, dt);
+        // The cubic path is no longer than this.
+        length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
+        state = next;
+        prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
+        prop_assert!(output.force_by_displacement.is_finite() && output.force_by_velocity.is_finite());
+        if model.elements().has_series() {
+            let kicked = length + (m / k).sqrt() * v.abs();
+            let series = output.series_deflection.abs();
+            prop_assert!(series <= 2.0 * kicked + 2e4 / k, "deflection {series} of a path of {kicked}: {}", told(params));
+        }
+    }
+    // Held, the motion dies; where it has died, it has died at the static answer.
+    let hold = Input::motion(state.displacement, 0.0);
+    for _ in 0..1000 {
+        state = step(&model, &state, &hold, 1e-2).0;
+    }
+    let (end, output) = step(&model, &state, &hold, 1e-2);
+    prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
+    let still = (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
+    if end.mass_velocity.abs() < 1e-12 && still {
+        let wanted = model.static_output(&hold);
+        // The iteration of the cheap step leaves up to 1e-5 of a piece of the FV table (see `Curve::solve`).
+        let scale = 2e4 + wanted.force.abs() + wanted.spring_force.abs();
+        prop_assert!((output.force - wanted.force).abs() <= 1e-5 * scale, "settles at {output:?}, static {wanted:?}: {}", told(params));
+    }
+    Ok(())
+}
+
+/// The set without its silent elements, for the message of a failure.
+fn told(params: &dashpot_core::Params) -> String {
+    let mut text = String::new();
+    for row in dashpot_core::parameter::table() {
+        let group = dashpot_core::elements::GROUPS[row.group].name;
+        if params.is_on(group) || group == "integration" {
+            text += &format!("{} {:?}; ", row.parameter.name, params.get(&row));
+        }
+    }
+    text
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_motion_with_jumps(
+        params in any_params(),
+        motion in prop::collection::vec((-0.1..0.1f64, -3.0..3.0f64), 60),
+        dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
+        velocity_only in any::<bool>(),
+    ) {
+        // Alone, the velocity must not carry the damper further than a damper is long.
+        let travel: f64 = motion.iter().map(|(_, v)| v.abs() * dt).sum();
+        let scale = if velocity_only { (0.1 / travel).min(1.0) } else { 1.0 };
+        // A jump that the series spring answers with 100 kN is as far as a damper's data can be wrong.
+        let jump = (1e5 / params.scalar("series_stiffness") / 0.2).min(1.0);
+        let motion: Vec<_> = motion.iter().map(|(x, v)| (x * jump, v * scale)).collect();
+        run(&params, &motion, dt, velocity_only)?;
+    }
+
+    #[test]
+    fn sine_motion(
+        params in any_params(),
+        amplitude in 0.001..0.1f64,
+        frequency in 0.05..30.0f64,
+        dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
+    ) {
+        let motion = sine(amplitude, frequency);
+        let points: Vec<_> = (0..300).map(|i| motion(i as f64 * dt)).collect();
+        run(&params, &points, dt, false)?;
+    }
+
+    /// The stiffest corner that the bounds allow, at every method and number of substeps.
+    #[test]
+    fn stiff_corner(
+        k in (5.0..8.0f64).prop_map(|d| 10f64.powf(d)),
+        m in (-1.3..1.0f64).prop_map(|d| 10f64.powf(d)),
+        slope in (0.0..6.0f64).prop_map(|d| 10f64.powf(d)),
+        substeps in 0u32..5,
+        method in 0..3usize,
+        motion in prop::collection::vec((-0.05..0.05f64, -2.0..2.0f64), 100),
+        dt in prop::sample::select(vec![1e-5, 1e-4, 1e-3, 1e-2]),
+    ) {
+        let mut p = params(&[
+            ("series_stiffness", k), ("internal_mass", m), ("coulomb_steepness", 1e5), ("coulomb_force", 1e4),
+            ("method", method as f64), ("substeps", substeps as f64),
+        ]);
+        p.enable("coulomb_friction", true).unwrap();
+        p.set_list("fv_velocity", &[-1.0, -0.02, -0.01, 0.0, 0.01, 0.02, 1.0]).unwrap();
+        let f = [-0.05, -0.03, -0.01, 0.0, 0.01, 0.03, 0.05].map(|s| s * slope);
+        p.set_list("fv_force", &f).unwrap();
+        run(&p, &motion, dt, false)?;
+    }
+}
+
+#[test]
+fn steps_of_any_length_stay_finite() {
+    for method in METHODS {
+        let model = model(&[]).with_integration(Integration::fixed(method, 1));
+        for dt in [1e-300, 1e-200, 1e-100, 1e-30, 1e-12, 1.0, 1e6, 1e12, 1e30] {
+            let state = model.settled(&Input::motion(0.01, 0.0));
+            let (state, output) = step(&model, &state, &Input::motion(0.01, 0.2), dt);
+            assert!(state.is_finite() && output.force.is_finite(), "{method:?} {dt}: {state:?} {output:?}");
+        }
+    }
+}

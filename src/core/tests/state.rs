@@ -1,0 +1,107 @@
+//! A state is all that a run needs: copied, restored, repeated, or held.
+
+mod common;
+use common::*;
+use dashpot_core::step::{Integration, step, step_batch};
+use dashpot_core::{Input, Model, Output, State};
+use proptest::prelude::*;
+
+/// All bits of a state and an output.
+fn bits(state: &State, output: &Output) -> Vec<u64> {
+    let s = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
+    let o = [
+        output.force, output.force_by_displacement, output.force_by_velocity, output.primary_force,
+        output.spring_force, output.friction_force, output.gas_force, output.series_deflection,
+    ];
+    s.iter().chain(&state.memory).chain(&o).map(|f| f.to_bits()).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_copied_state_continues_bit_for_bit(
+        params in any_params(),
+        motion in prop::collection::vec((-0.05..0.05f64, -1.0..1.0f64), 40),
+        at in 1usize..39,
+    ) {
+        let model = Model::new(&params).unwrap();
+        let run = |mut state: State, part: &[(f64, f64)]| {
+            let mut seen = vec![];
+            let mut states = vec![];
+            for (x, v) in part {
+                let (next, output) = step(&model, &state, &Input::motion(*x, *v), 1e-3);
+                seen.push(bits(&next, &output));
+                states.push(next);
+                state = next;
+            }
+            (seen, states)
+        };
+        let start = model.settled(&Input::motion(0.0, 0.0));
+        let (first, states) = run(start, &motion);
+        prop_assert_eq!(&run(start, &motion).0, &first, "a second run differs");
+        prop_assert_eq!(&run(states[at - 1], &motion[at..]).0[..], &first[at..], "the restored run differs");
+    }
+
+    #[test]
+    fn a_step_of_no_time_is_the_static_answer(params in any_params(), x in -0.05..0.05f64, v in -1.0..1.0f64) {
+        let model = Model::new(&params).unwrap();
+        let from = model.settled(&Input::motion(0.3 * x, 0.0));
+        let (state, output) = step(&model, &from, &Input::motion(x, v), 0.0);
+        prop_assert_eq!(state, from);
+        let settled = model.settled(&Input::motion(x, v));
+        let wanted = dashpot_core::evaluate(&model, &settled, &Input::motion(x, v)).0.force;
+        prop_assert!((output.force - wanted).abs() <= 1e-9 * (1.0 + wanted.abs()));
+    }
+
+    #[test]
+    fn a_batch_gives_the_bits_of_single_steps(
+        params in any_params(),
+        motion in prop::collection::vec((-0.05..0.05f64, -1.0..1.0f64), 8),
+    ) {
+        let model = Model::new(&params).unwrap();
+        let inputs: Vec<Input> = motion.iter().map(|(x, v)| Input::motion(*x, *v)).collect();
+        let from: Vec<State> = motion.iter().map(|(x, _)| model.settled(&Input::motion(0.9 * x, 0.0))).collect();
+        let mut states = [State::ZERO; 8];
+        let mut outputs = [Output::ZERO; 8];
+        step_batch(&model, &from, &inputs, 1e-3, &mut states, &mut outputs);
+        for i in 0..8 {
+            let (state, output) = step(&model, &from[i], &inputs[i], 1e-3);
+            prop_assert_eq!(bits(&states[i], &outputs[i]), bits(&state, &output));
+        }
+    }
+}
+
+#[test]
+fn static_slopes_are_those_of_the_static_force() {
+    let model = model(&[]);
+    let force = |x: f64, v: f64| step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1.force;
+    for (x, v) in [(0.02, 0.3), (-0.03, -0.7), (0.01, 0.02)] {
+        let output = step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1;
+        let by_x = (force(x + 1e-6, v) - force(x - 1e-6, v)) / 2e-6;
+        let by_v = (force(x, v + 1e-6) - force(x, v - 1e-6)) / 2e-6;
+        assert!((output.force_by_displacement - by_x).abs() < 1e-5 * (by_x.abs() + 1.0), "{by_x} {output:?}");
+        assert!((output.force_by_velocity - by_v).abs() < 1e-5 * (by_v.abs() + 1.0), "{by_v} {output:?}");
+    }
+}
+
+#[test]
+fn the_run_has_these_digits_on_every_platform() {
+    // Not a judgement of the model: the sum of the bits of a run that touches every method, to be equal everywhere.
+    let mut sum = 0u64;
+    for method in METHODS {
+        let model = model(&[]).with_integration(Integration::fixed(method, 2));
+        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        for i in 0..500 {
+            // Triangles: no library's sine.
+            let phase = (i % 100) as f64 / 100.0;
+            let v = if phase < 0.5 { phase } else { phase - 1.0 };
+            let (next, output) = step(&model, &state, &Input::velocity(v), 1e-3);
+            sum = bits(&next, &output).iter().fold(sum, |s, b| s.rotate_left(5) ^ b);
+            state = next;
+        }
+    }
+    assert_eq!(sum, DIGITS, "got {sum:#x}");
+}
+
+const DIGITS: u64 = 0x55f8_6b3b_4384_324e;

@@ -1,0 +1,35 @@
+/* Many steps in a row, for counting instructions: cost <steps> [<parameter> <value>]... Run it with two numbers of
+ * steps; the difference of the counts, divided by the difference of the steps, is the cost of one dashpot_step(). */
+#include "dashpot.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { INPUTS = 64 };
+
+int main(int argc, char **argv) {
+  static dashpot_params params = DASHPOT_PARAMS_INIT;
+  static dashpot_model model;
+  static dashpot_input inputs[INPUTS];
+  static dashpot_state state;
+  static dashpot_output output;
+  long steps = argc > 1 ? atol(argv[1]) : 0, i;
+  double sum = 0.0, x = 0.0;
+  int32_t status = dashpot_params_default(&params);
+  int k;
+  for (k = 2; k + 1 < argc && status == DASHPOT_OK; k += 2) status = dashpot_params_set(&params, argv[k], atof(argv[k + 1]));
+  if (status == DASHPOT_OK) status = dashpot_model_init(&model, &params);
+  if (status == DASHPOT_OK) status = dashpot_state_init(&model, 0.0, &state);
+  /* A periodic motion at 1 ms that passes through all of the FV curve. */
+  for (k = 0; k < INPUTS; k++) {
+    const double t = (k < INPUTS / 2 ? k : k - INPUTS / 2) / (INPUTS / 2.0), v = (k < INPUTS / 2 ? 6.0 : -6.0) * t * (1.0 - t);
+    x += 1e-3 * v;
+    inputs[k] = dashpot_input_motion(x, v);
+  }
+  for (i = 0; i < steps && status == DASHPOT_OK; i++) {
+    status = dashpot_step(&model, &state, &inputs[i % INPUTS], 1e-3, &state, &output);
+    sum += output.force;
+  }
+  printf("%.17g %s\n", sum, dashpot_status_text(status));
+  return status != DASHPOT_OK;
+}

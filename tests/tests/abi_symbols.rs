@@ -1,0 +1,104 @@
+//! What the built library needs from outside, and what it shows.
+
+use std::process::Command;
+
+use dashpot_tests::library::{shared, succeed};
+
+fn symbols(flag: &str) -> Vec<String> {
+    let listing = succeed(
+        Command::new("nm")
+            .args(["-D", flag, "--format=posix"])
+            .arg(shared()),
+    );
+    listing
+        .lines()
+        .filter_map(|line| Some(line.split_whitespace().next()?.to_string()))
+        .collect()
+}
+
+/// No allocator, no panic handler, no thread, no file: nothing but the functions that compilers themselves call.
+#[test]
+fn imports_nothing() {
+    for symbol in symbols("--undefined-only") {
+        assert_ne!(
+            symbol, "dashpot_panic_path_exists",
+            "some path panics: an index or slice that the compiler cannot prove, a division, an unwrap"
+        );
+        assert_ne!(
+            symbol, "rust_eh_personality",
+            "a function of the precompiled core library is linked, such as from_utf8 or str::parse"
+        );
+        assert!(
+            ["memcpy", "memmove", "memset", "memcmp", "bcmp"].contains(&symbol.as_str()),
+            "imports {symbol}"
+        );
+    }
+}
+
+#[test]
+fn needs_no_library() {
+    let dynamic = succeed(
+        Command::new("readelf")
+            .args(["--dynamic", "--wide"])
+            .arg(shared()),
+    );
+    assert!(dynamic.contains("Dynamic section"), "{dynamic}");
+    for line in dynamic.lines() {
+        assert!(
+            !line.contains("NEEDED") && !line.contains("SONAME"),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn exports_what_the_header_declares_and_nothing_else() {
+    let header = std::fs::read_to_string(dashpot_tests::header::path()).expect("include/dashpot.h");
+    let mut declared: Vec<String> = header
+        .lines()
+        .filter(|line| {
+            !line.starts_with(['/', ' ', '#'])
+                && !line.starts_with("static")
+                && !line.starts_with("typedef")
+        })
+        .filter_map(|line| {
+            Some(
+                line.split_once('(')?
+                    .0
+                    .rsplit([' ', '*'])
+                    .next()?
+                    .to_string(),
+            )
+        })
+        .collect();
+    let mut exported = symbols("--defined-only");
+    declared.sort();
+    exported.sort();
+    assert!(declared.len() > 10);
+    assert!(
+        exported.iter().all(|name| name.starts_with("dashpot_")),
+        "{exported:?}"
+    );
+    assert_eq!(exported, declared);
+}
+
+/// Nothing that a second thread could see.
+#[test]
+fn has_no_writable_data() {
+    let sections = succeed(
+        Command::new("readelf")
+            .args(["--sections", "--wide"])
+            .arg(shared()),
+    );
+    for line in sections.lines() {
+        let words: Vec<&str> = line
+            .split(']')
+            .nth(1)
+            .unwrap_or("")
+            .split_whitespace()
+            .collect();
+        if let [".bss" | ".data", _, _, _, size, ..] = words[..] {
+            assert_eq!(u64::from_str_radix(size, 16), Ok(0), "{line}");
+        }
+    }
+}
