@@ -15,7 +15,7 @@
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
-use crate::parameter::{COUNT, Params, Shape, find};
+use crate::parameter::{COUNT, Params, Shape, table};
 
 /// Number that the key `format` must have.
 pub const FORMAT: f64 = 1.0;
@@ -98,7 +98,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
         }
         reader.blank(false);
         match name {
-            "format" => {
+            b"format" => {
                 let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Format)) };
                 if number != FORMAT {
                     return Err(at(Problem::Format));
@@ -108,20 +108,21 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                 }
                 has_format = true;
             }
-            "elements" => {
+            b"elements" => {
                 if has_elements {
                     return Err(at(Problem::Repeated));
                 }
                 has_elements = true;
                 reader.list(|value, line| match value {
-                    Value::Word(word) => read
-                        .enable(word, true)
-                        .map_err(|_| ReadError { line, problem: Problem::UnknownElement }),
+                    Value::Word(word) => crate::elements::names()
+                        .find(|name| name.as_bytes() == word)
+                        .and_then(|name| read.enable(name, true).ok())
+                        .ok_or(ReadError { line, problem: Problem::UnknownElement }),
                     Value::Number(_) => Err(ReadError { line, problem: Problem::Value }),
                 })?;
             }
             _ => {
-                let row = find(name).ok_or(at(Problem::Parameter(Fault {
+                let row = table().find(|row| row.parameter.name.as_bytes() == name).ok_or(at(Problem::Parameter(Fault {
                     parameter: NO_PARAMETER,
                     reason: Reason::UnknownName,
                 })))?;
@@ -148,19 +149,19 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                             count += 1;
                             Ok(())
                         })?;
-                        read.set_list(name, numbers.get(..count).unwrap_or(&[]))
+                        read.set_list(row.parameter.name, numbers.get(..count).unwrap_or(&[]))
                     }
                     Shape::Choice(words) => {
                         let Some(Value::Word(word)) = reader.value() else { return Err(at(Problem::Value)) };
-                        let place = words.iter().position(|w| *w == word).ok_or(fault(Reason::NotAChoice))?;
-                        read.set(name, place as f64)
+                        let place = words.iter().position(|w| w.as_bytes() == word).ok_or(fault(Reason::NotAChoice))?;
+                        read.set(row.parameter.name, place as f64)
                     }
                     Shape::Scalar => {
                         if reader.peek() == Some(b'[') {
                             return Err(fault(Reason::WrongShape));
                         }
                         let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Value)) };
-                        read.set(name, number)
+                        read.set(row.parameter.name, number)
                     }
                 };
                 set.map_err(|f| fault(f.reason))?;
@@ -183,7 +184,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
 
 enum Value<'a> {
     Number(f64),
-    Word(&'a str),
+    Word(&'a [u8]),
 }
 
 struct Reader<'a> {
@@ -236,14 +237,14 @@ impl<'a> Reader<'a> {
         run
     }
 
-    fn name(&mut self) -> Option<&'a str> {
+    fn name(&mut self) -> Option<&'a [u8]> {
         let run = self.run(|c| c.is_ascii_alphanumeric() || c == b'_');
-        if run.is_empty() { None } else { core::str::from_utf8(run).ok() }
+        if run.is_empty() { None } else { Some(run) }
     }
 
     fn value(&mut self) -> Option<Value<'a>> {
         if self.take(b'"') {
-            let word = core::str::from_utf8(self.run(|c| c != b'"' && c != b'\n')).ok()?;
+            let word = self.run(|c| c != b'"' && c != b'\n');
             return self.take(b'"').then_some(Value::Word(word));
         }
         let run = self.run(|c| c.is_ascii_alphanumeric() || matches!(c, b'+' | b'-' | b'.' | b'_'));

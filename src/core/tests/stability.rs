@@ -38,7 +38,8 @@ fn run(params: &dashpot_core::Params, motion: &[(f64, f64)], dt: f64, velocity_o
     let (end, output) = step(&model, &state, &hold, 1e-2);
     prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
     let still = (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
-    if end.mass_velocity.abs() < 1e-12 && still {
+    // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`).
+    if end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
         // The iteration of the cheap step leaves up to 1e-5 of a piece of the FV table (see `Curve::solve`).
         let scale = 2e4 + wanted.force.abs() + wanted.spring_force.abs();

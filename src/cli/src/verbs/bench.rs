@@ -1,6 +1,198 @@
-//! Under way.
-/// Under way
+//! `dashpot bench`: what the step costs, and how exact it is.
+
+use super::output;
+use crate::progress::Progress;
+use anyhow::bail;
+use dashpot_core::step::{Integration, Method, step_into};
+use dashpot_core::{Input, Model, Output, Params};
+use dashpot_lab::accuracy::{Given, References, Sine, worst};
+use dashpot_rig::Matrix;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Instant;
+
+/// Measure error against cost of the fixed step over the test matrix
+///
+/// Errors are shares of each test's largest force, the worst test counts, against a converged solution driven by the
+/// exact motion. Instructions are counted by valgrind where it is installed; times depend on the machine.
 #[derive(clap::Args)]
-pub struct Args {}
+#[command(after_help = "Example:\n  dashpot bench --json bench.json")]
+pub struct Args {
+    /// Figures as JSON; - for standard output
+    #[arg(long, value_name = "F")]
+    json: Option<PathBuf>,
+    /// Run so many steps of one integration and print nothing: what the instruction count is taken from
+    #[arg(long, hide = true, num_args = 3, value_names = ["METHOD", "SUBSTEPS", "STEPS"])]
+    spin: Option<Vec<String>>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    model: &'static str,
+    method: &'static str,
+    substeps: u32,
+    automatic: bool,
+    rms_percent_1ms: f64,
+    largest_percent_1ms: f64,
+    rms_percent_quarter_ms: f64,
+    rms_percent_velocity_only: f64,
+    instructions: Option<u64>,
+    nanoseconds: f64,
+}
+
+const METHODS: [(&str, Method); 3] =
+    [("euler", Method::Euler), ("second_order", Method::Second), ("fourth_order", Method::Fourth)];
+/// Host step of the comparison, s.
+const STEP: f64 = 1e-3;
+/// Steps in a timing.
+const TIMED: usize = 200_000;
+
 /// Runs the verb.
-pub fn run(_: &Args) -> anyhow::Result<()> { anyhow::bail!("under way") }
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    if let Some(spin) = &args.spin {
+        return spin_for(spin);
+    }
+    let tests: Vec<Sine> = Matrix::default()
+        .points()
+        .iter()
+        .map(|p| Sine { amplitude: p.amplitude_m, frequency: p.frequency_hz })
+        .collect();
+    let counted = count("euler", 1).is_some();
+    let models: [(&str, f64, f64); 2] = [("default", 3e6, 0.5), ("stiff", 1e7, 0.1)];
+    let choices: [(&str, Method, u32); 7] = [
+        ("euler", Method::Euler, 1),
+        ("second_order", Method::Second, 1),
+        ("second_order", Method::Second, 3),
+        ("fourth_order", Method::Fourth, 1),
+        ("fourth_order", Method::Fourth, 2),
+        ("fourth_order", Method::Fourth, 4),
+        ("fourth_order", Method::Fourth, 0),
+    ];
+    let progress = Progress::new("measuring");
+    let mut rows = Vec::new();
+    for (k, (name, stiffness, mass)) in models.into_iter().enumerate() {
+        let mut params = Params::new();
+        // Inside the bounds of the table by the choice above.
+        let _ = params.set("series_stiffness", stiffness);
+        let _ = params.set("internal_mass", mass);
+        let Ok(model) = Model::new(&params) else { bail!("the built-in model {name} is refused") };
+        progress.say((k as f64 + 0.1) / models.len() as f64, "solving the reference");
+        let references = References::solve(&model, &tests, 0.25 * STEP);
+        for (method_name, method, substeps) in choices {
+            progress.say((k as f64 + 0.5) / models.len() as f64, method_name);
+            let automatic = substeps == 0;
+            let substeps = if automatic { model.integration().substeps(STEP) } else { substeps };
+            let run = if automatic { model } else { model.with_integration(Integration::fixed(method, substeps)) };
+            let exact = worst(&references.compare(&run, STEP, Given::Motion));
+            rows.push(Row {
+                model: name,
+                method: method_name,
+                substeps,
+                automatic,
+                rms_percent_1ms: 100.0 * exact.rms,
+                largest_percent_1ms: 100.0 * exact.largest,
+                rms_percent_quarter_ms: 100.0 * worst(&references.compare(&run, 0.25 * STEP, Given::Motion)).rms,
+                rms_percent_velocity_only: 100.0 * worst(&references.compare(&run, STEP, Given::Velocity)).rms,
+                instructions: if counted { count(method_name, substeps) } else { None },
+                nanoseconds: time(&run),
+            });
+        }
+    }
+    drop(progress);
+    let json = args.json.as_deref();
+    output::say(json, &table(&rows))?;
+    if !counted {
+        output::say(json, "instructions need valgrind, which is not installed (Debian: apt-get install valgrind)")?;
+    }
+    if let Some(path) = json {
+        output::json(path, &rows)?;
+    }
+    Ok(())
+}
+
+fn table(rows: &[Row]) -> String {
+    let mut out = format!(
+        "{:<8} {:<13} {:>8} {:>12} {:>12} {:>14} {:>14} {:>13} {:>8}\n",
+        "model", "method", "substeps", "rms % 1 ms", "max % 1 ms", "rms % 0.25 ms", "rms % v alone", "instructions", "ns"
+    );
+    for r in rows {
+        let substeps = if r.automatic { format!("auto ({})", r.substeps) } else { r.substeps.to_string() };
+        out += &format!(
+            "{:<8} {:<13} {:>8} {:>12.4} {:>12.4} {:>14.5} {:>14.4} {:>13} {:>8.0}\n",
+            r.model,
+            r.method,
+            substeps,
+            r.rms_percent_1ms,
+            r.largest_percent_1ms,
+            r.rms_percent_quarter_ms,
+            r.rms_percent_velocity_only,
+            r.instructions.map_or("-".to_owned(), |i| i.to_string()),
+            r.nanoseconds
+        );
+    }
+    out.trim_end().to_owned()
+}
+
+/// A motion with body and wheel frequencies, as a simulator gives it.
+fn road() -> Vec<Input> {
+    (0..4096)
+        .map(|i| {
+            let t = STEP * i as f64;
+            let (a, b) = (9.4, 81.7);
+            Input::motion(
+                0.03 * (a * t).sin() + 0.004 * (b * t + 1.0).sin(),
+                0.03 * a * (a * t).cos() + 0.004 * b * (b * t + 1.0).cos(),
+            )
+        })
+        .collect()
+}
+
+fn spin(model: &Model, steps: usize) -> f64 {
+    let road = road();
+    let mut state = model.settled(&road[0]);
+    let mut output = Output::ZERO;
+    let mut sum = 0.0;
+    for i in 0..steps {
+        let from = state;
+        step_into(model, &from, &road[i & 4095], STEP, &mut state, &mut output);
+        sum += output.force + output.force_by_displacement + output.force_by_velocity;
+    }
+    sum
+}
+
+fn time(model: &Model) -> f64 {
+    // The fastest of several rounds is the one that other work on the machine disturbed least.
+    (0..7)
+        .map(|_| {
+            let start = Instant::now();
+            std::hint::black_box(spin(model, TIMED / 7));
+            start.elapsed().as_nanos() as f64 / (TIMED / 7) as f64
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn spin_for(words: &[String]) -> anyhow::Result<()> {
+    let method = METHODS.iter().find(|(name, _)| *name == words[0]);
+    let (Some((_, method)), Ok(substeps), Ok(steps)) = (method, words[1].parse(), words[2].parse()) else {
+        bail!("--spin takes a method, a number of substeps and a number of steps");
+    };
+    let Ok(model) = Model::new(&Params::new()) else { bail!("the default model is refused") };
+    std::hint::black_box(spin(&model.with_integration(Integration::fixed(*method, substeps)), steps));
+    Ok(())
+}
+
+/// Instructions of one step: the difference of two runs under callgrind.
+fn count(method: &str, substeps: u32) -> Option<u64> {
+    let total = |steps: u32| -> Option<u64> {
+        let out = Command::new("valgrind")
+            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+            .arg(std::env::current_exe().ok()?)
+            .args(["bench", "--spin", method, &substeps.to_string(), &steps.to_string()])
+            .output()
+            .ok()?;
+        let text = String::from_utf8_lossy(&out.stderr).into_owned();
+        text.lines().find_map(|l| l.split("Collected :").nth(1))?.trim().parse().ok()
+    };
+    Some((total(6000)? - total(2000)?) / 4000)
+}

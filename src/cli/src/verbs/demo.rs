@@ -1,6 +1,66 @@
-//! Under way.
-/// Under way
+//! `dashpot demo`: everything once, on a virtual rig.
+
+use super::data::DataArgs;
+use super::{fit, output, validate};
+use crate::progress::Progress;
+use crate::report;
+use anyhow::Context as _;
+use dashpot_lab::identification::FitOptions;
+use dashpot_lab::{model_file, validation};
+use dashpot_rig::{Campaign, Matrix, Options};
+use std::path::PathBuf;
+
+/// Measure a virtual damper, identify it, validate the model, and write the report
+///
+/// Leaves the records, the model file and the report in one folder. Three rows of the test matrix are kept from the
+/// fit, so the report shows errors on tests that the model never saw.
 #[derive(clap::Args)]
-pub struct Args {}
+#[command(after_help = "Example:\n  dashpot demo -o demo")]
+pub struct Args {
+    /// Folder for everything
+    #[arg(short, long, value_name = "DIR", default_value = "demo")]
+    output: PathBuf,
+    /// Which virtual damper
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+/// Rows of the matrix that the fit does not see: two large strokes and a small one.
+const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
+
 /// Runs the verb.
-pub fn run(_: &Args) -> anyhow::Result<()> { anyhow::bail!("under way") }
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let say = |text: &str| output::say(None, text);
+    let records = args.output.join("records");
+    std::fs::create_dir_all(&args.output).with_context(|| format!("making the folder {}", args.output.display()))?;
+    say("1. A virtual rig measures a virtual damper over the thesis's test matrix.")?;
+    let progress = Progress::new("measuring");
+    let options = Options { seed: args.seed, ..Options::default() };
+    Campaign::run(&Matrix::default(), &options, |done, total| progress.count(done, total))?.write(&records)?;
+    drop(progress);
+    let data = DataArgs::folder(records);
+    let campaign = data.load()?;
+    say(&format!("   {} tests in {}", campaign.records.len(), data.named()))?;
+    say("2. The damper is identified from these records, without the rows at 40, 25 and 2 mm.")?;
+    let model_path = args.output.join("damper.toml");
+    let held_out: Vec<String> = HELD_OUT.map(String::from).to_vec();
+    let found = fit::identify(&fit::kept(&campaign, &held_out)?, &FitOptions::default(), &model_path)?;
+    for choice in &found.choices {
+        say(&format!("   {}: {}", choice.of, choice.chosen))?;
+    }
+    say(&format!("   model file: {}", model_path.display()))?;
+    say("3. The model is compared with all records, beside the plain FV curve.\n")?;
+    let model = model_file::read(&model_path)?;
+    let compared = validate::compare(&model, &campaign)?;
+    let validation = validation::validate(&compared)?;
+    say(&validate::table(&validation))?;
+    let report_path = args.output.join("report.html");
+    let named = data.named();
+    let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation);
+    report::write_atomic(&input, &report_path)?;
+    say(&format!("\nOpen the report in a browser: {}", absolute(&report_path)))
+}
+
+fn absolute(path: &std::path::Path) -> String {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()).display().to_string()
+}
