@@ -62,12 +62,26 @@ pub struct Curve {
 const FAR: f64 = f64::MAX;
 
 impl Curve {
-    const ZERO_PIECE: Piece =
-        Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2], t_low: -FAR, t_high: FAR, chord: 0.0 };
+    const ZERO_PIECE: Piece = Piece {
+        u0: 0.0,
+        f0: 0.0,
+        c1: 0.0,
+        c2: [0.0; 2],
+        c3: [0.0; 2],
+        t_low: -FAR,
+        t_high: FAR,
+        chord: 0.0,
+    };
 
     /// A curve that is zero everywhere.
     pub const ZERO: Curve = {
-        Curve { points: [[FAR; 2]; PIECES], pieces: [Curve::ZERO_PIECE; PIECES], count: 0, low: 0.0, high: 0.0 }
+        Curve {
+            points: [[FAR; 2]; PIECES],
+            pieces: [Curve::ZERO_PIECE; PIECES],
+            count: 0,
+            low: 0.0,
+            high: 0.0,
+        }
     };
 
     /// Prepares the curve through the points (`u`, `f`).
@@ -87,7 +101,9 @@ impl Curve {
             return Err(Reason::NotFinite);
         }
         let rises = |s: &[f64], strictly: bool| {
-            s.iter().zip(s.iter().skip(1)).all(|(a, b)| if strictly { a < b } else { a <= b })
+            s.iter()
+                .zip(s.iter().skip(1))
+                .all(|(a, b)| if strictly { a < b } else { a <= b })
         };
         if !rises(u, true) {
             return Err(Reason::NotIncreasing);
@@ -111,7 +127,11 @@ impl Curve {
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
-            *piece = Piece { u0: at(u, anchor), f0: at(f, anchor), ..Curve::ZERO_PIECE };
+            *piece = Piece {
+                u0: at(u, anchor),
+                f0: at(f, anchor),
+                ..Curve::ZERO_PIECE
+            };
             if inner {
                 let h = at(u, right) - at(u, left);
                 let chord = (at(f, right) - at(f, left)) / h;
@@ -121,7 +141,10 @@ impl Curve {
                     Interpolation::MonotoneCubic => {
                         let (m0, m1) = (at(&slopes, left), at(&slopes, right));
                         piece.c1 = m0;
-                        let (c2, c3) = ((3.0 * chord - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * chord) / (h * h));
+                        let (c2, c3) = (
+                            (3.0 * chord - 2.0 * m0 - m1) / h,
+                            (m0 + m1 - 2.0 * chord) / (h * h),
+                        );
                         piece.c2 = [c2, 2.0 * c2];
                         piece.c3 = [c3, 3.0 * c3];
                     }
@@ -145,7 +168,12 @@ impl Curve {
     }
 
     /// As [`Curve::new`], with the fault naming the parameter of the table that holds `f`.
-    pub fn prepare(u: &[f64], f: &[f64], interpolation: Interpolation, parameter: u16) -> Result<Curve, Fault> {
+    pub fn prepare(
+        u: &[f64],
+        f: &[f64],
+        interpolation: Interpolation,
+        parameter: u16,
+    ) -> Result<Curve, Fault> {
         Curve::new(u, f, interpolation).map_err(|reason| Fault { parameter, reason })
     }
 
@@ -231,7 +259,10 @@ impl Piece {
     #[inline(always)]
     fn at(&self, t: f64) -> Value {
         let [mean, slope] = self.polynomials(self.c1, t);
-        Value { value: self.f0 + t * mean, slope }
+        Value {
+            value: self.f0 + t * mean,
+            slope,
+        }
     }
 }
 
@@ -266,7 +297,9 @@ mod tests {
     fn knee() -> ([f64; 9], [f64; 9]) {
         (
             [-1.6, -0.8, -0.3, -0.05, 0.0, 0.05, 0.3, 0.8, 1.6],
-            [-1800.0, -1200.0, -800.0, -500.0, 0.0, 700.0, 1100.0, 2000.0, 3500.0],
+            [
+                -1800.0, -1200.0, -800.0, -500.0, 0.0, 700.0, 1100.0, 2000.0, 3500.0,
+            ],
         )
     }
 
@@ -321,10 +354,25 @@ mod tests {
 
     #[test]
     fn refuses_what_is_not_a_curve() {
-        assert_eq!(Curve::new(&[0.0], &[0.0], Interpolation::Linear).err(), Some(Reason::PointCount));
-        assert_eq!(Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(), Some(Reason::CurveLengths));
-        assert_eq!(Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotIncreasing));
-        assert_eq!(Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(), Some(Reason::Falls));
-        assert_eq!(Curve::new(&[0.0, f64::NAN], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotFinite));
+        assert_eq!(
+            Curve::new(&[0.0], &[0.0], Interpolation::Linear).err(),
+            Some(Reason::PointCount)
+        );
+        assert_eq!(
+            Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(),
+            Some(Reason::CurveLengths)
+        );
+        assert_eq!(
+            Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(),
+            Some(Reason::NotIncreasing)
+        );
+        assert_eq!(
+            Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(),
+            Some(Reason::Falls)
+        );
+        assert_eq!(
+            Curve::new(&[0.0, f64::NAN], &[0.0, 1.0], Interpolation::Linear).err(),
+            Some(Reason::NotFinite)
+        );
     }
 }

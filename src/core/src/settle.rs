@@ -16,14 +16,23 @@ impl Model {
         let x = input.displacement.unwrap_or(0.0);
         let v = input.velocity;
         let e = &self.elements;
-        let motion = |x: f64| Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature };
+        let motion = |x: f64| Motion {
+            displacement: x,
+            velocity: v,
+            side_force: input.side_force,
+            temperature: input.temperature,
+        };
         let mut x_m = x;
         if e.has_series() {
             let k = e.series_compliance.stiffness;
             let primary = e.fv_curve.at(v).value;
             // The springs never fall, so that the series spring alone would go further than both together.
             let furthest = x - (primary + e.inner(&motion(x)).force) / k;
-            let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
+            let (mut low, mut high) = if furthest < x {
+                (furthest, x)
+            } else {
+                (x, furthest)
+            };
             for _ in 0..STEPS {
                 let inner = e.inner(&motion(x_m));
                 let left = k * (x - x_m) - primary - inner.force;
@@ -33,7 +42,11 @@ impl Model {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.by_x);
-                x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+                x_m = if newton >= low && newton <= high {
+                    newton
+                } else {
+                    0.5 * (low + high)
+                };
             }
         }
         let mut memory = [0.0; 8];
@@ -42,7 +55,13 @@ impl Model {
                 *z = element.settled(&motion(x));
             }
         });
-        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, memory }
+        State {
+            displacement: x,
+            velocity: v,
+            mass_displacement: x_m,
+            mass_velocity: v,
+            memory,
+        }
     }
 
     /// The static force at `input`, with its slopes: the state settled there, evaluated.
@@ -62,7 +81,8 @@ impl Model {
             let (inner, primary) = (e.inner(&at), e.fv_curve.at(input.velocity));
             let share = k / (k + inner.by_x);
             output.force_by_displacement += share * inner.by_x - k;
-            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
+            output.force_by_velocity +=
+                share * (primary.slope + inner.by_v) - e.series_compliance.damping;
         }
         output
     }

@@ -47,8 +47,18 @@ pub enum Method {
 impl Describe for Integration {
     const MEANING: &'static str = "settings of the fixed-step integration";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice("method", &["fourth_order", "second_order", "euler"], "method inside a step"),
-        Parameter::scalar("substeps", "-", &[0.0], (0.0, 64.0), "substeps inside one host step; 0: as many as the model's stiffness asks for"),
+        Parameter::choice(
+            "method",
+            &["fourth_order", "second_order", "euler"],
+            "method inside a step",
+        ),
+        Parameter::scalar(
+            "substeps",
+            "-",
+            &[0.0],
+            (0.0, 64.0),
+            "substeps inside one host step; 0: as many as the model's stiffness asks for",
+        ),
     ];
 }
 
@@ -65,14 +75,23 @@ impl Integration {
         };
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3).
-        let frequency = libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
+        let frequency =
+            libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
         let per_time = 0.4 * frequency;
-        Ok(Integration { method, substeps: params.scalar("substeps") as u32, per_time })
+        Ok(Integration {
+            method,
+            substeps: params.scalar("substeps") as u32,
+            per_time,
+        })
     }
 
     /// So many substeps of this method, whatever the step.
     pub fn fixed(method: Method, substeps: u32) -> Integration {
-        Integration { method, substeps: substeps.max(1), per_time: 0.0 }
+        Integration {
+            method,
+            substeps: substeps.max(1),
+            per_time: 0.0,
+        }
     }
 
     /// Substeps in a host step of `dt`: depends on the model and `dt` alone, never on the motion.
@@ -118,8 +137,13 @@ struct Second;
 impl Tableau for Second {
     const STAGES: usize = 2;
     const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] =
-        [[0.0; 5], [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
+        [0.0; 5],
+        [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0],
+        [0.0; 5],
+        [0.0; 5],
+        [0.0; 5],
+    ];
     const C: [f64; MOST_STAGES] = [Self::GAMMA, 1.0, 1.0, 1.0, 1.0];
 }
 
@@ -203,7 +227,13 @@ impl ByEnd {
     #[inline(always)]
     fn new() -> ByEnd {
         let zero = [0.0; 2];
-        ByEnd { moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
+        ByEnd {
+            moved: false,
+            x: zero,
+            v: zero,
+            yields: zero,
+            gains: [[zero; 2]; MOST_STAGES],
+        }
     }
 }
 
@@ -301,7 +331,11 @@ impl Substep<'_> {
         let e = &self.elements.series_compliance;
         let g = self.g;
         let last = I + 1 == T::STAGES;
-        let point = if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::C[I] * self.part) };
+        let point = if last && self.ends_step {
+            self.path.last()
+        } else {
+            self.path.at(self.theta + T::C[I] * self.part)
+        };
         let mut known = [self.start.x, self.start.v];
         for j in 0..I {
             let a = T::A[I][j] / T::GAMMA;
@@ -311,20 +345,38 @@ impl Substep<'_> {
         // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
         // of a hardening spring from where it will never be.
         let inner_at = known_x + g * self.predicted;
-        let inner_at = if inner_at < point.x - REACH { point.x - REACH } else { inner_at };
-        let inner_at = if inner_at > point.x + REACH { point.x + REACH } else { inner_at };
+        let inner_at = if inner_at < point.x - REACH {
+            point.x - REACH
+        } else {
+            inner_at
+        };
+        let inner_at = if inner_at > point.x + REACH {
+            point.x + REACH
+        } else {
+            inner_at
+        };
         let (side_force, temperature) = self.side;
-        let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
+        let at = Motion {
+            displacement: inner_at,
+            velocity: self.predicted,
+            side_force,
+            temperature,
+        };
         let inner = self.elements.inner(&at);
         // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
-        let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
+        let inner_known =
+            inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
         let inner_slope = inner.by_v + g * inner.by_x;
         let a = self.resistance + inner_slope;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = self.mass_rate * known_v + drive - inner_known;
         // The cheap step is content with two iterations; where the others are used, three are below their own error.
         let curve = &self.elements.fv_curve;
-        let (u, fd) = if T::STAGES == 1 { curve.solve::<2>(a, r) } else { curve.solve::<3>(a, r) };
+        let (u, fd) = if T::STAGES == 1 {
+            curve.solve::<2>(a, r)
+        } else {
+            curve.solve::<3>(a, r)
+        };
         let moved = g * u;
         self.gains[I] = [moved, u - known_v];
         self.predicted = u;
@@ -347,14 +399,25 @@ impl Substep<'_> {
                 inner_at,
             },
         );
-        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
+        Mass {
+            x: x_m,
+            v: u,
+            primary: fd.value,
+            inner: inner_known + inner_slope * u,
+        }
     }
 }
 
 impl<'a> Substep<'a> {
     /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
     #[inline(always)]
-    fn new<T: Tableau>(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
+    fn new<T: Tableau>(
+        drive: &Drive<'a>,
+        theta: f64,
+        part: f64,
+        ends_step: bool,
+        start: Mass,
+    ) -> Substep<'a> {
         let g = T::GAMMA * drive.path.length() * part;
         let e = &drive.elements.series_compliance;
         let mass_rate = e.mass / g;
@@ -385,7 +448,12 @@ struct Drive<'a> {
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-fn move_mass<T: Tableau>(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass<T: Tableau>(
+    drive: &Drive,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
     if substeps == 1 {
         // The common case, written out so that the places of the stages are constants.
         return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T>(follow);
@@ -412,8 +480,17 @@ fn advance_memories<T: Tableau>(
 ) -> Response {
     let mut sum = Response::NONE;
     elements.each_memory(|place, element| {
-        let Some(slot) = memory.get_mut(place) else { return };
-        let (z, by_end) = advance_memory::<T>(substeps, element, *slot, path, path.length(), (end.side_force, end.temperature));
+        let Some(slot) = memory.get_mut(place) else {
+            return;
+        };
+        let (z, by_end) = advance_memory::<T>(
+            substeps,
+            element,
+            *slot,
+            path,
+            path.length(),
+            (end.side_force, end.temperature),
+        );
         *slot = z;
         let recall = element.recall(end, z);
         sum.force += recall.force;
@@ -444,7 +521,11 @@ fn advance_memory<T: Tableau>(
         let (mut now, mut d_now) = (z, by_end);
         for i in 0..T::STAGES {
             let ends_step = i + 1 == T::STAGES && sub + 1 == n;
-            let point = if ends_step { path.last() } else { path.at(theta + T::C[i] * part) };
+            let point = if ends_step {
+                path.last()
+            } else {
+                path.at(theta + T::C[i] * part)
+            };
             let (mut known, mut d_known) = (z, by_end);
             for j in 0..i {
                 let a = T::A[i][j] / T::GAMMA;
@@ -453,7 +534,12 @@ fn advance_memory<T: Tableau>(
                     d_known[k] += a * d_pushes[j][k];
                 }
             }
-            let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
+            let at = Motion {
+                displacement: point.x,
+                velocity: point.v,
+                side_force: side.0,
+                temperature: side.1,
+            };
             let recall = element.recall(&at, known);
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
@@ -461,7 +547,8 @@ fn advance_memory<T: Tableau>(
             // Differentiated where the stage ends: there the rate depends on the input alone.
             let recall = element.recall(&at, now);
             for k in 0..2 {
-                let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
+                let drive =
+                    recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
                 d_now[k] = (d_known[k] + g * drive) * divide;
                 d_pushes[i][k] = d_now[k] - d_known[k];
             }
@@ -487,11 +574,21 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
 
 /// As [`step`], writing the new state and the answer where the caller keeps them.
 #[inline]
-pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) {
+pub fn step_into(
+    model: &Model,
+    from: &State,
+    to: &Input,
+    dt: f64,
+    state: &mut State,
+    output: &mut Output,
+) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(from.displacement);
         *state = *from;
-        *output = model.static_output(&Input { displacement: Some(x), ..*to });
+        *output = model.static_output(&Input {
+            displacement: Some(x),
+            ..*to
+        });
         return;
     }
     let plain = model.integration.substeps(dt) == 1 && !model.elements.has_memory();
@@ -508,7 +605,14 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 /// One step of several dampers of one model, such as the corners of a car: to the bit what single steps give.
 ///
 /// Stops at the shortest of the lists.
-pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: &mut [State], outputs: &mut [Output]) {
+pub fn step_batch(
+    model: &Model,
+    from: &[State],
+    to: &[Input],
+    dt: f64,
+    states: &mut [State],
+    outputs: &mut [Output],
+) {
     for (((from, to), state), output) in from.iter().zip(to).zip(states).zip(outputs) {
         step_into(model, from, to, dt, state, output);
     }
@@ -567,21 +671,44 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     output: &mut Output,
 ) {
     let e = &model.elements;
-    let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
+    let substeps = if PLAIN {
+        1
+    } else {
+        model.integration.substeps(dt)
+    };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
     let path = Path::new(from.displacement, from.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
-    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
+    let outer = Motion {
+        displacement: x,
+        velocity: v,
+        side_force: to.side_force,
+        temperature: to.temperature,
+    };
     let (mut force, mut by_x, mut by_v);
     state.displacement = x;
     state.velocity = v;
     state.memory = from.memory;
     if e.has_series() {
         let s = &e.series_compliance;
-        let start = Mass { x: from.mass_displacement, v: from.mass_velocity, primary: 0.0, inner: 0.0 };
-        let mass = move_mass::<T>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
+        let start = Mass {
+            x: from.mass_displacement,
+            v: from.mass_velocity,
+            primary: 0.0,
+            inner: 0.0,
+        };
+        let mass = move_mass::<T>(
+            &Drive {
+                elements: e,
+                path: &path,
+                side,
+            },
+            substeps,
+            start,
+            follow,
+        );
         state.mass_displacement = mass.x;
         state.mass_velocity = mass.v;
         output.primary_force = mass.primary;

@@ -18,6 +18,16 @@ pub struct DataArgs {
     /// Turn the sign of one channel: force or motion (displacement and velocity)
     #[arg(long, value_name = "force|motion")]
     flip: Vec<String>,
+    #[command(flatten)]
+    columns: ColumnArgs,
+    /// Displacement at the first sample, m, where only velocity was recorded
+    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    initial_position: f64,
+}
+
+/// Which column is which channel, and in which unit.
+#[derive(Args, Debug, Clone, Default)]
+pub struct ColumnArgs {
     /// Unit of a channel whose heading has none, such as force=kN
     #[arg(long, value_name = "CHANNEL=UNIT")]
     unit: Vec<String>,
@@ -27,28 +37,12 @@ pub struct DataArgs {
     /// Channel to leave unread, such as velocity
     #[arg(long, value_name = "CHANNEL")]
     ignore: Vec<String>,
-    /// Displacement at the first sample, m, where only velocity was recorded
-    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
-    initial_position: f64,
 }
 
-impl DataArgs {
-    /// Records of a folder, read without further options.
-    pub fn folder(path: PathBuf) -> DataArgs {
-        DataArgs {
-            data: vec![path],
-            positive: None,
-            flip: vec![],
-            unit: vec![],
-            column: vec![],
-            ignore: vec![],
-            initial_position: 0.0,
-        }
-    }
-
-    fn options(&self) -> anyhow::Result<Options> {
-        let mut options =
-            Options { positive: self.positive, initial_position: self.initial_position, ..Options::default() };
+impl ColumnArgs {
+    /// As options of the reader; everything else is left to the files.
+    pub fn options(&self) -> anyhow::Result<Options> {
+        let mut options = Options::default();
         for text in &self.unit {
             let (channel, unit) = assignment(text).map_err(anyhow::Error::msg).context("--unit")?;
             options.units.insert(channel, unit.parse().map_err(anyhow::Error::msg).context("--unit")?);
@@ -60,6 +54,25 @@ impl DataArgs {
         for text in &self.ignore {
             options.ignore.insert(text.parse().map_err(anyhow::Error::msg).context("--ignore")?);
         }
+        Ok(options)
+    }
+}
+
+impl DataArgs {
+    /// Records of a folder, read without further options.
+    pub fn folder(path: PathBuf) -> DataArgs {
+        DataArgs {
+            data: vec![path],
+            positive: None,
+            flip: vec![],
+            columns: ColumnArgs::default(),
+            initial_position: 0.0,
+        }
+    }
+
+    fn options(&self) -> anyhow::Result<Options> {
+        let mut options =
+            Options { positive: self.positive, initial_position: self.initial_position, ..self.columns.options()? };
         for text in &self.flip {
             match text.as_str() {
                 "force" => options.flip_force = true,

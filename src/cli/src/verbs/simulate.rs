@@ -1,6 +1,89 @@
-//! Under way.
-/// Under way
+//! `dashpot simulate`: the force for any motion.
+
+use super::data::ColumnArgs;
+use super::output;
+use super::validate::prepared;
+use crate::progress::Progress;
+use dashpot_core::Model;
+use dashpot_lab::imposed_motion::{Answer, ImposedMotion};
+use dashpot_lab::model_file;
+use dashpot_lab::records::read_motion;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Compute the force of a model for any motion
+///
+/// The motion is used as it stands, extension (rebound) positive, without smoothing. With displacement and velocity both
+/// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. The damper
+/// starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
+/// time_s, displacement_m, velocity_m_s and force_N; tension is positive.
 #[derive(clap::Args)]
-pub struct Args {}
+#[command(
+    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head"
+)]
+pub struct Args {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    /// File with time, and displacement or velocity or both (CSV, XLSX, MAT v5)
+    #[arg(value_name = "MOTION")]
+    motion: PathBuf,
+    /// Where to write; - for standard output
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: PathBuf,
+    /// Fixed step, s; the file's own times if not given
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    step: Option<f64>,
+    #[command(flatten)]
+    columns: ColumnArgs,
+    /// Displacement at the first sample, m, where the motion gives velocity alone; 0 if not given
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    initial_position: Option<f64>,
+}
+
 /// Runs the verb.
-pub fn run(_: &Args) -> anyhow::Result<()> { anyhow::bail!("under way") }
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let file = model_file::read(&args.model)?;
+    let model = prepared(&file.params)?;
+    let record = read_motion(&args.motion, &args.columns.options()?)?;
+    let mut motion = ImposedMotion::new(record, args.initial_position)?;
+    if let Some(step) = args.step {
+        motion = motion.resampled(step)?;
+    }
+    let progress = Progress::new("simulating");
+    progress.set(0.2);
+    let answers = motion.drive(&model)?;
+    drop(progress);
+    output::write(&args.output, &csv(&answers))?;
+    // Remarks go where the rows do not.
+    if let Some(remark) = beyond(&model, &answers) {
+        output::say(Some(&args.output), &format!("note: {remark}"))?;
+    }
+    if args.output.as_os_str() != "-" {
+        output::say(None, &format!("{} rows in {}", answers.len(), args.output.display()))?;
+    }
+    Ok(())
+}
+
+/// Numbers are written so that they read back to the bit.
+fn csv(answers: &[Answer]) -> String {
+    let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N\n");
+    for a in answers {
+        let _ = writeln!(out, "{:?},{:?},{:?},{:?}", a.time, a.displacement, a.velocity, a.force);
+    }
+    out
+}
+
+/// A remark where the motion is faster than the FV curve reaches.
+fn beyond(model: &Model, answers: &[Answer]) -> Option<String> {
+    let outside = answers.iter().filter(|a| !model.covers(a.velocity)).count();
+    let (low, high) = model.elements().fv_curve.range();
+    let fastest = answers.iter().map(|a| a.velocity).max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    (outside > 0).then(|| {
+        format!(
+            "{outside} of {} rows are faster than the FV curve reaches ({low:.3} to {high:.3} m/s; the fastest {fastest:.3} \
+             m/s), which is prolonged straight there",
+            answers.len()
+        )
+    })
+}

@@ -88,7 +88,8 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
         .collect())
 }
 
-fn prepared(params: &Params) -> anyhow::Result<Model> {
+/// The model of a parameter set.
+pub fn prepared(params: &Params) -> anyhow::Result<Model> {
     Model::new(params).map_err(|fault| {
         let name = parameter::table().nth(fault.parameter as usize).map_or("a parameter", |row| row.parameter.name);
         anyhow!("{name} {}", fault.reason.text())

@@ -20,33 +20,83 @@ const DISPLACEMENT: usize = 4;
 const FORCE: usize = 5;
 
 impl Describe for ParallelSpring {
-    const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
+    const MEANING: &'static str =
+        "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "k_p of k_p x"),
-        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e8), "k_p of k_p x|x|"),
-        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e9), "k_p of k_p x^3"),
-        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e10), "k_p of k_p x^3|x|"),
-        Parameter::list("spring_displacement", "m", MAX_POINTS, &[], (-10.0, 10.0), "displacements of the lookup spring, increasing; empty: no lookup"),
-        Parameter::list("spring_force", "N", MAX_POINTS, &[], (-1e6, 1e6), "forces of the lookup spring, non-decreasing"),
+        Parameter::scalar(
+            "spring_quadratic",
+            "N/m^2",
+            &[10000.0],
+            (0.0, 1e6),
+            "k_p of k_p x|x|",
+        ),
+        Parameter::scalar(
+            "spring_cubic",
+            "N/m^3",
+            &[0.0],
+            (0.0, 1e7),
+            "k_p of k_p x^3",
+        ),
+        Parameter::scalar(
+            "spring_quartic",
+            "N/m^4",
+            &[0.0],
+            (0.0, 1e8),
+            "k_p of k_p x^3|x|",
+        ),
+        Parameter::list(
+            "spring_displacement",
+            "m",
+            MAX_POINTS,
+            &[],
+            (-10.0, 10.0),
+            "displacements of the lookup spring, increasing; empty: no lookup",
+        ),
+        Parameter::list(
+            "spring_force",
+            "N",
+            MAX_POINTS,
+            &[],
+            (-1e6, 1e6),
+            "forces of the lookup spring, non-decreasing",
+        ),
     ];
 }
 
 impl Prepare for ParallelSpring {
-    const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
+    const OFF: Self = ParallelSpring {
+        k: [[0.0; 2]; 4],
+        has_higher: false,
+        lookup: Curve::ZERO,
+        has_lookup: false,
+    };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
         let lookup = if has_lookup {
             Curve::new(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
-                p.fault(if matches!(reason, Reason::NotIncreasing) { DISPLACEMENT } else { FORCE }, reason)
+                p.fault(
+                    if matches!(reason, Reason::NotIncreasing) {
+                        DISPLACEMENT
+                    } else {
+                        FORCE
+                    },
+                    reason,
+                )
             })?
         } else {
             Curve::ZERO
         };
         let k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
         let has_higher = k[2][0] != 0.0 || k[3][0] != 0.0;
-        Ok(ParallelSpring { k, has_higher, lookup, has_lookup })
+        Ok(ParallelSpring {
+            k,
+            has_higher,
+            lookup,
+            has_lookup,
+        })
     }
 }
 
@@ -67,7 +117,11 @@ impl Force for ParallelSpring {
             force += value.value;
             by_x += value.slope;
         }
-        Response { force, by_x, by_v: 0.0 }
+        Response {
+            force,
+            by_x,
+            by_v: 0.0,
+        }
     }
 }
 

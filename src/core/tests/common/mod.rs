@@ -30,13 +30,23 @@ pub fn sine(amplitude: f64, frequency: f64) -> impl Fn(f64) -> (f64, f64) {
 }
 
 /// Forces at each multiple of `dt` of the kernel's step.
-pub fn step_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize, velocity_only: bool) -> Vec<f64> {
+pub fn step_forces(
+    model: &Model,
+    motion: &impl Fn(f64) -> (f64, f64),
+    dt: f64,
+    steps: usize,
+    velocity_only: bool,
+) -> Vec<f64> {
     let (x, v) = motion(0.0);
     let mut state = model.settled(&Input::motion(x, v));
     (1..=steps)
         .map(|i| {
             let (x, v) = motion(i as f64 * dt);
-            let input = if velocity_only { Input::velocity(v) } else { Input::motion(x, v) };
+            let input = if velocity_only {
+                Input::velocity(v)
+            } else {
+                Input::motion(x, v)
+            };
             let (next, output) = step(model, &state, &input, dt);
             state = next;
             output.force
@@ -46,7 +56,13 @@ pub fn step_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, 
 
 /// The same from the classical explicit Runge–Kutta method on the continuous equations with `parts` steps in each `dt`:
 /// shares nothing with the kernel's step but the right-hand side, and sees the exact motion.
-pub fn reference_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize, parts: usize) -> Vec<f64> {
+pub fn reference_forces(
+    model: &Model,
+    motion: &impl Fn(f64) -> (f64, f64),
+    dt: f64,
+    steps: usize,
+    parts: usize,
+) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion(t);
         Input::motion(x, v)
@@ -71,7 +87,12 @@ pub fn reference_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: 
                 let k2 = rate(&moved(&state, &k1, 0.5 * h), t + 0.5 * h);
                 let k3 = rate(&moved(&state, &k2, 0.5 * h), t + 0.5 * h);
                 let k4 = rate(&moved(&state, &k3, h), t + h);
-                for (k, share) in [(k1, 1.0 / 6.0), (k2, 1.0 / 3.0), (k3, 1.0 / 3.0), (k4, 1.0 / 6.0)] {
+                for (k, share) in [
+                    (k1, 1.0 / 6.0),
+                    (k2, 1.0 / 3.0),
+                    (k3, 1.0 / 3.0),
+                    (k4, 1.0 / 6.0),
+                ] {
                     state = moved(&state, &k, share * h);
                 }
             }
@@ -83,8 +104,15 @@ pub fn reference_forces(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: 
 /// Root-mean-square and largest difference as shares of the largest reference force.
 pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-    let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
-    let largest = forces.iter().zip(exact).fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
+    let square: f64 = forces
+        .iter()
+        .zip(exact)
+        .map(|(f, e)| (f - e) * (f - e))
+        .sum();
+    let largest = forces
+        .iter()
+        .zip(exact)
+        .fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
     ((square / exact.len() as f64).sqrt() / top, largest / top)
 }
 
@@ -102,8 +130,12 @@ pub fn any_params() -> impl Strategy<Value = Params> {
             for (row, share) in table().zip(&shares) {
                 let p = row.parameter;
                 match p.shape {
-                    Shape::Choice(words) => params.set(p.name, (share * words.len() as f64).floor()).ok()?,
-                    Shape::Scalar if p.name == "substeps" => params.set(p.name, (share * 8.0).floor()).ok()?,
+                    Shape::Choice(words) => params
+                        .set(p.name, (share * words.len() as f64).floor())
+                        .ok()?,
+                    Shape::Scalar if p.name == "substeps" => {
+                        params.set(p.name, (share * 8.0).floor()).ok()?
+                    }
                     Shape::Scalar => {
                         let low = if p.low > 0.0 { p.low } else { 1e-9 * p.high };
                         let by_decade = low * (p.high / low).powf(*share);
@@ -120,7 +152,10 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                     f.push(f.last().unwrap() + df * df * df);
                 }
                 let (xs, fs) = (*x.last().unwrap(), f.last().unwrap().max(1e-9));
-                (x.iter().map(|x| (2.0 * x / xs - 1.0) * width).collect(), f.iter().map(|f| (2.0 * f / fs - 1.0) * height).collect())
+                (
+                    x.iter().map(|x| (2.0 * x / xs - 1.0) * width).collect(),
+                    f.iter().map(|f| (2.0 * f / fs - 1.0) * height).collect(),
+                )
             };
             let (u, f) = rising(&fv, if steep { 0.05 } else { 3.0 }, 2e4);
             params.set_list("fv_velocity", &u).ok()?;

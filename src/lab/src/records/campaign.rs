@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::channel::Channel;
 use super::cleaning;
 use super::error::RecordError;
 use super::options::Options;
@@ -46,6 +47,9 @@ pub fn load(
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Campaign, RecordError> {
+    if let Some(&channel) = [Channel::Time, Channel::Force].iter().find(|c| options.ignore.contains(c)) {
+        return Err(RecordError::Indispensable { channel });
+    }
     let mut notes = Vec::new();
     let files = find(paths, &mut notes)?;
     let counter = Counter::new(files.len(), progress);
@@ -182,7 +186,8 @@ fn extension(path: &Path) -> String {
         .to_ascii_lowercase()
 }
 
-fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
+/// The tests of one file, read by its extension.
+pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     match extension(file).as_str() {
         "csv" | "txt" | "tsv" | "asc" => csv::read(file, &name, options),

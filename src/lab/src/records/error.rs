@@ -69,8 +69,8 @@ pub enum RecordError {
     Hdf5 { file: PathBuf },
 
     #[error(
-        "{at}: no header line with time and force found; the first line reads '{found}'. Understood are: {understood}. \
-         Other headings can be given as --column force=\"Load Cell 1\""
+        "{at}: no header line found that names time and other channels; the first line reads '{found}'. Understood are: \
+         {understood}. Other headings can be given as --column force=\"Load Cell 1\""
     )]
     Header {
         at: Place,
@@ -219,6 +219,34 @@ pub enum RecordError {
         percent: f64,
         advice: &'static str,
     },
+
+    #[error("{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off")]
+    MotionGap {
+        at: Place,
+        line: usize,
+        channel: Channel,
+    },
+
+    #[error("{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time")]
+    MotionTime {
+        at: Place,
+        line: usize,
+        from: f64,
+        to: f64,
+    },
+
+    #[error("{at}: has one row; a motion needs at least two")]
+    ShortMotion { at: Place },
+
+    #[error("{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file", file = .file.display())]
+    SeveralMotions {
+        file: PathBuf,
+        first: String,
+        second: String,
+    },
+
+    #[error("{channel} cannot be left out of records; take it off --ignore")]
+    Indispensable { channel: Channel },
 
     #[error("{at}: displacement and velocity contradict each other: {cause}")]
     Contradiction { at: Place, cause: String },

@@ -12,6 +12,7 @@ mod error;
 #[cfg(test)]
 mod fixtures;
 mod mat;
+mod motion;
 mod noise;
 mod options;
 pub mod record;
@@ -22,6 +23,7 @@ mod xlsx;
 
 pub use campaign::{Campaign, Progress, load};
 pub use channel::{Channel, Dimension, Unit, assignment};
+pub use motion::{MotionRecord, read_motion};
 pub use error::{Place, RecordError};
 pub use options::{Options, Positive};
 pub use record::{Noise, NoiseSource, Note, Record};

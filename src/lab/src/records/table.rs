@@ -179,7 +179,7 @@ impl Layout {
         let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
         let missing = if !has(Channel::Time) && !sample_time_given {
             Some(("time", Channel::Time))
-        } else if !has(Channel::Force) {
+        } else if !has(Channel::Force) && !options.ignore.contains(&Channel::Force) {
             Some(("force", Channel::Force))
         } else if !has(Channel::Displacement) && !has(Channel::Velocity) {
             Some(("displacement or velocity", Channel::Displacement))

@@ -1,0 +1,210 @@
+//! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
+
+use dashpot_core::{Input, Model, Params, State, evaluate, step};
+use dashpot_lab::accuracy::Sine;
+use dashpot_lab::identification::{Fit, FitOptions, Standing, first_guess, fit, segment::segments};
+use dashpot_lab::records::{Noise, Record};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Tests of the campaign: amplitudes and peak velocities, then slow cycles.
+fn matrix() -> Vec<Sine> {
+    let mut tests = Vec::new();
+    for amplitude in [0.05, 0.025, 0.005, 0.001] {
+        for peak in [0.05236, 0.2618, 0.5236, 1.5708] {
+            let frequency = peak / (TAU * amplitude);
+            if frequency <= 25.03 {
+                tests.push(Sine { amplitude, frequency });
+            }
+        }
+    }
+    tests.extend([0.041, 0.01].map(|frequency| Sine { amplitude: 0.01, frequency }));
+    tests
+}
+
+/// A small generator of its own (xorshift64*), so that the data never changes with a library.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn normal(&mut self) -> f64 {
+        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (TAU * self.uniform()).cos()
+    }
+}
+
+/// Simulates the campaign with steps four times finer than the samples, and adds white noise of `noise` times each
+/// test's root-mean-square force. `side` is the side force of each test.
+fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
+    const FINER: usize = 4;
+    let model = Model::new(params).unwrap();
+    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+    (0..20).for_each(|_| {
+        random.uniform();
+    });
+    matrix()
+        .into_iter()
+        .enumerate()
+        .map(|(k, sine)| {
+            let rate = (400.0 * sine.frequency).clamp(20.0, 1000.0);
+            let per_cycle = (rate / sine.frequency).round() as usize;
+            let count = 3 * per_cycle + 1;
+            let motion = sine.motion();
+            // Cycles begin where the displacement rises through its mean.
+            let start = 0.25 / sine.frequency;
+            let input = |t: f64| {
+                let (x, v) = motion(t);
+                Input { side_force: side(k).unwrap_or(0.0), ..Input::motion(x, v) }
+            };
+            let mut state: State = model.settled(&input(start));
+            let mut record = Record {
+                name: format!("test{k:02}"),
+                amplitude: sine.amplitude,
+                frequency: sine.frequency,
+                peak_velocity: TAU * sine.frequency * sine.amplitude,
+                cycles: (0..3).map(|c| c * per_cycle..(c + 1) * per_cycle).collect(),
+                side_force: side(k).map(|f| vec![f; count]),
+                ..Record::default()
+            };
+            for i in 0..count {
+                let t = start + i as f64 / rate;
+                let force = if i == 0 {
+                    evaluate(&model, &state, &input(t)).0.force
+                } else {
+                    (1..=FINER).fold(0.0, |_, j| {
+                        let at = t + (j as f64 / FINER as f64 - 1.0) / rate;
+                        let (next, output) = step(&model, &state, &input(at), 1.0 / rate / FINER as f64);
+                        state = next;
+                        output.force
+                    })
+                };
+                let (x, v) = motion(t);
+                record.time.push(t);
+                record.displacement.push(x);
+                record.velocity.push(v);
+                record.force.push(force);
+            }
+            let rms = (record.force.iter().map(|f| f * f).sum::<f64>() / count as f64).sqrt();
+            record.noise = Noise { force_rms: noise * rms, ..Noise::default() };
+            for f in &mut record.force {
+                *f += noise * rms * random.normal();
+            }
+            record
+        })
+        .collect()
+}
+
+/// The default model without the viscous term (a free FV curve takes that up), its FV table at the velocities that a fit
+/// of this campaign will choose: a table at other places is another curve between them.
+fn truth() -> Params {
+    let mut params = Params::new();
+    params.enable("viscous_friction", false).unwrap();
+    let records = campaign(&params, 1, 0.0, |_| None);
+    let velocities = first_guess::velocities(&segments(&records.iter().collect::<Vec<_>>()));
+    let model = Model::new(&params).unwrap();
+    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().fv_curve.at(*v).value).collect();
+    params.set_list("fv_velocity", &velocities).unwrap();
+    params.set_list("fv_force", &forces).unwrap();
+    params
+}
+
+fn fitted(records: &[Record]) -> Fit {
+    fit(&records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
+}
+
+#[test]
+fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
+    const SEEDS: u64 = 50;
+    let truth = truth();
+    let model = Model::new(&truth).unwrap();
+    // Per parameter: how often it had an interval, and how often that held the truth.
+    let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
+    for seed in 1..=SEEDS {
+        let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
+        assert_eq!(found.choices.iter().map(|c| c.chosen).collect::<Vec<_>>(), ["simplified Stribeck", "quadratic"]);
+        for e in found.estimates.iter().filter(|e| e.standing == Standing::Identified) {
+            let (low, high) = (e.low.unwrap(), e.high.unwrap());
+            let value = match e.index {
+                None => truth.scalar(e.name),
+                Some(k) => model.elements().fv_curve.at(found.params.list(e.name.replace("force", "velocity").as_str())[k]).value,
+            };
+            let slot = covered.entry(e.name).or_default();
+            slot.0 += 1;
+            slot.1 += u32::from((low..=high).contains(&value));
+        }
+    }
+    let always = ["series_stiffness", "spring_quadratic", "gas_force", "stribeck_coulomb_force", "fv_force"];
+    for name in always {
+        assert!(covered[name].0 >= SEEDS as u32, "{name} was not always identified: {covered:?}");
+    }
+    for (name, (count, hits)) in &covered {
+        let share = f64::from(*hits) / f64::from(*count);
+        // Three standard deviations of a count that is right 95 times in 100.
+        let slack = 3.0 * (0.95 * 0.05 / f64::from(*count)).sqrt();
+        println!("{name}: {hits} of {count}");
+        assert!(share >= 0.95 - slack, "{name}: {hits} of {count}");
+    }
+    let (count, hits) = covered.values().fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1));
+    let share = f64::from(hits) / f64::from(count);
+    assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
+}
+
+#[test]
+fn what_the_data_cannot_show_is_named() {
+    // One slow test alone: it knows friction and gas, and nothing of mass, series spring or high speeds.
+    let truth = truth();
+    let records: Vec<Record> = campaign(&truth, 3, 0.01, |_| None).into_iter().filter(|r| r.frequency < 0.02).collect();
+    let found = fitted(&records);
+    let standing = |name: &str| found.estimates.iter().find(|e| e.name == name).map(|e| e.standing.clone());
+    for name in ["series_stiffness", "internal_mass", "series_damping"] {
+        assert_eq!(standing(name), Some(Standing::NotIdentified), "{name}");
+        assert!(found.notes.iter().any(|n| n.contains(name)), "no note on {name}: {:?}", found.notes);
+    }
+    let gas = found.estimates.iter().find(|e| e.name == "gas_force").unwrap();
+    assert!((gas.value - truth.scalar("gas_force")).abs() < 1.0, "{gas:?}");
+}
+
+#[test]
+fn the_side_force_slope_comes_from_tests_with_side_force() {
+    let mut truth = truth();
+    truth.enable("side_force_friction", true).unwrap();
+    truth.set("side_force_coefficient", 0.06).unwrap();
+    let records = campaign(&truth, 5, 0.01, |k| Some([0.0, 150.0, 300.0][k % 3]));
+    let found = fitted(&records);
+    let e = found.estimates.iter().find(|e| e.name == "side_force_coefficient").unwrap();
+    assert!((e.value - 0.06).abs() < 0.003, "{e:?}");
+    assert!(e.low.unwrap() < 0.06 && 0.06 < e.high.unwrap(), "{e:?}");
+    let without = fitted(&campaign(&truth, 5, 0.01, |_| None));
+    assert!(without.notes.iter().any(|n| n.contains("side_force_friction")));
+}
+
+#[test]
+fn the_comparison_models_fit_too_and_are_worse() {
+    use dashpot_lab::identification::Family;
+    let records = campaign(&truth(), 7, 0.01, |_| None);
+    let refs: Vec<&Record> = records.iter().collect();
+    let of = |family| fit(&refs, &FitOptions { family, elements: None }, |_| ()).unwrap();
+    let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
+    assert!(thesis.misfit < 0.8, "{}", thesis.misfit);
+    assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);
+    assert!(fv.params.is_on("fv_curve") && !fv.params.is_on("series_compliance"));
+    assert!(lag.params.is_on("lagged_polynomial"));
+}
+
+#[test]
+fn an_element_left_out_on_purpose_stays_out() {
+    let records = campaign(&truth(), 9, 0.01, |_| None);
+    let elements = ["fv_curve", "series_compliance", "gas_preload"].map(String::from).to_vec();
+    let options = FitOptions { elements: Some(elements), ..FitOptions::default() };
+    let found = fit(&records.iter().collect::<Vec<_>>(), &options, |_| ()).unwrap();
+    for name in ["parallel_spring", "coulomb_friction", "stribeck_friction"] {
+        assert!(!found.params.is_on(name), "{name}");
+    }
+    let unknown = FitOptions { elements: Some(vec!["warp_drive".into()]), ..FitOptions::default() };
+    assert!(fit(&records.iter().collect::<Vec<_>>(), &unknown, |_| ()).unwrap_err().to_string().contains("gas_preload"));
+}
