@@ -36,6 +36,8 @@ pub struct Value {
 struct Piece {
     u0: f64,
     f0: f64,
+    /// f0 − f(0).
+    above: f64,
     c1: f64,
     /// c2 of the value and 2 c2 of the slope; likewise c3 and 3 c3: both polynomials run side by side.
     c2: [f64; 2],
@@ -55,8 +57,43 @@ pub struct Curve {
     pieces: [Piece; PIECES],
     /// Number of points.
     count: u32,
+    /// Most points inside one bucket.
+    crowded: u32,
+    /// Points below each bucket.
+    below: [u8; BUCKETS],
+    /// f(0).
+    at_zero: f64,
     low: f64,
     high: f64,
+}
+
+/// Value, slope and curvature of a curve, the value counted from that at 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Above {
+    /// f(u) − f(0): of the sign of u.
+    pub value: f64,
+    /// df/du.
+    pub slope: f64,
+    /// d²f/du².
+    pub curvature: f64,
+}
+
+/// Buckets in which a place is looked up without comparing: sixteen to each power of two of the magnitude from 2^-12
+/// to 2^4, for either sign. They are the leading bits of the number, so that finding one costs no rounding.
+const BUCKETS: usize = 2 * SIDE;
+const SIDE: usize = 256;
+/// Exponent and first four bits of the mantissa of 2^-12.
+const FIRST: u64 = (1023 - 12) << 4;
+/// With more points than this in one bucket halving is quicker than counting on.
+const CROWDED: u32 = 3;
+
+/// The bucket of `u`.
+#[inline(always)]
+fn bucket(u: f64) -> usize {
+    let bits = u.to_bits();
+    let place = ((bits >> 48) & 0x7fff).saturating_sub(FIRST);
+    let place = if place > SIDE as u64 - 1 { SIDE as u64 - 1 } else { place };
+    (place | (bits >> 63) << 8) as usize & (BUCKETS - 1)
 }
 
 const FAR: f64 = f64::MAX;
@@ -65,6 +102,7 @@ impl Curve {
     const ZERO_PIECE: Piece = Piece {
         u0: 0.0,
         f0: 0.0,
+        above: 0.0,
         c1: 0.0,
         c2: [0.0; 2],
         c3: [0.0; 2],
@@ -79,6 +117,9 @@ impl Curve {
             points: [[FAR; 2]; PIECES],
             pieces: [Curve::ZERO_PIECE; PIECES],
             count: 0,
+            crowded: 0,
+            below: [0; BUCKETS],
+            at_zero: 0.0,
             low: 0.0,
             high: 0.0,
         }
@@ -164,7 +205,30 @@ impl Curve {
         curve.count = n as u32;
         curve.low = at(u, 0);
         curve.high = at(u, n - 1);
+        curve.fill_buckets(u);
+        curve.at_zero = curve.at(0.0).value;
+        for piece in &mut curve.pieces {
+            piece.above = piece.f0 - curve.at_zero;
+        }
         Ok(curve)
+    }
+
+    /// Counts the points below and inside every bucket.
+    fn fill_buckets(&mut self, u: &[f64]) {
+        for (i, below) in self.below.iter_mut().enumerate() {
+            // Every number of the bucket lies between these magnitudes, the second not included.
+            let place = (i % SIDE) as u64;
+            let edge = |place: u64| f64::from_bits((FIRST + place) << 48);
+            let near = if place == 0 { 0.0 } else { edge(place) };
+            let far = if place + 1 == SIDE as u64 { f64::INFINITY } else { edge(place + 1) };
+            let (before, within) = if i < SIDE {
+                (u.iter().filter(|u| **u <= near).count(), u.iter().filter(|u| **u < far).count())
+            } else {
+                (u.iter().filter(|u| **u <= -far).count(), u.iter().filter(|u| **u <= -near).count())
+            };
+            *below = before as u8;
+            self.crowded = self.crowded.max(within.saturating_sub(before) as u32);
+        }
     }
 
     /// As [`Curve::new`], with the fault naming the parameter of the table that holds `f`.
@@ -208,18 +272,56 @@ impl Curve {
         index
     }
 
+    /// The piece that holds `u`.
+    #[inline(always)]
+    fn at_place(&self, u: f64) -> &Piece {
+        let mut index = self.below[bucket(u)] as usize;
+        let mut count_on = || {
+            let [next, _] = self.points[index & (PIECES - 1)];
+            index += usize::from(next <= u);
+        };
+        if self.crowded <= 1 {
+            count_on();
+        } else if self.crowded <= CROWDED {
+            for _ in 0..CROWDED {
+                count_on();
+            }
+        } else {
+            index = self.locate(u, |u, _| u);
+        }
+        self.piece(index)
+    }
+
     /// Value and slope at `u`.
     #[inline(always)]
     pub fn at(&self, u: f64) -> Value {
-        let p = self.piece(self.locate(u, |u, _| u));
+        let p = self.at_place(u);
         p.at(u - p.u0)
+    }
+
+    /// As [`Curve::at`], with the value counted from that at 0 and with the curvature.
+    #[inline(always)]
+    pub fn above_zero(&self, u: f64) -> Above {
+        let p = self.at_place(u);
+        let t = u - p.u0;
+        // In halves, which processors compute side by side.
+        let [bent, bending] = [0, 1].map(|k| p.c2[k] + t * p.c3[k]);
+        Above {
+            value: (p.above + t * p.c1) + (t * t) * bent,
+            slope: p.c1 + t * bending,
+            curvature: bending + t * p.c3[1],
+        }
+    }
+
+    /// The value at 0.
+    #[inline(always)]
+    pub fn at_zero(&self) -> f64 {
+        self.at_zero
     }
 
     /// Curvature at `u`.
     pub fn curvature(&self, u: f64) -> f64 {
-        let p = self.piece(self.locate(u, |u, _| u));
-        let t = u - p.u0;
-        p.c2[1] + 2.0 * t * p.c3[1]
+        self.above_zero(u).curvature
     }
 
     /// The resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the slope of f there.
@@ -329,6 +431,55 @@ mod tests {
             let h = 1e-6;
             let difference = (c.at(at + h).value - c.at(at - h).value) / (2.0 * h);
             assert!((difference - c.at(at).slope).abs() < 1e-6 * c.at(at).slope.abs().max(1000.0));
+        }
+    }
+
+    /// Tables of every density, knots on the edges of buckets and at 0 of either sign.
+    #[test]
+    fn buckets_lead_to_the_piece_that_halving_finds() {
+        let even = |n: usize, width: f64| -> std::vec::Vec<f64> {
+            (0..n).map(|i| width * (2.0 * i as f64 / (n - 1) as f64 - 1.0)).collect()
+        };
+        let tables = [
+            knee().0.to_vec(),
+            even(63, 20.0),
+            even(62, 0.02),
+            even(33, 1.0),
+            even(2, 1e-9),
+            std::vec![-16.0, -0.25, -0.0, 0.25, 0.265625, 16.0, 19.0],
+            std::vec![0.25, 0.5, 1e6],
+            std::vec![-40.0, -30.0, -20.0],
+        ];
+        for u in &tables {
+            let c = Curve::new(u, u, Interpolation::Linear).unwrap();
+            let near = |at: f64| [at, at.next_up(), at.next_down(), at + 1e-5, at - 1e-5];
+            let sweep = (-4000..=4000).map(|i| i as f64 * 0.0061);
+            let bits = (0..4000).map(|i| f64::from_bits(i * 0x0004_1893_74bc_6a7f));
+            for at in sweep.chain(u.iter().flat_map(|u| near(*u))).chain(bits).chain([0.0, -0.0, 1e300, -1e300]) {
+                if at.is_finite() {
+                    let got = c.at_place(at);
+                    let wanted = c.piece(u.iter().filter(|u| **u <= at).count());
+                    assert!(core::ptr::eq(got, wanted), "{at} in {u:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn counted_from_zero_is_the_same_curve() {
+        let (u, f) = knee();
+        let f = f.map(|f| f + 250.0);
+        let c = Curve::new(&u, &f, Interpolation::MonotoneCubic).unwrap();
+        assert_eq!(c.at_zero(), 250.0);
+        for i in -2500..=2500 {
+            let at = i as f64 * 1e-3 + 1e-4;
+            let (plain, above) = (c.at(at), c.above_zero(at));
+            assert!((plain.value - above.value - 250.0).abs() < 1e-9);
+            assert!((plain.slope - above.slope).abs() < 1e-9 * (1.0 + plain.slope));
+            let h = 1e-6;
+            let bend = (c.at(at + h).slope - c.at(at - h).slope) / (2.0 * h);
+            assert!((bend - above.curvature).abs() < 1e-3 * (1.0 + bend.abs()));
+            assert!(above.value * at >= 0.0);
         }
     }
 

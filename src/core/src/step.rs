@@ -11,6 +11,10 @@
 //! where the springs on the mass are linearised about the predicted x_m (they are soft beside k_s). The left side
 //! rises strictly with u, so there is one answer whatever the stiffness, and the FV curve finds it in a fixed number
 //! of operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
+//!
+//! The cheap step is a method of its own: see [`cheap`].
+
+mod cheap;
 
 use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Response};
 use crate::fault::Fault;
@@ -28,6 +32,8 @@ pub struct Integration {
     pub substeps: u32,
     /// Square of the substeps per second that the model's stiffness asks for.
     pub per_time: f64,
+    /// Longest step, s, that is taken as one cheap step; 0 with another method.
+    cheap_up_to: f64,
 }
 
 /// Most substeps that the automatic choice takes.
@@ -40,7 +46,7 @@ pub enum Method {
     Fourth,
     /// Two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
     Second,
-    /// One stage, order 1: the cheap step.
+    /// The cheap step: linearly implicit in closed form, order 1.
     Euler,
 }
 
@@ -77,20 +83,29 @@ impl Integration {
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3).
         let frequency =
             libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
-        let per_time = 0.4 * frequency;
-        Ok(Integration {
+        Ok(Integration::new(
             method,
-            substeps: params.scalar("substeps") as u32,
-            per_time,
-        })
+            params.scalar("substeps") as u32,
+            0.4 * frequency,
+        ))
     }
 
     /// So many substeps of this method, whatever the step.
     pub fn fixed(method: Method, substeps: u32) -> Integration {
+        Integration::new(method, substeps.max(1), 0.0)
+    }
+
+    fn new(method: Method, substeps: u32, per_time: f64) -> Integration {
+        let cheap_up_to = match (method, substeps) {
+            (Method::Euler, 0) if per_time > 0.0 => 1.0 / per_time,
+            (Method::Euler, 0 | 1) => LONGEST,
+            _ => 0.0,
+        };
         Integration {
             method,
-            substeps: substeps.max(1),
-            per_time: 0.0,
+            substeps,
+            per_time,
+            cheap_up_to,
         }
     }
 
@@ -191,6 +206,10 @@ pub struct Stage<'a> {
     pub inner: Response,
     /// Place about which they were linearised.
     pub inner_at: f64,
+    /// ∂u/∂v̂ over the velocity v̂ about which the FV curve was linearised; 0 where the curve itself was solved.
+    pub by_guess: f64,
+    /// What the driven end adds to v̂, over the displacement and velocity at the end of the step.
+    pub guess_by_end: [f64; 2],
 }
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
@@ -246,7 +265,7 @@ impl Follow for ByEnd {
         let drive = s.path.drive_by_end(e.stiffness, e.damping);
         let (mut x, mut v) = ([0.0; 2], [0.0; 2]);
         let mut u = drive.map(|d| d * divide);
-        let mut yields = u.map(|u| follows * u);
+        let mut yields = [0.0; 2];
         // A first stage starts from what the end of the step cannot change.
         if s.index > 0 || self.moved {
             (x, v) = (self.x, self.v);
@@ -257,9 +276,12 @@ impl Follow for ByEnd {
             }
             let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
             u = [0, 1].map(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
-            if s.last {
-                yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
-            }
+        }
+        if s.by_guess != 0.0 {
+            u = [0, 1].map(|k| u[k] + s.by_guess * (v[k] + s.guess_by_end[k]));
+        }
+        if s.last {
+            yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
         }
         let moved = u.map(|u| s.g * u);
         if s.last {
@@ -370,13 +392,8 @@ impl Substep<'_> {
         let a = self.resistance + inner_slope;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = self.mass_rate * known_v + drive - inner_known;
-        // The cheap step is content with two iterations; where the others are used, three are below their own error.
-        let curve = &self.elements.fv_curve;
-        let (u, fd) = if T::STAGES == 1 {
-            curve.solve::<2>(a, r)
-        } else {
-            curve.solve::<3>(a, r)
-        };
+        // Three iterations are below the method's own error.
+        let (u, fd) = self.elements.fv_curve.solve::<3>(a, r);
         let moved = g * u;
         self.gains[I] = [moved, u - known_v];
         self.predicted = u;
@@ -397,6 +414,8 @@ impl Substep<'_> {
                 resistance: a + fd.slope,
                 inner,
                 inner_at,
+                by_guess: 0.0,
+                guess_by_end: [0.0; 2],
             },
         );
         Mass {
@@ -454,6 +473,9 @@ fn move_mass<T: Tableau>(
     mut mass: Mass,
     follow: &mut impl Follow,
 ) -> Mass {
+    if T::STAGES == 1 {
+        return move_mass_cheaply(drive, substeps, mass, follow);
+    }
     if substeps == 1 {
         // The common case, written out so that the places of the stages are constants.
         return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T>(follow);
@@ -463,6 +485,64 @@ fn move_mass<T: Tableau>(
     for left in (0..substeps).rev() {
         mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T>(follow);
         theta += part;
+    }
+    mass
+}
+
+/// As [`move_mass`] by cheap steps.
+fn move_mass_cheaply(
+    drive: &Drive,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    let (elements, path) = (drive.elements, drive.path);
+    let part = 1.0 / substeps as f64;
+    let h = path.length() * part;
+    let mut from = path.at(0.0);
+    for sub in 1..=substeps {
+        let last = sub == substeps;
+        let to = if last {
+            path.last()
+        } else {
+            path.at(sub as f64 * part)
+        };
+        let before = cheap::Before {
+            x: mass.x,
+            v: mass.v,
+            gain: to.v - from.v,
+            h,
+            side: drive.side,
+        };
+        let after = cheap::take(elements, &before, &to);
+        let denominator = 1.0 / after.by_impulse;
+        follow.stage(
+            elements,
+            &Stage {
+                index: 0,
+                last: true,
+                g: h,
+                gamma: 1.0,
+                row: &[],
+                path: to,
+                known_velocity: mass.v,
+                x_m: after.x,
+                u: after.v,
+                denominator,
+                resistance: denominator / h,
+                inner: after.springs,
+                inner_at: after.springs_at,
+                by_guess: after.by_guess,
+                guess_by_end: [0, 1].map(|k| to.v_by_end[k] - from.v_by_end[k]),
+            },
+        );
+        mass = Mass {
+            x: after.x,
+            v: after.v,
+            primary: after.primary,
+            inner: after.spring,
+        };
+        from = to;
     }
     mass
 }
@@ -582,9 +662,25 @@ pub fn step_into(
     state: &mut State,
     output: &mut Output,
 ) {
+    *state = *from;
+    step_in_place(model, state, to, dt, output);
+}
+
+/// As [`step`], moving a state on where it is.
+#[inline]
+pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+    if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_mass_alone() {
+        cheap_step(model, state, to, dt, output);
+    } else {
+        step_of_any_kind(model, state, to, dt, output);
+    }
+}
+
+/// A step that is not a single cheap one.
+#[inline(never)]
+fn step_of_any_kind(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     if dt == 0.0 {
-        let x = to.displacement.unwrap_or(from.displacement);
-        *state = *from;
+        let x = to.displacement.unwrap_or(state.displacement);
         *output = model.static_output(&Input {
             displacement: Some(x),
             ..*to
@@ -593,13 +689,59 @@ pub fn step_into(
     }
     let plain = model.integration.substeps(dt) == 1 && !model.elements.has_memory();
     match (model.integration.method, plain) {
-        (Method::Fourth, true) => answer::<Fourth, true>(model, from, to, dt, state, output),
-        (Method::Fourth, false) => answer::<Fourth, false>(model, from, to, dt, state, output),
-        (Method::Second, true) => answer::<Second, true>(model, from, to, dt, state, output),
-        (Method::Second, false) => answer::<Second, false>(model, from, to, dt, state, output),
-        (Method::Euler, true) => answer::<Euler, true>(model, from, to, dt, state, output),
-        (Method::Euler, false) => answer::<Euler, false>(model, from, to, dt, state, output),
+        (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
+        (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output),
+        (Method::Second, true) => answer::<Second, true>(model, state, to, dt, output),
+        (Method::Second, false) => answer::<Second, false>(model, state, to, dt, output),
+        (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output),
     }
+}
+
+/// One cheap step of a damper whose only memory is its mass, as fast as it goes.
+#[inline(always)]
+fn cheap_step(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+    let elements = &model.elements;
+    let path = Path::new(state.displacement, state.velocity, to, dt);
+    let end = path.last();
+    let before = cheap::Before {
+        x: state.mass_displacement,
+        v: state.mass_velocity,
+        gain: end.v - state.velocity,
+        h: dt,
+        side: (to.side_force, to.temperature),
+    };
+    let after = cheap::take(elements, &before, &end);
+    let outer = Motion {
+        displacement: end.x,
+        velocity: end.v,
+        side_force: to.side_force,
+        temperature: to.temperature,
+    };
+    let (friction, preload) = (elements.friction(&outer), elements.preload(&outer));
+    let s = &elements.series_compliance;
+    let deflection = end.x - after.x;
+    let follows = s.damping + dt * s.stiffness;
+    let per_impulse = dt * after.by_impulse;
+    let by_x = s.stiffness - follows * (s.stiffness * per_impulse);
+    let by_v = s.damping - follows * (s.damping * per_impulse + after.by_guess);
+    let by_x = by_x + (friction.by_x + preload.by_x);
+    let mut by_v = by_v + (friction.by_v + preload.by_v);
+    if to.displacement.is_none() {
+        by_v += 0.5 * dt * by_x;
+    }
+    state.displacement = end.x;
+    state.velocity = end.v;
+    state.mass_displacement = after.x;
+    state.mass_velocity = after.v;
+    output.force = (s.stiffness * deflection + s.damping * (end.v - after.v))
+        + (friction.force + preload.force);
+    output.force_by_displacement = by_x;
+    output.force_by_velocity = by_v;
+    output.primary_force = after.primary;
+    output.spring_force = after.spring;
+    output.friction_force = friction.force;
+    output.gas_force = preload.force;
+    output.series_deflection = deflection;
 }
 
 /// One step of several dampers of one model, such as the corners of a car: to the bit what single steps give.
@@ -623,14 +765,13 @@ pub fn step_batch(
 #[inline(never)]
 fn answer<T: Tableau, const PLAIN: bool>(
     model: &Model,
-    from: &State,
+    state: &mut State,
     to: &Input,
     dt: f64,
-    state: &mut State,
     output: &mut Output,
 ) {
     let mut by_end = ByEnd::new();
-    advance_by::<T, PLAIN>(model, from, to, dt, &mut by_end, state, output);
+    advance_by::<T, PLAIN>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -647,10 +788,11 @@ pub fn advance(
     state: &mut State,
     output: &mut Output,
 ) {
+    *state = *from;
     match model.integration.method {
-        Method::Fourth => advance_by::<Fourth, false>(model, from, to, dt, follow, state, output),
-        Method::Second => advance_by::<Second, false>(model, from, to, dt, follow, state, output),
-        Method::Euler => advance_by::<Euler, false>(model, from, to, dt, follow, state, output),
+        Method::Fourth => advance_by::<Fourth, false>(model, to, dt, follow, state, output),
+        Method::Second => advance_by::<Second, false>(model, to, dt, follow, state, output),
+        Method::Euler => advance_by::<Euler, false>(model, to, dt, follow, state, output),
     }
 }
 
@@ -659,11 +801,10 @@ pub fn advance(
 const SHORTEST: f64 = 1e-90;
 const LONGEST: f64 = 1e60;
 
-/// By one method.
+/// By one method, in place.
 #[inline(always)]
 fn advance_by<T: Tableau, const PLAIN: bool>(
     model: &Model,
-    from: &State,
     to: &Input,
     dt: f64,
     follow: &mut impl Follow,
@@ -678,7 +819,7 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
-    let path = Path::new(from.displacement, from.velocity, to, dt);
+    let path = Path::new(state.displacement, state.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
     let outer = Motion {
@@ -690,12 +831,11 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     let (mut force, mut by_x, mut by_v);
     state.displacement = x;
     state.velocity = v;
-    state.memory = from.memory;
     if e.has_series() {
         let s = &e.series_compliance;
         let start = Mass {
-            x: from.mass_displacement,
-            v: from.mass_velocity,
+            x: state.mass_displacement,
+            v: state.mass_velocity,
             primary: 0.0,
             inner: 0.0,
         };

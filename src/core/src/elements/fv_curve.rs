@@ -1,6 +1,6 @@
 //! The primary damper: force over velocity of the internal mass (thesis 3, F_d).
 
-use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
+use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::elements::{Describe, Prepare};
 use crate::fault::{Fault, Reason};
 use crate::parameter::{Parameter, View};
@@ -162,6 +162,18 @@ impl FvCurve {
     #[inline(always)]
     pub fn at(&self, v: f64) -> Value {
         self.0.at(v)
+    }
+
+    /// F_d(v) − F_d(0), with slope and curvature; see [`Curve::above_zero`].
+    #[inline(always)]
+    pub fn above_zero(&self, v: f64) -> Above {
+        self.0.above_zero(v)
+    }
+
+    /// F_d(0): 0 unless the curve has an offset.
+    #[inline(always)]
+    pub fn at_zero(&self) -> f64 {
+        self.0.at_zero()
     }
 
     /// The internal velocity `u` with `a u + F_d(u) = r`; see [`Curve::solve`].

@@ -246,6 +246,14 @@ macro_rules! elements {
                 false $(|| self.has(Place::$memory))*
             }
 
+            /// Whether the internal mass is there and nothing else has a state.
+            #[inline(always)]
+            pub fn is_mass_alone(&self) -> bool {
+                const MASS: u64 = 1 << Place::$series as usize;
+                const STATES: u64 = MASS $(| 1 << Place::$memory as usize)*;
+                self.on & STATES == MASS
+            }
+
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
             pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {

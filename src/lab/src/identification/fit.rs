@@ -4,8 +4,9 @@ use super::first_guess::{self, SLOW};
 use super::intervals::{Estimate, Standing, estimates};
 use super::least_squares::{Effort, solve};
 use super::segment::{Segment, segments};
+use super::sensitivity::Accuracy;
 use super::unknowns::{CurveName, Unknown, Unknowns};
-use super::variants::{Choice, FRICTION, SPRING, Structure, choose};
+use super::variants::{Candidate, Choice, FRICTION, SPRING, Structure, choose, with_slow_points};
 use crate::records::Record;
 use dashpot_core::elements;
 use dashpot_core::parameter::find;
@@ -182,14 +183,25 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let mut choices = Vec::new();
     let mut structure = start;
     progress(Stage { done: 0.3, text: "choosing the friction" });
-    let (k, choice, found) =
-        choose("friction", &frictions, segments, &from, |v| Structure { friction: v, ..structure });
+    let with = |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, from: *from };
+    let list: Vec<_> =
+        frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
+    let (k, choice, found) = choose("friction", &list, segments);
     (structure.friction, from) = (frictions[k], found);
     choices.push(choice);
     progress(Stage { done: 0.55, text: "choosing the spring" });
-    let (k, choice, found) = choose("spring", &springs, segments, &from, |v| Structure { spring: v, ..structure });
+    let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
+    let (k, choice, found) = choose("spring", &list, segments);
     (structure.spring, from) = (springs[k], found);
     choices.push(choice);
+    let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
+    if let Some(denser) = with_slow_points(&from, slow_peak) {
+        progress(Stage { done: 0.8, text: "choosing the FV points" });
+        let list = [with(structure, "without slow tests", &from), with(structure, "with slow tests", &denser)];
+        let (_, choice, found) = choose("FV points", &list, segments);
+        from = found;
+        choices.push(choice);
+    }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
     let mut notes = Vec::new();
@@ -212,13 +224,20 @@ fn finish(
     mut notes: Vec<String>,
 ) -> Fit {
     let refs: Vec<&Segment> = segments.iter().collect();
-    let mut theta = solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta;
+    // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
+    let mut effort = Effort { tolerance: 1e-6, accuracy: Accuracy::Cheap, ..Effort::FINE };
+    let mut theta = solve(&refs, &unknowns, &unknowns.start(), effort).theta;
     let mut left_out: Vec<Estimate> = Vec::new();
     let estimates = loop {
-        let (list, loose) = estimates(segments, &unknowns, &theta);
+        let (list, loose) = estimates(segments, &unknowns, &theta, effort.accuracy);
         // One at a time, the loosest first: the others may be determined once it is held.
         let Some(worst) = loose.iter().copied().max_by(|a, b| width(&list[*a]).total_cmp(&width(&list[*b]))) else {
-            break list;
+            if effort.accuracy == Accuracy::Full {
+                break list;
+            }
+            effort = Effort::FINE;
+            theta = solve(&refs, &unknowns, &theta, effort).theta;
+            continue;
         };
         let mut estimate = list[worst].clone();
         let mut base = unknowns.params(&theta);
@@ -233,7 +252,7 @@ fn finish(
         left_out.push(estimate);
         unknowns.list.remove(worst);
         unknowns.base = base;
-        theta = solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta;
+        theta = solve(&refs, &unknowns, &unknowns.start(), effort).theta;
     };
     for estimate in &left_out {
         notes.push(format!(

@@ -51,10 +51,15 @@ pub enum Standing {
 }
 
 /// Estimates of all unknowns at a solution, and the places of those that are not identified.
-pub fn estimates(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> (Vec<Estimate>, Vec<usize>) {
+pub fn estimates(
+    segments: &[Segment],
+    unknowns: &Unknowns,
+    theta: &[f64],
+    accuracy: Accuracy,
+) -> (Vec<Estimate>, Vec<usize>) {
     let refs: Vec<&Segment> = segments.iter().collect();
     let params = unknowns.params(theta);
-    let Some((cov, determined)) = covariance(&refs, unknowns, theta) else { return (Vec::new(), Vec::new()) };
+    let Some((cov, determined)) = covariance(&refs, unknowns, theta, accuracy) else { return (Vec::new(), Vec::new()) };
     let top = segments.iter().fold(0.0f64, |m, s| m.max(s.top));
     let stroke = segments.iter().fold(0.0f64, |m, s| m.max(s.amplitude));
     let speed = segments.iter().fold(0.0f64, |m, s| m.max(s.peak_velocity));

@@ -28,7 +28,7 @@ impl Effort {
     /// To compare variants.
     pub const ROUGH: Effort = Effort { steps: 8, tolerance: 1e-3, accuracy: Accuracy::Cheap };
     /// For the result.
-    pub const FINE: Effort = Effort { steps: 60, tolerance: 1e-8, accuracy: Accuracy::Full };
+    pub const FINE: Effort = Effort { steps: 60, tolerance: 1e-7, accuracy: Accuracy::Full };
 }
 
 /// Where a fit ended.
@@ -211,8 +211,13 @@ pub fn left_out_errors(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]
 /// residual and its samples discounted for their correlation, so that model error widens the intervals too.
 ///
 /// Returns the covariance and, for each unknown, how well it is determined apart from all others (1: fully, 0: not).
-pub fn covariance(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
-    let run = Run::new(unknowns, theta, Accuracy::Full)?;
+pub fn covariance(
+    segments: &[&Segment],
+    unknowns: &Unknowns,
+    theta: &[f64],
+    accuracy: Accuracy,
+) -> Option<(DMatrix<f64>, Vec<f64>)> {
+    let run = Run::new(unknowns, theta, accuracy)?;
     let n = theta.len();
     let parts: Vec<(DMatrix<f64>, f64)> = segments
         .par_iter()

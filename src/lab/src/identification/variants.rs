@@ -4,6 +4,7 @@ use super::least_squares::{Effort, left_out_errors, solve};
 use super::segment::Segment;
 use super::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_core::Params;
+use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use serde::Serialize;
 
 /// Relative fall of the error that one more parameter must bring to be worth having.
@@ -164,10 +165,32 @@ fn start_lookup(base: &mut Params, segments: &[Segment]) {
     let _ = base.set_list("spring_force", &forces);
 }
 
+/// Velocities, as shares of the fastest slow test's peak, at which the FV table gets points from slow tests.
+const SLOW_POINTS: [f64; 2] = [0.4, 1.0];
+
+/// The same parameters with points in the FV table where only slow tests are (thesis 4: "with and without the slow-test
+/// points"); `None` where the table already reaches that far down.
+pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
+    let (v, f) = (from.list("fv_velocity"), from.list("fv_force"));
+    let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
+    let closest = v.iter().filter(|v| **v != 0.0).fold(f64::INFINITY, |m, v| m.min(v.abs()));
+    if slow_peak <= 0.0 || 2.0 * slow_peak > closest || v.len() + 2 * SLOW_POINTS.len() > MAX_POINTS {
+        return None;
+    }
+    let mut points: Vec<f64> = v.to_vec();
+    points.extend(SLOW_POINTS.iter().flat_map(|share| [share * slow_peak, -share * slow_peak]));
+    points.sort_by(f64::total_cmp);
+    let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
+    let mut params = *from;
+    params.set_list("fv_velocity", &points).ok()?;
+    params.set_list("fv_force", &forces).ok()?;
+    Some(params)
+}
+
 /// The outcome of one choice.
 #[derive(Debug, Clone, Serialize)]
 pub struct Choice {
-    /// What was chosen: "friction" or "spring".
+    /// What was chosen: "friction", "spring" or "FV points".
     pub of: &'static str,
     /// The name of the variant that was kept.
     pub chosen: &'static str,
@@ -184,64 +207,77 @@ pub struct Score {
     pub name: &'static str,
     /// Root mean square over the left-out tests of rms error per allowed error.
     pub held_out: f64,
-    /// Largest excess of the mean square over the best variant's that chance explains (one standard error).
+    /// Difference of the mean square from the best variant's that chance explains (one standard error).
     pub tie_within: f64,
 }
 
-/// Chooses among `variants`, each put into a structure by `with`; returns the place of the winner.
+/// One of several ways to fit.
+pub struct Candidate {
+    /// Name in the report.
+    pub name: &'static str,
+    /// What is on.
+    pub structure: Structure,
+    /// Where the fit starts.
+    pub from: Params,
+}
+
+/// Chooses among ways to fit; returns the place of the winner, the account, and the fitted parameters.
 ///
-/// Every variant is fitted to all tests and then judged on each test as predicted from all others. The simplest variant
+/// Every candidate is fitted to all tests and then judged on each test as predicted from all others. The simplest
 /// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984,
-/// 3.4.3), each parameter costing [`WORTH`] of the error.
-pub fn choose(
-    of: &'static str,
-    variants: &[Variant],
-    segments: &[Segment],
-    from: &Params,
-    with: impl Fn(Variant) -> Structure,
-) -> (usize, Choice, Params) {
+/// 3.4.3), each unknown costing [`WORTH`] of the error.
+pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) -> (usize, Choice, Params) {
+    struct Judged {
+        params: Params,
+        unknowns: usize,
+        errors: Vec<f64>,
+    }
     let all: Vec<&Segment> = segments.iter().collect();
-    let fitted: Vec<(Params, Vec<f64>)> = variants
+    let judged: Vec<Judged> = candidates
         .iter()
-        .map(|variant| {
-            let unknowns = with(*variant).unknowns(from, segments);
+        .map(|candidate| {
+            let unknowns = candidate.structure.unknowns(&candidate.from, segments);
             let theta = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH).theta;
-            (unknowns.params(&theta), left_out_errors(&all, &unknowns, &theta))
+            Judged {
+                params: unknowns.params(&theta),
+                unknowns: unknowns.list.len(),
+                errors: left_out_errors(&all, &unknowns, &theta),
+            }
         })
         .collect();
-    let errors = |k: usize| &fitted[k].1;
     let n = segments.len() as f64;
-    let mean = |k: usize| errors(k).iter().sum::<f64>() / n;
+    let places = 0..candidates.len();
+    let mean = |k: usize| judged[k].errors.iter().sum::<f64>() / n;
     let rms = |k: usize| mean(k).sqrt();
-    let complexity =
-        |k: usize| variants[k].unknowns.len() + if variants[k].name == "lookup" { LOOKUP_POINTS } else { 0 };
-    let priced = |k: usize| rms(k) * (1.0 + WORTH * complexity(k) as f64);
-    let best = (0..variants.len()).min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
+    let fewest = judged.iter().map(|j| j.unknowns).min().unwrap_or(0);
+    let priced = |k: usize| rms(k) * (1.0 + WORTH * (judged[k].unknowns - fewest) as f64);
+    let best = places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
     let tie = |k: usize| {
-        let d: Vec<f64> = errors(k).iter().zip(errors(best)).map(|(a, b)| a - b).collect();
+        let d: Vec<f64> = judged[k].errors.iter().zip(&judged[best].errors).map(|(a, b)| a - b).collect();
         let m = d.iter().sum::<f64>() / n;
         (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
     };
-    let kept = (0..variants.len())
+    let kept = places
+        .clone()
         .filter(|k| mean(*k) - mean(best) <= tie(*k))
-        .min_by(|a, b| complexity(*a).cmp(&complexity(*b)).then(mean(*a).total_cmp(&mean(*b))))
+        .min_by(|a, b| judged[*a].unknowns.cmp(&judged[*b].unknowns).then(mean(*a).total_cmp(&mean(*b))))
         .unwrap_or(best);
-    let others = (0..variants.len())
+    let others = places
+        .clone()
         .filter(|k| *k != kept)
-        .map(|k| format!("{} {:.2}", variants[k].name, rms(k)))
+        .map(|k| format!("{} {:.2}", candidates[k].name, rms(k)))
         .collect::<Vec<_>>()
         .join(", ");
     let why = format!(
         "error on left-out tests {:.2} of the allowed error ({others}); {}",
         rms(kept),
         if kept == best {
-            "no other variant is better by what its parameters cost"
+            "no other is better by what its parameters cost"
         } else {
             "the simplest within one standard error of the best"
         }
     );
-    let scores = (0..variants.len())
-        .map(|k| Score { name: variants[k].name, held_out: rms(k), tie_within: tie(k) })
-        .collect();
-    (kept, Choice { of, chosen: variants[kept].name, scores, why }, fitted[kept].0)
+    let scores =
+        places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
+    (kept, Choice { of, chosen: candidates[kept].name, scores, why }, judged[kept].params)
 }

@@ -1,0 +1,113 @@
+//! The cheap step: linearly implicit Euler, in closed form. Pure.
+//!
+//! Backward Euler with the forces on the mass taken on straight lines, so that nothing is iterated. With the step h,
+//! the mass at X with velocity V and the driven end at x, v after the step,
+//!
+//! ```text
+//! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
+//! ```
+//!
+//! F̃_p is the tangent of the springs where the mass would go at V. F̃_d is a straight line through the FV curve at
+//! v̂ = V + v − v_0, where the mass would be if it followed the driven end. Its slope is the greater of the tangent and
+//! the secant to standstill:
+//!
+//! - by the secant F̃_d(u) = F_d(0) + s u with s ≥ 0: a dashpot, which takes energy whatever s and h are. A digressive
+//!   curve's tangent would carry the force of full speed through standstill and push the mass on;
+//! - a progressive curve's tangent is the greater: Newton's method from the steep side, which does not overshoot either,
+//!   while its secant would fall short and swing.
+//!
+//! Both agree with F_d to the first order in h, so the method has order 1, and every derivative is explicit.
+
+use super::REACH;
+use crate::elements::{Elements, Motion, Response};
+use crate::input::PathPoint;
+
+/// The mass before the step, and what the step is given.
+pub(super) struct Before {
+    /// Displacement and velocity of the mass.
+    pub x: f64,
+    pub v: f64,
+    /// What the driven end's velocity gains in the step.
+    pub gain: f64,
+    /// h.
+    pub h: f64,
+    /// Side force and temperature.
+    pub side: (f64, f64),
+}
+
+/// What the step came to.
+pub(super) struct After {
+    /// Displacement and velocity of the mass.
+    pub x: f64,
+    pub v: f64,
+    /// F̃_d.
+    pub primary: f64,
+    /// F̃_p.
+    pub spring: f64,
+    /// ∂u/∂(impulse on the mass): 1/(m + h (c_s + s) + h² (k_s + F_p')), 1/kg.
+    pub by_impulse: f64,
+    /// ∂u/∂v̂: how far the answer leans on the guess.
+    pub by_guess: f64,
+    /// The springs, and where they were linearised.
+    pub springs: Response,
+    pub springs_at: f64,
+}
+
+/// Speed beside which a secant is not taken any shorter, m/s: far below all that matters.
+const STANDSTILL: f64 = 1e-9;
+
+/// Moves the mass by one step to the driven end at `end`.
+#[inline(always)]
+pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint) -> After {
+    let e = &elements.series_compliance;
+    let h = before.h;
+    let springs_at = before.x + h * before.v;
+    // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
+    // of a hardening spring from where it will never be.
+    let (low, high) = (end.x - REACH, end.x + REACH);
+    let springs_at = if springs_at < low { low } else { springs_at };
+    let springs_at = if springs_at > high { high } else { springs_at };
+    let springs = elements.inner(&Motion {
+        displacement: springs_at,
+        velocity: before.v,
+        side_force: before.side.0,
+        temperature: before.side.1,
+    });
+    let held = springs.force + springs.by_x * (before.x - springs_at) - springs.by_v * before.v;
+    let spring_slope = springs.by_v + h * springs.by_x;
+    let inertia = e.mass + h * (e.damping + spring_slope + h * e.stiffness);
+    let drive = e.stiffness * (end.x - before.x) + e.damping * end.v;
+    let offset = elements.fv_curve.at_zero();
+    let impulse = e.mass * before.v + h * (drive - held - offset);
+
+    let guess = before.v + before.gain;
+    let curve = elements.fv_curve.above_zero(guess);
+    let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
+    let (u, primary, by_impulse, by_guess);
+    if curve.slope * speed <= level {
+        // s = level/speed, with both sides of the balance times the speed: one division in all.
+        let divide = 1.0 / (inertia * speed + h * level);
+        let share = impulse * divide;
+        u = share * speed;
+        primary = level * share;
+        by_impulse = speed * divide;
+        let lean = h * (level - curve.slope * speed) * (share * divide);
+        by_guess = if guess < 0.0 { -lean } else { lean };
+    } else {
+        let divide = 1.0 / (inertia + h * curve.slope);
+        u = (impulse + h * (curve.slope * guess - curve.value)) * divide;
+        primary = curve.value + curve.slope * (u - guess);
+        by_impulse = divide;
+        by_guess = h * curve.curvature * (guess - u) * divide;
+    }
+    After {
+        x: before.x + h * u,
+        v: u,
+        primary: offset + primary,
+        spring: held + spring_slope * u,
+        by_impulse,
+        by_guess,
+        springs,
+        springs_at,
+    }
+}

@@ -1,0 +1,58 @@
+//! The page of elements and parameters follows the kernel's table; `UPDATE_DOCS=1` rewrites it.
+
+use dashpot_core::Params;
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Shape};
+use std::fmt::Write as _;
+use std::path::Path;
+
+fn page() -> String {
+    let default = Params::new();
+    let mut out = String::from(
+        "# Elements and parameters\n\n\
+         Written from the kernel's parameter table by `UPDATE_DOCS=1 cargo test --release --test parameter_page`.\n\n\
+         SI units; extension (rebound) velocity and tension force positive. Names are those of the model file, of\n\
+         `dashpot_params_set` in C, and of reports. A model file names the elements that are on; parameters that it does\n\
+         not name keep their defaults.\n",
+    );
+    for (g, group) in GROUPS.iter().enumerate() {
+        let on = if g >= elements::COUNT {
+            "no element: always there"
+        } else if default.is_on(group.name) {
+            "on by default"
+        } else {
+            "off by default"
+        };
+        let _ = write!(out, "\n## `{}`\n\n{}; {on}.\n\n", group.name, group.meaning);
+        out += "| parameter | meaning | unit | default | bounds |\n|---|---|---|---|---|\n";
+        for row in parameter::table().filter(|r| r.group == g) {
+            let p = row.parameter;
+            let (default, bounds) = match p.shape {
+                Shape::Choice(words) => (words[0].to_owned(), words.join(", ")),
+                Shape::Scalar => (format!("{}", p.default[0]), format!("{} … {}", p.low, p.high)),
+                Shape::List(n) => (
+                    if p.default.is_empty() { "none".to_owned() } else { format!("{} points", p.default.len()) },
+                    format!("up to {n}, each {} … {}", p.low, p.high),
+                ),
+            };
+            let _ = writeln!(
+                out,
+                "| `{}` | {} | {} | {default} | {bounds} |",
+                p.name,
+                p.meaning.replace('|', "\\|"),
+                p.unit.replace('|', "\\|")
+            );
+        }
+    }
+    out
+}
+
+#[test]
+fn the_page_follows_the_table() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parameters.md");
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        std::fs::write(&path, page()).unwrap();
+    }
+    let written = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
+}
