@@ -1,4 +1,5 @@
 //! What the whole-system tests share.
 
+pub mod cli;
 pub mod header;
 pub mod library;

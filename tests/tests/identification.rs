@@ -181,7 +181,7 @@ fn the_side_force_slope_comes_from_tests_with_side_force() {
     assert!((e.value - 0.06).abs() < 0.003, "{e:?}");
     assert!(e.low.unwrap() < 0.06 && 0.06 < e.high.unwrap(), "{e:?}");
     let without = fitted(&campaign(&truth, 5, 0.01, |_| None));
-    assert!(without.notes.iter().any(|n| n.contains("side_force_friction")));
+    assert!(without.notes.iter().any(|n| n.contains("side_force_coefficient")));
 }
 
 #[test]

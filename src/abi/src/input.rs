@@ -34,8 +34,7 @@ pub struct dashpot_input {
     pub temperature: f64,
 }
 
-const KNOWN: u32 =
-    DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+const KNOWN: u32 = DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
 
 /// Largest sum of magnitudes of numbers from the host, in any unit: beyond it something is broken, and the force could
 /// overflow.
@@ -57,8 +56,17 @@ pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refus
     unsafe { &*input }.checked()
 }
 
+/// What the host handed in and [`checked`] accepted.
+///
+/// # Safety
+/// An aligned input that was checked and not written since.
+#[inline(always)]
+pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
+    unsafe { &*input }.taken().0
+}
+
 impl dashpot_input {
-    /// As the kernel takes it.
+    /// As the kernel takes it, refused unless it makes sense.
     #[inline(always)]
     fn checked(&self) -> Result<Input, Refused> {
         if self.struct_size as usize != size_of::<dashpot_input>() {
@@ -67,6 +75,13 @@ impl dashpot_input {
         if self.known & !KNOWN != 0 {
             return Err(Refused(DASHPOT_UNKNOWN_FLAG));
         }
+        let (input, sum) = self.taken();
+        if sum <= LARGEST { Ok(input) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
+    }
+
+    /// As the kernel takes it, and the sum of its magnitudes.
+    #[inline(always)]
+    fn taken(&self) -> (Input, f64) {
         let knows = |bit| self.known & bit != 0;
         let mut input = Input::velocity(self.velocity);
         // A sum of magnitudes is sane only if every one is; NaN makes it NaN.
@@ -86,10 +101,6 @@ impl dashpot_input {
                 sum += self.temperature.abs();
             }
         }
-        if sane(sum) {
-            Ok(input)
-        } else {
-            Err(Refused(DASHPOT_BAD_INPUT))
-        }
+        (input, sum)
     }
 }

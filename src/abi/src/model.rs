@@ -29,9 +29,7 @@ pub(crate) struct Prepared {
 const MAGIC: u64 = magic("model", size_of::<Model>());
 
 const _: () = {
-    assert!(
-        size_of::<dashpot_model>() == 24576 && size_of::<Prepared>() <= size_of::<dashpot_model>()
-    );
+    assert!(size_of::<dashpot_model>() == 24576 && size_of::<Prepared>() <= size_of::<dashpot_model>());
     assert!(align_of::<dashpot_model>() == 16 && align_of::<Prepared>() == 16);
 };
 
@@ -50,31 +48,28 @@ pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Mod
 /// # Safety
 /// Null, or a `dashpot_model` that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn prepared_aligned<'a>(
-    model: *const dashpot_model,
-) -> Result<&'a Model, Refused> {
+pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result<&'a Model, Refused> {
     present(model)?;
     let block = unsafe { &*model.cast::<Prepared>() };
-    if block.magic != MAGIC {
-        Err(Refused(DASHPOT_NOT_SET))
-    } else {
-        Ok(&block.model)
-    }
+    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.model) }
+}
+
+/// A model that was found prepared before.
+///
+/// # Safety
+/// What [`prepared`] accepted, unchanged since.
+#[inline(always)]
+pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
+    unsafe { &(*model.cast::<Prepared>()).model }
 }
 
 /// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
 /// to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_model_init(
-    model: *mut dashpot_model,
-    params: *const dashpot_params,
-) -> i32 {
+pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *const dashpot_params) -> i32 {
     status((|| {
         usable(model)?;
-        let prepared = Prepared {
-            magic: MAGIC,
-            model: Model::new(unsafe { values(params) }?)?,
-        };
+        let prepared = Prepared { magic: MAGIC, model: Model::new(unsafe { values(params) }?)? };
         unsafe { model.cast::<Prepared>().write(prepared) };
         Ok(DASHPOT_OK)
     })())

@@ -4,7 +4,7 @@
 //! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
 //! repeats the first to the last bit. A state belongs to the model it was made for.
 
-use core::mem::{align_of, offset_of, size_of, transmute};
+use core::mem::{align_of, offset_of, size_of};
 
 use dashpot_core::{Input, Output, State};
 
@@ -51,24 +51,15 @@ pub struct dashpot_output {
 
 // The kernel's own structures under C names: the same bytes, so that a step writes straight to the host.
 const _: () = {
-    assert!(
-        size_of::<dashpot_state>() == size_of::<State>()
-            && align_of::<dashpot_state>() == align_of::<State>()
-    );
+    assert!(size_of::<dashpot_state>() == size_of::<State>() && align_of::<dashpot_state>() == align_of::<State>());
     assert!(offset_of!(dashpot_state, displacement) == offset_of!(State, displacement));
     assert!(offset_of!(dashpot_state, velocity) == offset_of!(State, velocity));
     assert!(offset_of!(dashpot_state, mass_displacement) == offset_of!(State, mass_displacement));
     assert!(offset_of!(dashpot_state, mass_velocity) == offset_of!(State, mass_velocity));
     assert!(offset_of!(dashpot_state, memory) == offset_of!(State, memory));
-    assert!(
-        size_of::<dashpot_output>() == size_of::<Output>()
-            && align_of::<dashpot_output>() == align_of::<Output>()
-    );
+    assert!(size_of::<dashpot_output>() == size_of::<Output>() && align_of::<dashpot_output>() == align_of::<Output>());
     assert!(offset_of!(dashpot_output, force) == offset_of!(Output, force));
-    assert!(
-        offset_of!(dashpot_output, force_by_displacement)
-            == offset_of!(Output, force_by_displacement)
-    );
+    assert!(offset_of!(dashpot_output, force_by_displacement) == offset_of!(Output, force_by_displacement));
     assert!(offset_of!(dashpot_output, force_by_velocity) == offset_of!(Output, force_by_velocity));
     assert!(offset_of!(dashpot_output, primary_force) == offset_of!(Output, primary_force));
     assert!(offset_of!(dashpot_output, spring_force) == offset_of!(Output, spring_force));
@@ -77,24 +68,33 @@ const _: () = {
     assert!(offset_of!(dashpot_output, series_deflection) == offset_of!(Output, series_deflection));
 };
 
-/// A copy of a state that the host handed in.
+/// Refuses a state that holds NaN or infinity.
 ///
 /// # Safety
 /// Null, or an aligned state that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refused> {
+pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> {
     present(state)?;
     // In pairs, which processors add at once. 0·x is 0 for every finite x and NaN for all others.
-    let pairs = unsafe { *state.cast::<[[f64; 2]; 6]>() };
+    let pairs = unsafe { &*state.cast::<[[f64; 2]; 6]>() };
     let [first, rest @ ..] = pairs;
-    let sum = rest
-        .iter()
-        .fold(first, |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
+    let sum = rest.iter().fold(*first, |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
     if (sum[0] + sum[1]) * 0.0 != 0.0 {
         return Err(Refused(DASHPOT_BAD_STATE));
     }
-    // SAFETY: twelve numbers either way; this copy is in registers already.
-    Ok(unsafe { transmute::<[[f64; 2]; 6], State>(pairs) })
+    Ok(())
+}
+
+/// A copy of a state that the host handed in.
+///
+/// # Safety
+/// As [`finite`].
+#[inline(always)]
+pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refused> {
+    unsafe {
+        finite(state)?;
+        Ok(*state.cast::<State>())
+    }
 }
 
 /// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position

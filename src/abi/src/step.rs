@@ -7,16 +7,15 @@
 //! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held. The
 //! state stays as it is.
 
-use dashpot_core::step::step_into;
+use dashpot_core::step::step_in_place;
 use dashpot_core::{Input, Model, Output, State};
 
 use crate::input::{self, LARGEST, dashpot_input, sane};
-use crate::model::{dashpot_model, prepared, prepared_aligned};
+use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
-use crate::state::{checked, dashpot_output, dashpot_state};
+use crate::state::{dashpot_output, dashpot_state, finite};
 use crate::status::{
-    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE,
-    Refused, status,
+    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused, status,
 };
 
 /// Steps longer than this get a warning, s.
@@ -28,44 +27,37 @@ const SHORTEST_STEP: f64 = 1e-15;
 #[allow(clippy::manual_range_contains)]
 #[inline(always)]
 fn checked_step(dt: f64) -> Result<f64, Refused> {
-    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 {
-        Ok(dt)
-    } else {
-        Err(Refused(DASHPOT_BAD_TIME_STEP))
-    }
+    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
 }
 
 /// The warnings for a step.
 #[inline(always)]
 fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
-    let long = if dt > LONG_STEP {
-        DASHPOT_LONG_STEP
-    } else {
-        DASHPOT_OK
-    };
-    range_warning(model, velocity) | long
+    if dt > LONG_STEP {
+        return long(model, velocity);
+    }
+    range_warning(model, velocity)
+}
+
+/// The warnings for a step that is too long, out of the way of the others.
+#[cold]
+#[inline(never)]
+fn long(model: &Model, velocity: f64) -> i32 {
+    range_warning(model, velocity) | DASHPOT_LONG_STEP
 }
 
 /// The warning for a velocity.
 #[inline(always)]
 pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
     let (low, high) = model.elements().fv_curve.range();
-    if velocity >= low && velocity <= high {
-        DASHPOT_OK
-    } else {
-        outside(model, velocity)
-    }
+    if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
 }
 
 /// Out of the way of steps without a warning.
 #[cold]
 #[inline(never)]
 fn outside(model: &Model, velocity: f64) -> i32 {
-    if model.covers(velocity) {
-        DASHPOT_OK
-    } else {
-        DASHPOT_OUTSIDE_RANGE
-    }
+    if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
 }
 
 /// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
@@ -80,7 +72,8 @@ pub unsafe extern "C" fn dashpot_force(
 ) -> i32 {
     status((|| {
         aligned!(model, state, force);
-        let (model, from) = unsafe { (prepared_aligned(model)?, checked(state)?) };
+        let model = unsafe { prepared_aligned(model)? };
+        unsafe { finite(state)? };
         if !sane(velocity) {
             return Err(Refused(DASHPOT_BAD_INPUT));
         }
@@ -88,14 +81,7 @@ pub unsafe extern "C" fn dashpot_force(
         present(force)?;
         let mut output = Output::ZERO;
         unsafe {
-            step_into(
-                model,
-                &from,
-                &Input::velocity(velocity),
-                dt,
-                &mut *state.cast(),
-                &mut output,
-            );
+            step_in_place(model, &mut *state.cast(), &Input::velocity(velocity), dt, &mut output);
             *force = output.force;
         }
         Ok(warnings(model, velocity, dt))
@@ -115,29 +101,36 @@ pub unsafe extern "C" fn dashpot_step(
 ) -> i32 {
     status((|| {
         aligned!(model, from, to_input, to, output);
-        // A copy of the state, because the caller's may be the one that is written.
-        let (model, from, input) = unsafe {
-            (
-                prepared_aligned(model)?,
-                checked(from)?,
-                input::checked(to_input)?,
-            )
-        };
+        let model = unsafe { prepared_aligned(model)? };
+        unsafe { finite(from)? };
+        let input = unsafe { input::checked(to_input)? };
         let dt = checked_step(dt)?;
         present(to)?;
         present(output)?;
-        unsafe {
-            step_into(
-                model,
-                &from,
-                &input,
-                dt,
-                &mut *to.cast(),
-                &mut *output.cast(),
-            )
-        };
+        unsafe { move_on(model, from, &input, dt, to, output) };
         Ok(warnings(model, input.velocity, dt))
     })())
+}
+
+/// One checked step.
+///
+/// # Safety
+/// Valid, aligned pointers; `from` and `to` may be the same.
+#[inline(always)]
+unsafe fn move_on(
+    model: &Model,
+    from: *const dashpot_state,
+    input: &Input,
+    dt: f64,
+    to: *mut dashpot_state,
+    output: *mut dashpot_output,
+) {
+    let to = to.cast::<State>();
+    if from.cast() != to.cast_const() {
+        // Through a value: nothing is said about states that overlap by half.
+        unsafe { *to = *from.cast::<State>() };
+    }
+    unsafe { step_in_place(model, &mut *to, input, dt, &mut *output.cast::<Output>()) };
 }
 
 /// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
@@ -162,28 +155,27 @@ pub unsafe extern "C" fn dashpot_step_batch(
         present(outputs)?;
         present(from)?;
         present(to_inputs)?;
-        for i in 0..count as usize {
+        let count = count as usize;
+        let mut known: *const dashpot_model = core::ptr::null();
+        for i in 0..count {
             unsafe {
-                prepared(*models.add(i))?;
-                checked(from.add(i))?;
+                let model = *models.add(i);
+                // The corners of a car share a model or two: asked once for each in a row.
+                if model != known || known.is_null() {
+                    prepared(model)?;
+                    known = model;
+                }
+                finite(from.add(i))?;
                 input::checked(to_inputs.add(i))?;
             }
         }
         let mut status = DASHPOT_OK;
-        for i in 0..count as usize {
+        for i in 0..count {
             unsafe {
-                let model = prepared(*models.add(i))?;
-                let input = input::checked(to_inputs.add(i))?;
-                let from = *from.add(i).cast::<State>();
-                step_into(
-                    model,
-                    &from,
-                    &input,
-                    dt,
-                    &mut *to.add(i).cast(),
-                    &mut *outputs.add(i).cast(),
-                );
+                let model = ready(*models.add(i));
+                let input = input::taken(to_inputs.add(i));
                 status |= warnings(model, input.velocity, dt);
+                move_on(model, from.add(i), &input, dt, to.add(i), outputs.add(i));
             }
         }
         Ok(status)

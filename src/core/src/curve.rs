@@ -6,6 +6,7 @@
 //! a number of operations that does not depend on the data.
 
 use crate::fault::{Fault, Reason};
+use crate::math::pair;
 
 /// Most points that a curve may have.
 pub const MAX_POINTS: usize = 63;
@@ -42,9 +43,14 @@ struct Piece {
     /// c2 of the value and 2 c2 of the slope; likewise c3 and 3 c3: both polynomials run side by side.
     c2: [f64; 2],
     c3: [f64; 2],
+}
+
+/// The extent of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
     /// Where the piece ends, as t; the outer pieces reach as far as any number.
-    t_low: f64,
-    t_high: f64,
+    low: f64,
+    high: f64,
     /// Mean slope of an inner piece, the slope of an outer one.
     chord: f64,
 }
@@ -54,13 +60,15 @@ struct Piece {
 pub struct Curve {
     /// Points (u, f), ascending; the tail is larger than any that is looked for.
     points: [[f64; 2]; PIECES],
+    /// Apart from their extents, which a lookup does not ask for: a piece is as long as a cache line.
     pieces: [Piece; PIECES],
+    extents: [Extent; PIECES],
     /// Number of points.
     count: u32,
     /// Most points inside one bucket.
     crowded: u32,
     /// Points below each bucket.
-    below: [u8; BUCKETS],
+    below: [[u8; BUCKETS]; 2],
     /// f(0).
     at_zero: f64,
     low: f64,
@@ -78,47 +86,41 @@ pub struct Above {
     pub curvature: f64,
 }
 
-/// Buckets in which a place is looked up without comparing: sixteen to each power of two of the magnitude from 2^-12
-/// to 2^4, for either sign. They are the leading bits of the number, so that finding one costs no rounding.
-const BUCKETS: usize = 2 * SIDE;
-const SIDE: usize = 256;
-/// Exponent and first four bits of the mantissa of 2^-12.
-const FIRST: u64 = (1023 - 12) << 4;
+/// Buckets to either side of 0 in which a place is looked up without comparing.
+const BUCKETS: usize = 256;
 /// With more points than this in one bucket halving is quicker than counting on.
 const CROWDED: u32 = 3;
 
-/// The bucket of `u`.
+/// The bucket of `u`: whether it lies below 0, and its place outwards from there.
+///
+/// A place is the exponent and the first four bits of the mantissa of |u| + 2^-12, held below 2^4: sixteen buckets to
+/// each power of two, fine where the curves of dampers bend. Rounding cannot exchange two numbers' places.
 #[inline(always)]
-fn bucket(u: f64) -> usize {
-    let bits = u.to_bits();
-    let place = ((bits >> 48) & 0x7fff).saturating_sub(FIRST);
-    let place = if place > SIDE as u64 - 1 { SIDE as u64 - 1 } else { place };
-    (place | (bits >> 63) << 8) as usize & (BUCKETS - 1)
+fn bucket(u: f64) -> (bool, u8) {
+    const NEAREST: f64 = 1.0 / 4096.0;
+    const FURTHEST: f64 = 16.0 - 1e-3;
+    /// Leading bits of the nearest.
+    const FIRST: u64 = NEAREST.to_bits() >> 48;
+    let out = u.abs() + NEAREST;
+    let out = if out < FURTHEST { out } else { FURTHEST };
+    (u.is_sign_negative(), ((out.to_bits() >> 48) - FIRST) as u8)
 }
 
 const FAR: f64 = f64::MAX;
 
 impl Curve {
-    const ZERO_PIECE: Piece = Piece {
-        u0: 0.0,
-        f0: 0.0,
-        above: 0.0,
-        c1: 0.0,
-        c2: [0.0; 2],
-        c3: [0.0; 2],
-        t_low: -FAR,
-        t_high: FAR,
-        chord: 0.0,
-    };
+    const ZERO_PIECE: Piece = Piece { u0: 0.0, f0: 0.0, above: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2] };
+    const EVERYWHERE: Extent = Extent { low: -FAR, high: FAR, chord: 0.0 };
 
     /// A curve that is zero everywhere.
     pub const ZERO: Curve = {
         Curve {
             points: [[FAR; 2]; PIECES],
             pieces: [Curve::ZERO_PIECE; PIECES],
+            extents: [Curve::EVERYWHERE; PIECES],
             count: 0,
             crowded: 0,
-            below: [0; BUCKETS],
+            below: [[0; BUCKETS]; 2],
             at_zero: 0.0,
             low: 0.0,
             high: 0.0,
@@ -142,9 +144,7 @@ impl Curve {
             return Err(Reason::NotFinite);
         }
         let rises = |s: &[f64], strictly: bool| {
-            s.iter()
-                .zip(s.iter().skip(1))
-                .all(|(a, b)| if strictly { a < b } else { a <= b })
+            s.iter().zip(s.iter().skip(1)).all(|(a, b)| if strictly { a < b } else { a <= b })
         };
         if !rises(u, true) {
             return Err(Reason::NotIncreasing);
@@ -163,29 +163,23 @@ impl Curve {
             }
         }
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
-        for (i, piece) in curve.pieces.iter_mut().enumerate().take(n + 1) {
+        let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
+        for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
             // Piece i lies left of point i; the first and the last prolong the curve by its end slope.
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
-            *piece = Piece {
-                u0: at(u, anchor),
-                f0: at(f, anchor),
-                ..Curve::ZERO_PIECE
-            };
+            *piece = Piece { u0: at(u, anchor), f0: at(f, anchor), ..Curve::ZERO_PIECE };
             if inner {
                 let h = at(u, right) - at(u, left);
                 let chord = (at(f, right) - at(f, left)) / h;
-                (piece.t_low, piece.t_high, piece.chord) = (0.0, h, chord);
+                (extent.low, extent.high, extent.chord) = (0.0, h, chord);
                 match interpolation {
                     Interpolation::Linear => piece.c1 = chord,
                     Interpolation::MonotoneCubic => {
                         let (m0, m1) = (at(&slopes, left), at(&slopes, right));
                         piece.c1 = m0;
-                        let (c2, c3) = (
-                            (3.0 * chord - 2.0 * m0 - m1) / h,
-                            (m0 + m1 - 2.0 * chord) / (h * h),
-                        );
+                        let (c2, c3) = ((3.0 * chord - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * chord) / (h * h));
                         piece.c2 = [c2, 2.0 * c2];
                         piece.c3 = [c3, 3.0 * c3];
                     }
@@ -198,8 +192,8 @@ impl Curve {
                         (at(f, k + 1) - at(f, k)) / (at(u, k + 1) - at(u, k))
                     }
                 };
-                piece.chord = piece.c1;
-                (piece.t_low, piece.t_high) = if i == 0 { (-FAR, 0.0) } else { (0.0, FAR) };
+                extent.chord = piece.c1;
+                (extent.low, extent.high) = if i == 0 { (-FAR, 0.0) } else { (0.0, FAR) };
             }
         }
         curve.count = n as u32;
@@ -215,29 +209,19 @@ impl Curve {
 
     /// Counts the points below and inside every bucket.
     fn fill_buckets(&mut self, u: &[f64]) {
-        for (i, below) in self.below.iter_mut().enumerate() {
-            // Every number of the bucket lies between these magnitudes, the second not included.
-            let place = (i % SIDE) as u64;
-            let edge = |place: u64| f64::from_bits((FIRST + place) << 48);
-            let near = if place == 0 { 0.0 } else { edge(place) };
-            let far = if place + 1 == SIDE as u64 { f64::INFINITY } else { edge(place + 1) };
-            let (before, within) = if i < SIDE {
-                (u.iter().filter(|u| **u <= near).count(), u.iter().filter(|u| **u < far).count())
-            } else {
-                (u.iter().filter(|u| **u <= -far).count(), u.iter().filter(|u| **u <= -near).count())
-            };
-            *below = before as u8;
-            self.crowded = self.crowded.max(within.saturating_sub(before) as u32);
+        let order = |(negative, place): (bool, u8)| if negative { -1 - place as i32 } else { place as i32 };
+        for (negative, side) in [false, true].into_iter().zip(&mut self.below) {
+            for (place, below) in (0..=u8::MAX).zip(side) {
+                let here = order((negative, place));
+                *below = u.iter().filter(|u| order(bucket(**u)) < here).count() as u8;
+                let within = u.iter().filter(|u| order(bucket(**u)) == here).count();
+                self.crowded = self.crowded.max(within as u32);
+            }
         }
     }
 
     /// As [`Curve::new`], with the fault naming the parameter of the table that holds `f`.
-    pub fn prepare(
-        u: &[f64],
-        f: &[f64],
-        interpolation: Interpolation,
-        parameter: u16,
-    ) -> Result<Curve, Fault> {
+    pub fn prepare(u: &[f64], f: &[f64], interpolation: Interpolation, parameter: u16) -> Result<Curve, Fault> {
         Curve::new(u, f, interpolation).map_err(|reason| Fault { parameter, reason })
     }
 
@@ -275,7 +259,8 @@ impl Curve {
     /// The piece that holds `u`.
     #[inline(always)]
     fn at_place(&self, u: f64) -> &Piece {
-        let mut index = self.below[bucket(u)] as usize;
+        let (negative, place) = bucket(u);
+        let mut index = self.below[usize::from(negative)][usize::from(place)] as usize;
         let mut count_on = || {
             let [next, _] = self.points[index & (PIECES - 1)];
             index += usize::from(next <= u);
@@ -305,7 +290,7 @@ impl Curve {
         let p = self.at_place(u);
         let t = u - p.u0;
         // In halves, which processors compute side by side.
-        let [bent, bending] = [0, 1].map(|k| p.c2[k] + t * p.c3[k]);
+        let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
             slope: p.c1 + t * bending,
@@ -332,10 +317,11 @@ impl Curve {
     /// slope; three leave 1e-9 at 0.03.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
-        let p = self.piece(self.locate(r, |u, f| a * u + f));
+        let index = self.locate(r, |u, f| a * u + f);
+        let (p, extent) = (self.piece(index), &self.extents[index & (PIECES - 1)]);
         let target = r - (a * p.u0 + p.f0);
         let c1 = a + p.c1;
-        let mut t = target * (1.0 / (a + p.chord));
+        let mut t = target * (1.0 / (a + extent.chord));
         for _ in 0..STEPS {
             let [mean, slope] = p.polynomials(c1, t);
             let value = t * mean - target;
@@ -344,8 +330,8 @@ impl Curve {
             let bent = value * bend;
             let narrowed = slope * slope - bent;
             t -= value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3[0]));
-            t = if t < p.t_low { p.t_low } else { t };
-            t = if t > p.t_high { p.t_high } else { t };
+            t = if t < extent.low { extent.low } else { t };
+            t = if t > extent.high { extent.high } else { t };
         }
         (p.u0 + t, p.at(t))
     }
@@ -355,16 +341,13 @@ impl Piece {
     /// (f − f0)/t and the slope of f for the piece with linear term `c1`.
     #[inline(always)]
     fn polynomials(&self, c1: f64, t: f64) -> [f64; 2] {
-        [0, 1].map(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
+        pair(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
     }
 
     #[inline(always)]
     fn at(&self, t: f64) -> Value {
         let [mean, slope] = self.polynomials(self.c1, t);
-        Value {
-            value: self.f0 + t * mean,
-            slope,
-        }
+        Value { value: self.f0 + t * mean, slope }
     }
 }
 
@@ -399,9 +382,7 @@ mod tests {
     fn knee() -> ([f64; 9], [f64; 9]) {
         (
             [-1.6, -0.8, -0.3, -0.05, 0.0, 0.05, 0.3, 0.8, 1.6],
-            [
-                -1800.0, -1200.0, -800.0, -500.0, 0.0, 700.0, 1100.0, 2000.0, 3500.0,
-            ],
+            [-1800.0, -1200.0, -800.0, -500.0, 0.0, 700.0, 1100.0, 2000.0, 3500.0],
         )
     }
 
@@ -505,25 +486,10 @@ mod tests {
 
     #[test]
     fn refuses_what_is_not_a_curve() {
-        assert_eq!(
-            Curve::new(&[0.0], &[0.0], Interpolation::Linear).err(),
-            Some(Reason::PointCount)
-        );
-        assert_eq!(
-            Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(),
-            Some(Reason::CurveLengths)
-        );
-        assert_eq!(
-            Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(),
-            Some(Reason::NotIncreasing)
-        );
-        assert_eq!(
-            Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(),
-            Some(Reason::Falls)
-        );
-        assert_eq!(
-            Curve::new(&[0.0, f64::NAN], &[0.0, 1.0], Interpolation::Linear).err(),
-            Some(Reason::NotFinite)
-        );
+        assert_eq!(Curve::new(&[0.0], &[0.0], Interpolation::Linear).err(), Some(Reason::PointCount));
+        assert_eq!(Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(), Some(Reason::CurveLengths));
+        assert_eq!(Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotIncreasing));
+        assert_eq!(Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(), Some(Reason::Falls));
+        assert_eq!(Curve::new(&[0.0, f64::NAN], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotFinite));
     }
 }

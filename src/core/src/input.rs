@@ -1,5 +1,7 @@
 //! What a host gives the damper, and the motion between two host steps.
 
+use crate::math::pair;
+
 /// Input at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
@@ -17,20 +19,12 @@ pub struct Input {
 impl Input {
     /// Velocity alone.
     pub fn velocity(velocity: f64) -> Input {
-        Input {
-            displacement: None,
-            velocity,
-            side_force: 0.0,
-            temperature: 20.0,
-        }
+        Input { displacement: None, velocity, side_force: 0.0, temperature: 20.0 }
     }
 
     /// Displacement and velocity.
     pub fn motion(displacement: f64, velocity: f64) -> Input {
-        Input {
-            displacement: Some(displacement),
-            ..Input::velocity(velocity)
-        }
+        Input { displacement: Some(displacement), ..Input::velocity(velocity) }
     }
 
     /// Whether every number is finite.
@@ -73,11 +67,7 @@ impl PathPoint {
     /// Slopes of `k x + c v` over the displacement and the velocity at the end of the step.
     #[inline(always)]
     pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
-        if self.is_end {
-            [k, c]
-        } else {
-            [0, 1].map(|i| k * self.x_by_end[i] + c * self.v_by_end[i])
-        }
+        if self.is_end { [k, c] } else { pair(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }
     }
 }
 
@@ -132,12 +122,6 @@ impl Path {
     /// The last point, exact.
     #[inline(always)]
     pub fn last(&self) -> PathPoint {
-        PathPoint {
-            x: self.x1,
-            v: self.v1,
-            x_by_end: [1.0, 0.0],
-            v_by_end: [0.0, 1.0],
-            is_end: true,
-        }
+        PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
     }
 }

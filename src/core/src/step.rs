@@ -19,6 +19,7 @@ mod cheap;
 use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Response};
 use crate::fault::Fault;
 use crate::input::{Input, Path, PathPoint};
+use crate::math::pair;
 use crate::model::Model;
 use crate::parameter::{Parameter, Params};
 use crate::state::{Output, State};
@@ -53,11 +54,7 @@ pub enum Method {
 impl Describe for Integration {
     const MEANING: &'static str = "settings of the fixed-step integration";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice(
-            "method",
-            &["fourth_order", "second_order", "euler"],
-            "method inside a step",
-        ),
+        Parameter::choice("method", &["fourth_order", "second_order", "euler"], "method inside a step"),
         Parameter::scalar(
             "substeps",
             "-",
@@ -81,13 +78,8 @@ impl Integration {
         };
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3).
-        let frequency =
-            libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
-        Ok(Integration::new(
-            method,
-            params.scalar("substeps") as u32,
-            0.4 * frequency,
-        ))
+        let frequency = libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
+        Ok(Integration::new(method, params.scalar("substeps") as u32, 0.4 * frequency))
     }
 
     /// So many substeps of this method, whatever the step.
@@ -101,12 +93,7 @@ impl Integration {
             (Method::Euler, 0 | 1) => LONGEST,
             _ => 0.0,
         };
-        Integration {
-            method,
-            substeps,
-            per_time,
-            cheap_up_to,
-        }
+        Integration { method, substeps, per_time, cheap_up_to }
     }
 
     /// Substeps in a host step of `dt`: depends on the model and `dt` alone, never on the motion.
@@ -152,13 +139,8 @@ struct Second;
 impl Tableau for Second {
     const STAGES: usize = 2;
     const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
-        [0.0; 5],
-        [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0],
-        [0.0; 5],
-        [0.0; 5],
-        [0.0; 5],
-    ];
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] =
+        [[0.0; 5], [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
     const C: [f64; MOST_STAGES] = [Self::GAMMA, 1.0, 1.0, 1.0, 1.0];
 }
 
@@ -246,13 +228,7 @@ impl ByEnd {
     #[inline(always)]
     fn new() -> ByEnd {
         let zero = [0.0; 2];
-        ByEnd {
-            moved: false,
-            x: zero,
-            v: zero,
-            yields: zero,
-            gains: [[zero; 2]; MOST_STAGES],
-        }
+        ByEnd { moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
     }
 }
 
@@ -271,26 +247,26 @@ impl Follow for ByEnd {
             (x, v) = (self.x, self.v);
             for (a, [moved, push]) in s.row.iter().zip(&self.gains).take(s.index) {
                 let a = a * (1.0 / s.gamma);
-                x = [0, 1].map(|k| x[k] + a * moved[k]);
-                v = [0, 1].map(|k| v[k] + a * push[k]);
+                x = pair(|k| x[k] + a * moved[k]);
+                v = pair(|k| v[k] + a * push[k]);
             }
             let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
-            u = [0, 1].map(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
+            u = pair(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
         }
         if s.by_guess != 0.0 {
-            u = [0, 1].map(|k| u[k] + s.by_guess * (v[k] + s.guess_by_end[k]));
+            u = pair(|k| u[k] + s.by_guess * (v[k] + s.guess_by_end[k]));
         }
         if s.last {
-            yields = [0, 1].map(|k| e.stiffness * x[k] + follows * u[k]);
+            yields = pair(|k| e.stiffness * x[k] + follows * u[k]);
         }
         let moved = u.map(|u| s.g * u);
         if s.last {
-            self.x = [0, 1].map(|k| x[k] + moved[k]);
+            self.x = pair(|k| x[k] + moved[k]);
             self.v = u;
             self.yields = yields;
             self.moved = true;
         } else if let Some(gains) = self.gains.get_mut(s.index) {
-            *gains = [moved, [0, 1].map(|k| u[k] - v[k])];
+            *gains = [moved, pair(|k| u[k] - v[k])];
         }
     }
 
@@ -353,41 +329,24 @@ impl Substep<'_> {
         let e = &self.elements.series_compliance;
         let g = self.g;
         let last = I + 1 == T::STAGES;
-        let point = if last && self.ends_step {
-            self.path.last()
-        } else {
-            self.path.at(self.theta + T::C[I] * self.part)
-        };
+        let point =
+            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::C[I] * self.part) };
         let mut known = [self.start.x, self.start.v];
         for j in 0..I {
             let a = T::A[I][j] / T::GAMMA;
-            known = [0, 1].map(|k| known[k] + a * self.gains[j][k]);
+            known = pair(|k| known[k] + a * self.gains[j][k]);
         }
         let [known_x, known_v] = known;
         // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
         // of a hardening spring from where it will never be.
         let inner_at = known_x + g * self.predicted;
-        let inner_at = if inner_at < point.x - REACH {
-            point.x - REACH
-        } else {
-            inner_at
-        };
-        let inner_at = if inner_at > point.x + REACH {
-            point.x + REACH
-        } else {
-            inner_at
-        };
+        let inner_at = if inner_at < point.x - REACH { point.x - REACH } else { inner_at };
+        let inner_at = if inner_at > point.x + REACH { point.x + REACH } else { inner_at };
         let (side_force, temperature) = self.side;
-        let at = Motion {
-            displacement: inner_at,
-            velocity: self.predicted,
-            side_force,
-            temperature,
-        };
+        let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = self.elements.inner(&at);
         // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
-        let inner_known =
-            inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
+        let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
         let inner_slope = inner.by_v + g * inner.by_x;
         let a = self.resistance + inner_slope;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
@@ -418,25 +377,14 @@ impl Substep<'_> {
                 guess_by_end: [0.0; 2],
             },
         );
-        Mass {
-            x: x_m,
-            v: u,
-            primary: fd.value,
-            inner: inner_known + inner_slope * u,
-        }
+        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
     }
 }
 
 impl<'a> Substep<'a> {
     /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
     #[inline(always)]
-    fn new<T: Tableau>(
-        drive: &Drive<'a>,
-        theta: f64,
-        part: f64,
-        ends_step: bool,
-        start: Mass,
-    ) -> Substep<'a> {
+    fn new<T: Tableau>(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
         let g = T::GAMMA * drive.path.length() * part;
         let e = &drive.elements.series_compliance;
         let mass_rate = e.mass / g;
@@ -467,12 +415,7 @@ struct Drive<'a> {
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-fn move_mass<T: Tableau>(
-    drive: &Drive,
-    substeps: u32,
-    mut mass: Mass,
-    follow: &mut impl Follow,
-) -> Mass {
+fn move_mass<T: Tableau>(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
     if T::STAGES == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
@@ -490,31 +433,18 @@ fn move_mass<T: Tableau>(
 }
 
 /// As [`move_mass`] by cheap steps.
-fn move_mass_cheaply(
-    drive: &Drive,
-    substeps: u32,
-    mut mass: Mass,
-    follow: &mut impl Follow,
-) -> Mass {
+fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
     let (elements, path) = (drive.elements, drive.path);
     let part = 1.0 / substeps as f64;
     let h = path.length() * part;
     let mut from = path.at(0.0);
     for sub in 1..=substeps {
         let last = sub == substeps;
-        let to = if last {
-            path.last()
-        } else {
-            path.at(sub as f64 * part)
-        };
-        let before = cheap::Before {
-            x: mass.x,
-            v: mass.v,
-            gain: to.v - from.v,
-            h,
-            side: drive.side,
-        };
-        let after = cheap::take(elements, &before, &to);
+        let to = if last { path.last() } else { path.at(sub as f64 * part) };
+        let before = cheap::Before { x: mass.x, v: mass.v, gain: to.v - from.v, h, side: drive.side };
+        let at = before.springs_at(&to);
+        let (inner, inner_at) = (elements.inner(&at), at.displacement);
+        let after = cheap::take(elements, &before, &to, inner_at, inner);
         let denominator = 1.0 / after.by_impulse;
         follow.stage(
             elements,
@@ -530,18 +460,13 @@ fn move_mass_cheaply(
                 u: after.v,
                 denominator,
                 resistance: denominator / h,
-                inner: after.springs,
-                inner_at: after.springs_at,
+                inner,
+                inner_at,
                 by_guess: after.by_guess,
-                guess_by_end: [0, 1].map(|k| to.v_by_end[k] - from.v_by_end[k]),
+                guess_by_end: pair(|k| to.v_by_end[k] - from.v_by_end[k]),
             },
         );
-        mass = Mass {
-            x: after.x,
-            v: after.v,
-            primary: after.primary,
-            inner: after.spring,
-        };
+        mass = Mass { x: after.x, v: after.v, primary: after.primary, inner: after.spring };
         from = to;
     }
     mass
@@ -563,14 +488,8 @@ fn advance_memories<T: Tableau>(
         let Some(slot) = memory.get_mut(place) else {
             return;
         };
-        let (z, by_end) = advance_memory::<T>(
-            substeps,
-            element,
-            *slot,
-            path,
-            path.length(),
-            (end.side_force, end.temperature),
-        );
+        let (z, by_end) =
+            advance_memory::<T>(substeps, element, *slot, path, path.length(), (end.side_force, end.temperature));
         *slot = z;
         let recall = element.recall(end, z);
         sum.force += recall.force;
@@ -601,11 +520,7 @@ fn advance_memory<T: Tableau>(
         let (mut now, mut d_now) = (z, by_end);
         for i in 0..T::STAGES {
             let ends_step = i + 1 == T::STAGES && sub + 1 == n;
-            let point = if ends_step {
-                path.last()
-            } else {
-                path.at(theta + T::C[i] * part)
-            };
+            let point = if ends_step { path.last() } else { path.at(theta + T::C[i] * part) };
             let (mut known, mut d_known) = (z, by_end);
             for j in 0..i {
                 let a = T::A[i][j] / T::GAMMA;
@@ -614,12 +529,7 @@ fn advance_memory<T: Tableau>(
                     d_known[k] += a * d_pushes[j][k];
                 }
             }
-            let at = Motion {
-                displacement: point.x,
-                velocity: point.v,
-                side_force: side.0,
-                temperature: side.1,
-            };
+            let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
             let recall = element.recall(&at, known);
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
@@ -627,8 +537,7 @@ fn advance_memory<T: Tableau>(
             // Differentiated where the stage ends: there the rate depends on the input alone.
             let recall = element.recall(&at, now);
             for k in 0..2 {
-                let drive =
-                    recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
+                let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
                 d_now[k] = (d_known[k] + g * drive) * divide;
                 d_pushes[i][k] = d_now[k] - d_known[k];
             }
@@ -654,37 +563,32 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
 
 /// As [`step`], writing the new state and the answer where the caller keeps them.
 #[inline]
-pub fn step_into(
-    model: &Model,
-    from: &State,
-    to: &Input,
-    dt: f64,
-    state: &mut State,
-    output: &mut Output,
-) {
+pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) {
     *state = *from;
     step_in_place(model, state, to, dt, output);
 }
 
 /// As [`step`], moving a state on where it is.
-#[inline]
+#[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_mass_alone() {
-        cheap_step(model, state, to, dt, output);
+        if !cheap_step::<true>(model, state, to, dt, output) {
+            cheap_step_in_full(model, state, *to, dt, output);
+        }
     } else {
-        step_of_any_kind(model, state, to, dt, output);
+        step_of_any_kind(model, state, *to, dt, output);
     }
 }
 
-/// A step that is not a single cheap one.
+/// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
+/// beside the others the call is nothing.
+#[cold]
 #[inline(never)]
-fn step_of_any_kind(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
+    let to = &to;
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
-        *output = model.static_output(&Input {
-            displacement: Some(x),
-            ..*to
-        });
+        *output = model.static_output(&Input { displacement: Some(x), ..*to });
         return;
     }
     let plain = model.integration.substeps(dt) == 1 && !model.elements.has_memory();
@@ -697,12 +601,22 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: &Input, dt: f64, outpu
     }
 }
 
-/// One cheap step of a damper whose only memory is its mass, as fast as it goes.
+/// A cheap step in which some element takes its time.
+#[cold]
+#[inline(never)]
+fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
+    cheap_step::<false>(model, state, &to, dt, output);
+}
+
+/// One cheap step of a damper whose only memory is its mass, as fast as it goes. `AT_ONCE`: does nothing and returns
+/// false unless all elements answer at once; nothing is then called, and all stays in registers.
 #[inline(always)]
-fn cheap_step(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     let elements = &model.elements;
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
+    // What does not wait for the mass comes first and is put away.
+    let outer = Motion { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
     let before = cheap::Before {
         x: state.mass_displacement,
         v: state.mass_velocity,
@@ -710,51 +624,57 @@ fn cheap_step(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mu
         h: dt,
         side: (to.side_force, to.temperature),
     };
-    let after = cheap::take(elements, &before, &end);
-    let outer = Motion {
-        displacement: end.x,
-        velocity: end.v,
-        side_force: to.side_force,
-        temperature: to.temperature,
-    };
-    let (friction, preload) = (elements.friction(&outer), elements.preload(&outer));
-    let s = &elements.series_compliance;
-    let deflection = end.x - after.x;
-    let follows = s.damping + dt * s.stiffness;
-    let per_impulse = dt * after.by_impulse;
-    let by_x = s.stiffness - follows * (s.stiffness * per_impulse);
-    let by_v = s.damping - follows * (s.damping * per_impulse + after.by_guess);
-    let by_x = by_x + (friction.by_x + preload.by_x);
-    let mut by_v = by_v + (friction.by_v + preload.by_v);
-    if to.displacement.is_none() {
-        by_v += 0.5 * dt * by_x;
+    let at = before.springs_at(&end);
+    let (friction, springs, preload);
+    if AT_ONCE {
+        // Friction is the likeliest to decline.
+        match elements.friction_at_once(&outer) {
+            Some(answer) => friction = answer,
+            None => return false,
+        }
+        match (elements.inner_at_once(&at), elements.preload_at_once(&outer)) {
+            (Some(inner), Some(position)) => (springs, preload) = (inner, position),
+            _ => return false,
+        }
+    } else {
+        friction = elements.friction(&outer);
+        springs = elements.inner(&at);
+        preload = elements.preload(&outer);
     }
+    output.friction_force = friction.force;
+    output.gas_force = preload.force;
+    let beside = friction.force + preload.force;
+    let (by_x_beside, by_v_beside) = (friction.by_x + preload.by_x, friction.by_v + preload.by_v);
+
+    let after = cheap::take(elements, &before, &end, at.displacement, springs);
     state.displacement = end.x;
     state.velocity = end.v;
     state.mass_displacement = after.x;
     state.mass_velocity = after.v;
-    output.force = (s.stiffness * deflection + s.damping * (end.v - after.v))
-        + (friction.force + preload.force);
-    output.force_by_displacement = by_x;
-    output.force_by_velocity = by_v;
     output.primary_force = after.primary;
     output.spring_force = after.spring;
-    output.friction_force = friction.force;
-    output.gas_force = preload.force;
+
+    let s = &elements.series_compliance;
+    let deflection = end.x - after.x;
     output.series_deflection = deflection;
+    output.force = (s.stiffness * deflection + s.damping * (end.v - after.v)) + beside;
+    // The mass yields by dt k_s and dt c_s to displacement and velocity of the driven end.
+    let follows = s.damping + dt * s.stiffness;
+    let per_impulse = dt * after.by_impulse;
+    let by_x = s.stiffness - follows * (s.stiffness * per_impulse) + by_x_beside;
+    let mut by_v = s.damping - follows * (s.damping * per_impulse + after.by_guess) + by_v_beside;
+    if to.displacement.is_none() {
+        by_v += 0.5 * dt * by_x;
+    }
+    output.force_by_displacement = by_x;
+    output.force_by_velocity = by_v;
+    true
 }
 
 /// One step of several dampers of one model, such as the corners of a car: to the bit what single steps give.
 ///
 /// Stops at the shortest of the lists.
-pub fn step_batch(
-    model: &Model,
-    from: &[State],
-    to: &[Input],
-    dt: f64,
-    states: &mut [State],
-    outputs: &mut [Output],
-) {
+pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: &mut [State], outputs: &mut [Output]) {
     for (((from, to), state), output) in from.iter().zip(to).zip(states).zip(outputs) {
         step_into(model, from, to, dt, state, output);
     }
@@ -763,13 +683,7 @@ pub fn step_batch(
 /// A step with its exact slopes. `PLAIN`: in one substep and without private states, as most steps are. Not inlined, so
 /// that each has the registers to itself.
 #[inline(never)]
-fn answer<T: Tableau, const PLAIN: bool>(
-    model: &Model,
-    state: &mut State,
-    to: &Input,
-    dt: f64,
-    output: &mut Output,
-) {
+fn answer<T: Tableau, const PLAIN: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     let mut by_end = ByEnd::new();
     advance_by::<T, PLAIN>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
@@ -812,43 +726,20 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     output: &mut Output,
 ) {
     let e = &model.elements;
-    let substeps = if PLAIN {
-        1
-    } else {
-        model.integration.substeps(dt)
-    };
+    let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
-    let outer = Motion {
-        displacement: x,
-        velocity: v,
-        side_force: to.side_force,
-        temperature: to.temperature,
-    };
+    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
     let (mut force, mut by_x, mut by_v);
     state.displacement = x;
     state.velocity = v;
     if e.has_series() {
         let s = &e.series_compliance;
-        let start = Mass {
-            x: state.mass_displacement,
-            v: state.mass_velocity,
-            primary: 0.0,
-            inner: 0.0,
-        };
-        let mass = move_mass::<T>(
-            &Drive {
-                elements: e,
-                path: &path,
-                side,
-            },
-            substeps,
-            start,
-            follow,
-        );
+        let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
+        let mass = move_mass::<T>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
         state.mass_displacement = mass.x;
         state.mass_velocity = mass.v;
         output.primary_force = mass.primary;

@@ -71,7 +71,6 @@ fn run(
     // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`).
     if end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
-        // The iteration of the cheap step leaves up to 1e-5 of a piece of the FV table (see `Curve::solve`).
         let scale = 2e4 + wanted.force.abs() + wanted.spring_force.abs();
         prop_assert!(
             (output.force - wanted.force).abs() <= 1e-5 * scale,

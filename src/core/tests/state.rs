@@ -131,4 +131,4 @@ fn the_run_has_these_digits_on_every_platform() {
     assert_eq!(sum, DIGITS, "got {sum:#x}");
 }
 
-const DIGITS: u64 = 0x55f8_6b3b_4384_324e;
+const DIGITS: u64 = 0x5264_d7d6_d501_ed9a;

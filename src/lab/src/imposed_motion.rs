@@ -268,8 +268,7 @@ mod tests {
         let time: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
         let w = [3.0 * TAU, 11.0 * TAU];
         let displacement = time.iter().map(|t| 0.03 * (w[0] * t).sin() + 0.002 * (w[1] * t).cos()).collect();
-        let velocity =
-            time.iter().map(|t| 0.03 * w[0] * (w[0] * t).cos() - 0.002 * w[1] * (w[1] * t).sin()).collect();
+        let velocity = time.iter().map(|t| 0.03 * w[0] * (w[0] * t).cos() - 0.002 * w[1] * (w[1] * t).sin()).collect();
         MotionRecord { time, displacement: Some(displacement), velocity: Some(velocity), ..MotionRecord::default() }
     }
 

@@ -199,8 +199,19 @@ fn number(value: f64) -> String {
 }
 
 fn text(value: &str) -> String {
-    // A JSON string is a TOML basic string.
-    format!("\"{}\"", value.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', " "))
+    // A TOML basic string.
+    let mut out = String::from("\"");
+    for c in value.chars() {
+        match c {
+            '\\' | '"' => out.extend(['\\', c]),
+            '\n' => out.push(' '),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out + "\""
 }
 
 fn value(row: &Row, params: &Params) -> String {
@@ -341,6 +352,14 @@ mod tests {
         let table: toml::Table = text.parse().unwrap();
         assert_eq!(table["series_stiffness"].as_float(), Some(2.345_678_901_234_5e6));
         assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list("fv_force").len());
+    }
+
+    #[test]
+    fn every_text_survives_the_file() {
+        for name in ["Dämpfer \"A\" – 試験\\1", "a\tb\u{1}c\u{7f}", "# [x] = 'y'"] {
+            let table: toml::Table = format!("name = {}", text(name)).parse().unwrap();
+            assert_eq!(table["name"].as_str(), Some(name));
+        }
     }
 
     #[test]

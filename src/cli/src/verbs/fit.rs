@@ -76,8 +76,48 @@ pub fn kept<'a>(campaign: &'a Campaign, hold_out: &[String]) -> anyhow::Result<V
     Ok(kept)
 }
 
+/// Kinds of notes that tell of damage, not of routine.
+const DAMAGE: [&str; 7] =
+    ["clipped", "duplicated", "missing", "out_of_order", "outlier", "time_resolution", "noisy_last_cycle"];
+/// Damaged tests that are told one by one.
+const TOLD: usize = 10;
+
+/// What cleaning had to repair, by test.
+fn repairs(campaign: &Campaign) -> Vec<String> {
+    let mut lines: Vec<String> = campaign
+        .records
+        .iter()
+        .filter_map(|r| {
+            let texts: Vec<&str> =
+                r.notes.iter().filter(|n| DAMAGE.contains(&n.kind)).map(|n| n.text.as_str()).collect();
+            (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
+        })
+        .collect();
+    if lines.len() > TOLD {
+        let more = lines.len() - TOLD;
+        lines.truncate(TOLD);
+        lines.push(format!("{more} more tests were repaired; the report of dashpot validate names them"));
+    }
+    lines
+}
+
+/// Five significant digits.
+fn short(value: f64) -> String {
+    if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
+        return if value == 0.0 { "0".to_owned() } else { format!("{value:.4e}") };
+    }
+    let digits = (4 - value.abs().log10().floor() as i32).max(0) as usize;
+    format!("{value:.digits$}")
+}
+
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
+    let json = args.json.as_deref();
+    let on_stdout = [Some(args.output.as_path()), json].into_iter().flatten().filter(|p| output::is_stdout(p)).count();
+    if on_stdout > 1 {
+        bail!("standard output takes one result: give -o or --json a file");
+    }
+    output::check([Some(args.output.as_path()), json].into_iter().flatten())?;
     let campaign = args.data.load()?;
     let options = FitOptions {
         family: match args.model {
@@ -88,11 +128,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         elements: args.elements.clone(),
     };
     let found = identify(&kept(&campaign, &args.hold_out)?, &options, &args.output)?;
-    let json = args.json.as_deref();
-    let say = |text: &str| output::say(json, text);
+    let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&sign_in_words(&campaign.sign))?;
     for note in campaign.notes.iter() {
         say(&format!("note: {}", note.text))?;
+    }
+    for line in repairs(&campaign) {
+        say(&format!("note: {line}"))?;
     }
     for choice in &found.choices {
         say(&format!("{}: {} — {}", choice.of, choice.chosen, choice.why))?;
@@ -101,9 +143,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         say(&match (&e.standing, e.low, e.high) {
             (Standing::NotIdentified, ..) => format!("  {:<30} not identified", e.name),
             (_, Some(low), Some(high)) => {
-                format!("  {:<30} {:>12.5} {:<10} 95 %: {:.5} to {:.5}", e.name, e.value, e.unit, low, high)
+                let (value, low, high) = (short(e.value), short(low), short(high));
+                format!("  {:<30} {value:>12} {:<10} 95 %: {low} to {high}", e.name, e.unit)
             }
-            _ => format!("  {:<30} {:>12.5} {}", e.name, e.value, e.unit),
+            _ => format!("  {:<30} {:>12} {}", e.name, short(e.value), e.unit),
         })?;
     }
     for note in &found.notes {

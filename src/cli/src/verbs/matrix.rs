@@ -14,13 +14,13 @@ pub struct Args {
     #[arg(short, long, value_name = "F.csv", default_value = "-")]
     output: PathBuf,
     /// Amplitudes, mm, separated by commas
-    #[arg(long, value_name = "MM", value_delimiter = ',')]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_delimiter = ',')]
     amplitudes: Option<Vec<f64>>,
     /// Peak velocities, mm/s, separated by commas
-    #[arg(long, value_name = "MM/S", value_delimiter = ',')]
+    #[arg(long, value_name = "MM/S", allow_negative_numbers = true, value_delimiter = ',')]
     peak_velocities: Option<Vec<f64>>,
     /// Highest frequency the rig can run, Hz
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     frequency_limit: Option<f64>,
     /// Leave out the slow cycles for friction and gas force
     #[arg(long)]

@@ -17,13 +17,13 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// Noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal
-    #[arg(long, value_name = "PERCENT", default_value_t = 1.0)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 1.0, allow_negative_numbers = true)]
     noise: f64,
     /// Test matrix (see `dashpot matrix`); the thesis's if not given
     #[arg(long, value_name = "F.csv")]
     matrix: Option<PathBuf>,
     /// Samples per second; chosen by frequency if not given
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     sample_rate: Option<f64>,
 }
 
@@ -33,12 +33,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Some(file) => Matrix::read(file)?,
         None => Matrix::default(),
     };
-    let options = Options {
-        seed: args.seed,
-        noise_percent: args.noise,
-        sample_rate_hz: args.sample_rate,
-        ..Options::default()
-    };
+    let options =
+        Options { seed: args.seed, noise_percent: args.noise, sample_rate_hz: args.sample_rate, ..Options::default() };
     let progress = Progress::new("measuring");
     let campaign = Campaign::run(&matrix, &options, |done, total| progress.count(done, total))?;
     campaign.write(&args.output)?;

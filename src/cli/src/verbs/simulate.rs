@@ -14,8 +14,9 @@ use std::path::PathBuf;
 /// Compute the force of a model for any motion
 ///
 /// The motion is used as it stands, extension (rebound) positive, without smoothing. With displacement and velocity both
-/// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. The damper
-/// starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
+/// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. Noise of a
+/// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
+/// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
 /// time_s, displacement_m, velocity_m_s and force_N; tension is positive.
 #[derive(clap::Args)]
 #[command(
@@ -43,6 +44,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
+    output::check([args.output.as_path()])?;
     let file = model_file::read(&args.model)?;
     let model = prepared(&file.params)?;
     let record = read_motion(&args.motion, &args.columns.options()?)?;
@@ -59,10 +61,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(remark) = beyond(&model, &answers) {
         output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
-    if args.output.as_os_str() != "-" {
-        output::say(None, &format!("{} rows in {}", answers.len(), args.output.display()))?;
-    }
-    Ok(())
+    output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
 }
 
 /// Numbers are written so that they read back to the bit.

@@ -4,7 +4,7 @@ use super::data::{DataArgs, sign_in_words};
 use super::output;
 use crate::progress::Progress;
 use crate::report::{self, Block, ParameterRow, ReportInput};
-use anyhow::{Context as _, anyhow};
+use anyhow::{Context as _, anyhow, bail};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
 use dashpot_core::{Model, Params};
@@ -40,12 +40,28 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
+    if args.report.as_deref().is_some_and(output::is_stdout) {
+        bail!("--report needs a file name: standard output takes figures alone (--json -)");
+    }
+    output::check([args.json.as_deref(), args.report.as_deref()].into_iter().flatten())?;
     let model = model_file::read(&args.model)?;
     let campaign = args.data.load()?;
     let compared = compare(&model, &campaign)?;
     let validation = validate(&compared)?;
     let json = args.json.as_deref();
     output::say(json, &table(&validation))?;
+    let curve = prepared(&model.params)?;
+    let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
+    if let Some(first) = fast.first() {
+        let (low, high) = curve.elements().fv_curve.range();
+        let text = format!(
+            "note: {} of {} tests are faster than the FV curve reaches ({low:.3} to {high:.3} m/s), the first is {first}; the \
+             curve is prolonged straight there",
+            fast.len(),
+            campaign.records.len()
+        );
+        output::say(json, &text)?;
+    }
     if let Some(path) = json {
         output::json(path, &validation)?;
     }
@@ -63,6 +79,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Whether a test is clearly faster than the FV curve reaches: by more than the scatter of measured peaks.
+fn outruns(model: &Model, record: &Record) -> bool {
+    let peak = record.peak_velocity / 1.05;
+    !model.covers(peak) || !model.covers(-peak)
 }
 
 /// Simulates every record with the model and with the FV curve alone.

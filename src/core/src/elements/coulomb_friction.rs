@@ -15,34 +15,16 @@ pub struct CoulombFriction {
 impl Describe for CoulombFriction {
     const MEANING: &'static str = "dry friction of constant level, F_s tanh(K v)";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar(
-            "coulomb_force",
-            "N",
-            &[40.0],
-            (0.0, 1e4),
-            "friction level, F_s",
-        ),
-        Parameter::scalar(
-            "coulomb_steepness",
-            "s/m",
-            &[2000.0],
-            (1.0, 1e5),
-            "steepness of the change of sign, K",
-        ),
+        Parameter::scalar("coulomb_force", "N", &[40.0], (0.0, 1e4), "friction level, F_s"),
+        Parameter::scalar("coulomb_steepness", "s/m", &[2000.0], (1.0, 1e5), "steepness of the change of sign, K"),
     ];
 }
 
 impl Prepare for CoulombFriction {
-    const OFF: Self = CoulombFriction {
-        level: 0.0,
-        steepness: 1.0,
-    };
+    const OFF: Self = CoulombFriction { level: 0.0, steepness: 1.0 };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(CoulombFriction {
-            level: p.number(0),
-            steepness: p.number(1),
-        })
+        Ok(CoulombFriction { level: p.number(0), steepness: p.number(1) })
     }
 }
 
@@ -57,9 +39,5 @@ impl Force for CoulombFriction {
 #[inline(always)]
 pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
     let t = tanh(steepness * v);
-    Response {
-        force: level * t,
-        by_x: 0.0,
-        by_v: level * steepness * (1.0 - t * t),
-    }
+    Response { force: level * t, by_x: 0.0, by_v: level * steepness * (1.0 - t * t) }
 }

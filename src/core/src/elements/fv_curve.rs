@@ -21,11 +21,7 @@ const COMPRESSION_V: usize = 11;
 impl Describe for FvCurve {
     const MEANING: &'static str = "primary damper: the force-velocity (FV) curve";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice(
-            "fv_form",
-            &["table", "piecewise"],
-            "FV curve from the table or from slopes and knees",
-        ),
+        Parameter::choice("fv_form", &["table", "piecewise"], "FV curve from the table or from slopes and knees"),
         Parameter::choice(
             "fv_interpolation",
             &["monotone_cubic", "linear"],
@@ -35,10 +31,7 @@ impl Describe for FvCurve {
             "fv_velocity",
             "m/s",
             MAX_POINTS,
-            &[
-                -1.571, -1.047, -0.524, -0.262, -0.131, -0.052, 0.0, 0.052, 0.131, 0.262, 0.524,
-                1.047, 1.571,
-            ],
+            &[-1.571, -1.047, -0.524, -0.262, -0.131, -0.052, 0.0, 0.052, 0.131, 0.262, 0.524, 1.047, 1.571],
             (-20.0, 20.0),
             "velocities of the FV table, rebound positive, increasing",
         ),
@@ -46,69 +39,18 @@ impl Describe for FvCurve {
             "fv_force",
             "N",
             MAX_POINTS,
-            &[
-                -1800.0, -1330.0, -860.0, -600.0, -410.0, -200.0, 0.0, 330.0, 760.0, 1130.0,
-                1640.0, 2530.0, 3400.0,
-            ],
+            &[-1800.0, -1330.0, -860.0, -600.0, -410.0, -200.0, 0.0, 330.0, 760.0, 1130.0, 1640.0, 2530.0, 3400.0],
             (-1e6, 1e6),
             "forces of the FV table, tension positive, non-decreasing",
         ),
-        Parameter::scalar(
-            "fv_rebound_c1",
-            "N s/m",
-            &[6000.0],
-            (0.0, 1e6),
-            "Cr1: rebound slope below the first knee",
-        ),
-        Parameter::scalar(
-            "fv_rebound_c2",
-            "N s/m",
-            &[2500.0],
-            (0.0, 1e6),
-            "Cr2: rebound slope between the knees",
-        ),
-        Parameter::scalar(
-            "fv_rebound_c3",
-            "N s/m",
-            &[1600.0],
-            (0.0, 1e6),
-            "Cr3: rebound slope above the second knee",
-        ),
-        Parameter::scalar(
-            "fv_rebound_v1",
-            "m/s",
-            &[0.13],
-            (1e-4, 10.0),
-            "first rebound knee",
-        ),
-        Parameter::scalar(
-            "fv_rebound_v2",
-            "m/s",
-            &[0.40],
-            (1e-4, 10.0),
-            "second rebound knee",
-        ),
-        Parameter::scalar(
-            "fv_compression_c1",
-            "N s/m",
-            &[3500.0],
-            (0.0, 1e6),
-            "Cc1: compression slope below the knee",
-        ),
-        Parameter::scalar(
-            "fv_compression_c2",
-            "N s/m",
-            &[950.0],
-            (0.0, 1e6),
-            "Cc2: compression slope above the knee",
-        ),
-        Parameter::scalar(
-            "fv_compression_v1",
-            "m/s",
-            &[0.13],
-            (1e-4, 10.0),
-            "compression knee, as a speed",
-        ),
+        Parameter::scalar("fv_rebound_c1", "N s/m", &[6000.0], (0.0, 1e6), "Cr1: rebound slope below the first knee"),
+        Parameter::scalar("fv_rebound_c2", "N s/m", &[2500.0], (0.0, 1e6), "Cr2: rebound slope between the knees"),
+        Parameter::scalar("fv_rebound_c3", "N s/m", &[1600.0], (0.0, 1e6), "Cr3: rebound slope above the second knee"),
+        Parameter::scalar("fv_rebound_v1", "m/s", &[0.13], (1e-4, 10.0), "first rebound knee"),
+        Parameter::scalar("fv_rebound_v2", "m/s", &[0.40], (1e-4, 10.0), "second rebound knee"),
+        Parameter::scalar("fv_compression_c1", "N s/m", &[3500.0], (0.0, 1e6), "Cc1: compression slope below the knee"),
+        Parameter::scalar("fv_compression_c2", "N s/m", &[950.0], (0.0, 1e6), "Cc2: compression slope above the knee"),
+        Parameter::scalar("fv_compression_v1", "m/s", &[0.13], (1e-4, 10.0), "compression knee, as a speed"),
     ];
 }
 
@@ -119,19 +61,12 @@ impl Prepare for FvCurve {
         if p.number(FORM) == 1.0 {
             return piecewise(p);
         }
-        let interpolation = if p.number(INTERPOLATION) == 1.0 {
-            Interpolation::Linear
-        } else {
-            Interpolation::MonotoneCubic
-        };
+        let interpolation =
+            if p.number(INTERPOLATION) == 1.0 { Interpolation::Linear } else { Interpolation::MonotoneCubic };
         match Curve::new(p.list(VELOCITY), p.list(FORCE), interpolation) {
             Ok(curve) => Ok(FvCurve(curve)),
             Err(reason) => {
-                let row = if matches!(reason, Reason::NotIncreasing) {
-                    VELOCITY
-                } else {
-                    FORCE
-                };
+                let row = if matches!(reason, Reason::NotIncreasing) { VELOCITY } else { FORCE };
                 Err(p.fault(row, reason))
             }
         }
@@ -152,9 +87,7 @@ fn piecewise(p: &View) -> Result<FvCurve, Fault> {
     // One more point beyond each last knee carries the last slope outwards.
     let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
     let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
-    Curve::new(&v, &f, Interpolation::Linear)
-        .map(FvCurve)
-        .map_err(|reason| p.fault(REBOUND_C[0], reason))
+    Curve::new(&v, &f, Interpolation::Linear).map(FvCurve).map_err(|reason| p.fault(REBOUND_C[0], reason))
 }
 
 impl FvCurve {

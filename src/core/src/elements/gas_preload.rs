@@ -29,4 +29,9 @@ impl Force for GasPreload {
     fn force(&self, _: &Motion) -> Response {
         Response { force: -self.push, by_x: 0.0, by_v: 0.0 }
     }
+
+    #[inline(always)]
+    fn at_once(&self, at: &Motion) -> Option<Response> {
+        Some(self.force(at))
+    }
 }

@@ -22,7 +22,14 @@ const MAX_TERMS: usize = 12;
 impl Describe for LaggedPolynomial {
     const MEANING: &'static str = "polynomial FV curve with a first-order lag whose time constant ramps with speed";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::list("polynomial", "N (s/m)^k", MAX_TERMS, &[0.0, 3000.0], (-1e9, 1e9), "coefficients of v^0, v^1, ..."),
+        Parameter::list(
+            "polynomial",
+            "N (s/m)^k",
+            MAX_TERMS,
+            &[0.0, 3000.0],
+            (-1e9, 1e9),
+            "coefficients of v^0, v^1, ...",
+        ),
         Parameter::scalar("lag_slow", "s", &[0.004], (1e-5, 1.0), "time constant at low speed"),
         Parameter::scalar("lag_fast", "s", &[0.001], (1e-5, 1.0), "time constant at high speed"),
         Parameter::scalar("lag_v1", "m/s", &[0.05], (0.0, 10.0), "speed at which the time constant starts to change"),

@@ -116,6 +116,13 @@ pub trait Prepare: Sized {
 pub trait Force {
     /// Force and slopes.
     fn force(&self, at: &Motion) -> Response;
+
+    /// The same to the bit where it takes a handful of operations: what most steps of most models need. `None` where it
+    /// takes more; [`Force::force`] is then asked, out of the way of the quick.
+    #[inline(always)]
+    fn at_once(&self, _: &Motion) -> Option<Response> {
+        None
+    }
 }
 
 /// An element with one private state z.
@@ -224,6 +231,14 @@ macro_rules! elements {
                 sum
             }
 
+            /// As [`Elements::inner`] where all of them answer at once.
+            #[inline(always)]
+            pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$inner) { sum.add(self.$inner.at_once(at)?); })*
+                Some(sum)
+            }
+
             /// Sum of the friction elements beside the whole damper.
             #[inline(always)]
             pub fn friction(&self, at: &Motion) -> Response {
@@ -232,12 +247,28 @@ macro_rules! elements {
                 sum
             }
 
+            /// As [`Elements::friction`] where all of them answer at once.
+            #[inline(always)]
+            pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$friction) { sum.add(self.$friction.at_once(at)?); })*
+                Some(sum)
+            }
+
             /// Sum of the position forces beside the whole damper.
             #[inline(always)]
             pub fn preload(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(Place::$preload) { sum.add(self.$preload.force(at)); })*
                 sum
+            }
+
+            /// As [`Elements::preload`] where all of them answer at once.
+            #[inline(always)]
+            pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$preload) { sum.add(self.$preload.at_once(at)?); })*
+                Some(sum)
             }
 
             /// Whether any element with a private state is on.

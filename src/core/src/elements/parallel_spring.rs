@@ -3,6 +3,7 @@
 use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::{Fault, Reason};
+use crate::math::pair;
 use crate::parameter::{Parameter, View};
 
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
@@ -20,31 +21,12 @@ const DISPLACEMENT: usize = 4;
 const FORCE: usize = 5;
 
 impl Describe for ParallelSpring {
-    const MEANING: &'static str =
-        "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
+    const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "k_p of k_p x"),
-        Parameter::scalar(
-            "spring_quadratic",
-            "N/m^2",
-            &[10000.0],
-            (0.0, 1e6),
-            "k_p of k_p x|x|",
-        ),
-        Parameter::scalar(
-            "spring_cubic",
-            "N/m^3",
-            &[0.0],
-            (0.0, 1e7),
-            "k_p of k_p x^3",
-        ),
-        Parameter::scalar(
-            "spring_quartic",
-            "N/m^4",
-            &[0.0],
-            (0.0, 1e8),
-            "k_p of k_p x^3|x|",
-        ),
+        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e6), "k_p of k_p x|x|"),
+        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e7), "k_p of k_p x^3"),
+        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e8), "k_p of k_p x^3|x|"),
         Parameter::list(
             "spring_displacement",
             "m",
@@ -65,38 +47,21 @@ impl Describe for ParallelSpring {
 }
 
 impl Prepare for ParallelSpring {
-    const OFF: Self = ParallelSpring {
-        k: [[0.0; 2]; 4],
-        has_higher: false,
-        lookup: Curve::ZERO,
-        has_lookup: false,
-    };
+    const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
         let lookup = if has_lookup {
             Curve::new(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
-                p.fault(
-                    if matches!(reason, Reason::NotIncreasing) {
-                        DISPLACEMENT
-                    } else {
-                        FORCE
-                    },
-                    reason,
-                )
+                p.fault(if matches!(reason, Reason::NotIncreasing) { DISPLACEMENT } else { FORCE }, reason)
             })?
         } else {
             Curve::ZERO
         };
         let k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
         let has_higher = k[2][0] != 0.0 || k[3][0] != 0.0;
-        Ok(ParallelSpring {
-            k,
-            has_higher,
-            lookup,
-            has_lookup,
-        })
+        Ok(ParallelSpring { k, has_higher, lookup, has_lookup })
     }
 }
 
@@ -108,20 +73,27 @@ impl Force for ParallelSpring {
         let [k1, k2, k3, k4] = self.k;
         let mut from_k2 = k2;
         if self.has_higher {
-            from_k2 = [0, 1].map(|i| k2[i] + r * (k3[i] + r * k4[i]));
+            from_k2 = pair(|i| k2[i] + r * (k3[i] + r * k4[i]));
         }
-        let [secant, mut by_x] = [0, 1].map(|i| k1[i] + r * from_k2[i]);
+        let [secant, mut by_x] = pair(|i| k1[i] + r * from_k2[i]);
         let mut force = x * secant;
         if self.has_lookup {
             let value = lookup(&self.lookup, x);
             force += value.value;
             by_x += value.slope;
         }
-        Response {
-            force,
-            by_x,
-            by_v: 0.0,
+        Response { force, by_x, by_v: 0.0 }
+    }
+
+    #[inline(always)]
+    fn at_once(&self, at: &Motion) -> Option<Response> {
+        if self.has_higher || self.has_lookup {
+            return None;
         }
+        let (x, r) = (at.displacement, at.displacement.abs());
+        let [k1, k2, ..] = self.k;
+        let [secant, by_x] = pair(|i| k1[i] + r * k2[i]);
+        Some(Response { force: x * secant, by_x, by_v: 0.0 })
     }
 }
 

@@ -16,7 +16,8 @@ pub struct SeriesCompliance {
 }
 
 impl Describe for SeriesCompliance {
-    const MEANING: &'static str = "series spring and damper with the internal mass (compressibility of gas, oil and mount)";
+    const MEANING: &'static str =
+        "series spring and damper with the internal mass (compressibility of gas, oil and mount)";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
         Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),

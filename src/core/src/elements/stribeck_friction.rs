@@ -50,11 +50,7 @@ pub enum StribeckFriction {
 impl Describe for StribeckFriction {
     const MEANING: &'static str = "dry friction with a break-away peak";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice(
-            "stribeck_form",
-            &["simplified", "full"],
-            "which of the two Stribeck forms",
-        ),
+        Parameter::choice("stribeck_form", &["simplified", "full"], "which of the two Stribeck forms"),
         Parameter::scalar(
             "stribeck_breakaway_force",
             "N",
@@ -62,13 +58,7 @@ impl Describe for StribeckFriction {
             (0.0, 1e4),
             "peak (transition) force, F_brk or F_t",
         ),
-        Parameter::scalar(
-            "stribeck_coulomb_force",
-            "N",
-            &[40.0],
-            (0.0, 1e4),
-            "level after the peak, F_c or F_s",
-        ),
+        Parameter::scalar("stribeck_coulomb_force", "N", &[40.0], (0.0, 1e4), "level after the peak, F_c or F_s"),
         Parameter::scalar(
             "stribeck_breakaway_velocity",
             "m/s",
@@ -90,30 +80,13 @@ impl Describe for StribeckFriction {
             (1.0, 4.0),
             "full form: exponent of the fall, a (1 Tustin, 2 Gauss)",
         ),
-        Parameter::scalar(
-            "stribeck_rise",
-            "-",
-            &[3.0],
-            (0.1, 20.0),
-            "full form: how near F_t the peak comes, c",
-        ),
-        Parameter::scalar(
-            "stribeck_rise_power",
-            "-",
-            &[1.0],
-            (1.0, 4.0),
-            "full form: exponent of the rise, d",
-        ),
+        Parameter::scalar("stribeck_rise", "-", &[3.0], (0.1, 20.0), "full form: how near F_t the peak comes, c"),
+        Parameter::scalar("stribeck_rise_power", "-", &[1.0], (1.0, 4.0), "full form: exponent of the rise, d"),
     ];
 }
 
 impl Prepare for StribeckFriction {
-    const OFF: Self = StribeckFriction::Simplified {
-        peak: 0.0,
-        per_stribeck: 1.0,
-        coulomb: 0.0,
-        steepness: 1.0,
-    };
+    const OFF: Self = StribeckFriction::Simplified { peak: 0.0, per_stribeck: 1.0, coulomb: 0.0, steepness: 1.0 };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let (breakaway, coulomb, v) = (p.number(1), p.number(2), p.number(3));
@@ -148,42 +121,22 @@ impl Force for StribeckFriction {
     fn force(&self, at: &Motion) -> Response {
         let v = at.velocity;
         match *self {
-            StribeckFriction::Simplified {
-                peak,
-                per_stribeck,
-                coulomb,
-                steepness,
-            } => {
+            StribeckFriction::Simplified { peak, per_stribeck, coulomb, steepness } => {
                 let r = v * per_stribeck;
                 let square = r * r;
                 // Far above break-away both exponentials are below rounding, and most strokes are far above it.
                 if square > BELOW_ROUNDING {
-                    return Response {
-                        force: if v > 0.0 { coulomb } else { -coulomb },
-                        by_x: 0.0,
-                        by_v: 0.0,
-                    };
+                    return far_above(coulomb, v);
                 }
                 near_breakaway(peak, square, coulomb, steepness, v)
             }
-            StribeckFriction::Full {
-                coulomb,
-                excess,
-                per_stribeck,
-                fall,
-                per_breakaway,
-                rise,
-                rise_power,
-            } => {
+            StribeckFriction::Full { coulomb, excess, per_stribeck, fall, per_breakaway, rise, rise_power } => {
                 let speed = v.abs();
                 let (r, q) = (speed * per_stribeck, speed * per_breakaway);
                 let fallen = power(r, fall);
                 let bump = excess * exp_below_bound(-fallen);
-                let d_bump = if speed > 0.0 {
-                    -bump * fall * fallen / speed
-                } else {
-                    slope_at_rest(-bump * per_stribeck, fall)
-                };
+                let d_bump =
+                    if speed > 0.0 { -bump * fall * fallen / speed } else { slope_at_rest(-bump * per_stribeck, fall) };
                 let risen = rise * power(q, rise_power);
                 let sign = smooth_sign(1.0, 1.0, risen);
                 let d_risen = if speed > 0.0 {
@@ -200,6 +153,20 @@ impl Force for StribeckFriction {
             }
         }
     }
+
+    #[inline(always)]
+    fn at_once(&self, at: &Motion) -> Option<Response> {
+        match *self {
+            StribeckFriction::Simplified { .. } => Some(self.force(at)),
+            StribeckFriction::Full { .. } => None,
+        }
+    }
+}
+
+/// The simplified form far above break-away, where nothing is left of its exponentials.
+#[inline(always)]
+fn far_above(coulomb: f64, v: f64) -> Response {
+    Response { force: coulomb.copysign(v), by_x: 0.0, by_v: 0.0 }
 }
 
 /// The simplified form where its exponentials matter; `square` is (v/v_st)². Apart, for the sake of the strokes that do
@@ -208,11 +175,7 @@ impl Force for StribeckFriction {
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);
     let level = smooth_sign(coulomb, steepness, v);
-    Response {
-        force: bump * v + level.force,
-        by_x: 0.0,
-        by_v: bump * (1.0 - 2.0 * square) + level.by_v,
-    }
+    Response { force: bump * v + level.force, by_x: 0.0, by_v: bump * (1.0 - 2.0 * square) + level.by_v }
 }
 
 /// Derivative of `scale · s^p` at s = 0 for p ≥ 1.

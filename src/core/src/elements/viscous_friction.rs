@@ -30,4 +30,9 @@ impl Force for ViscousFriction {
         let (v, speed) = (at.velocity, at.velocity.abs());
         Response { force: self.coefficient * v * speed, by_x: 0.0, by_v: 2.0 * self.coefficient * speed }
     }
+
+    #[inline(always)]
+    fn at_once(&self, at: &Motion) -> Option<Response> {
+        Some(self.force(at))
+    }
 }

@@ -48,33 +48,41 @@ pub(super) struct After {
     pub by_impulse: f64,
     /// ∂u/∂v̂: how far the answer leans on the guess.
     pub by_guess: f64,
-    /// The springs, and where they were linearised.
-    pub springs: Response,
-    pub springs_at: f64,
 }
 
 /// Speed beside which a secant is not taken any shorter, m/s: far below all that matters.
 const STANDSTILL: f64 = 1e-9;
 
-/// Moves the mass by one step to the driven end at `end`.
+impl Before {
+    /// Where the springs on the mass are linearised in a step to `end`.
+    #[inline(always)]
+    pub fn springs_at(&self, end: &PathPoint) -> Motion {
+        let at = self.x + self.h * self.v;
+        // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
+        // of a hardening spring from where it will never be.
+        let (low, high) = (end.x - REACH, end.x + REACH);
+        let at = if at < low { low } else { at };
+        Motion {
+            displacement: if at > high { high } else { at },
+            velocity: self.v,
+            side_force: self.side.0,
+            temperature: self.side.1,
+        }
+    }
+}
+
+/// Moves the mass by one step to the driven end at `end`; `springs` are those on the mass at `springs_at`.
 #[inline(always)]
-pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint) -> After {
+pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint, springs_at: f64, springs: Response) -> After {
     let e = &elements.series_compliance;
     let h = before.h;
-    let springs_at = before.x + h * before.v;
-    // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
-    // of a hardening spring from where it will never be.
-    let (low, high) = (end.x - REACH, end.x + REACH);
-    let springs_at = if springs_at < low { low } else { springs_at };
-    let springs_at = if springs_at > high { high } else { springs_at };
-    let springs = elements.inner(&Motion {
-        displacement: springs_at,
-        velocity: before.v,
-        side_force: before.side.0,
-        temperature: before.side.1,
-    });
-    let held = springs.force + springs.by_x * (before.x - springs_at) - springs.by_v * before.v;
-    let spring_slope = springs.by_v + h * springs.by_x;
+    let mut held = springs.force + springs.by_x * (before.x - springs_at);
+    let mut spring_slope = h * springs.by_x;
+    // Known to the compiler to be 0 while no element on the mass depends on velocity.
+    if springs.by_v != 0.0 {
+        held -= springs.by_v * before.v;
+        spring_slope += springs.by_v;
+    }
     let inertia = e.mass + h * (e.damping + spring_slope + h * e.stiffness);
     let drive = e.stiffness * (end.x - before.x) + e.damping * end.v;
     let offset = elements.fv_curve.at_zero();
@@ -92,7 +100,7 @@ pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint) -> Aft
         primary = level * share;
         by_impulse = speed * divide;
         let lean = h * (level - curve.slope * speed) * (share * divide);
-        by_guess = if guess < 0.0 { -lean } else { lean };
+        by_guess = lean * 1.0f64.copysign(guess);
     } else {
         let divide = 1.0 / (inertia + h * curve.slope);
         u = (impulse + h * (curve.slope * guess - curve.value)) * divide;
@@ -107,7 +115,5 @@ pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint) -> Aft
         spring: held + spring_slope * u,
         by_impulse,
         by_guess,
-        springs,
-        springs_at,
     }
 }

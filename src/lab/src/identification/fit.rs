@@ -85,6 +85,17 @@ pub struct Fit {
     pub misfit: f64,
 }
 
+impl Fit {
+    /// Names a parameter that this data cannot determine, and whose element therefore stays off.
+    fn leave_out(&mut self, name: &'static str, why: &str) {
+        self.notes.push(format!("{name} could not be identified from this data ({why}); its element is off"));
+        let unit = find(name).map_or("", |row| row.parameter.unit);
+        let standing = Standing::NotIdentified;
+        let from = why.to_owned();
+        self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
+    }
+}
+
 /// Starting values of the series stiffness, N/m: soft mount, oil column, stiff oil column.
 const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
 
@@ -120,7 +131,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         Family::Thesis => fit_thesis(&guess, &segments, options, &progress),
         Family::Fv => {
             let unknowns = fv_unknowns(&fv_only);
-            finish(&segments, unknowns, fv_only, Vec::new(), Vec::new())
+            finish(&segments, unknowns, fv_only, Vec::new())
         }
         Family::Lag => fit_lag(&guess, &segments, &progress),
     };
@@ -204,16 +215,19 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
-    let mut notes = Vec::new();
-    if !varied_side_force {
-        notes.push(
-            "side_force_friction was not identified: it needs slow tests at two or more side forces, with a side-force \
-             channel"
-                .to_owned(),
+    let mut found = finish(segments, unknowns, from, choices);
+    if !varied_side_force && allowed("side_force_friction") {
+        found.leave_out(
+            "side_force_coefficient",
+            "it needs slow tests at two or more side forces, with a side-force channel",
         );
     }
-    finish(segments, unknowns, from, choices, notes)
+    if !structure.friction.elements.contains(&"viscous_friction") && allowed("viscous_friction") {
+        found.leave_out("viscous_coefficient", "a free FV curve takes a v² term up");
+    }
+    found
 }
+
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
 fn finish(
@@ -221,8 +235,8 @@ fn finish(
     mut unknowns: Unknowns,
     fv_only: Params,
     choices: Vec<Choice>,
-    mut notes: Vec<String>,
 ) -> Fit {
+    let mut notes = Vec::new();
     let refs: Vec<&Segment> = segments.iter().collect();
     // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
     let mut effort = Effort { tolerance: 1e-6, accuracy: Accuracy::Cheap, ..Effort::FINE };
@@ -265,7 +279,7 @@ fn finish(
     let mut estimates = estimates;
     for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
         notes.push(format!(
-            "{} ran into the bound {:.4} {} of the parameter table: the data asks for something this element cannot do",
+            "{} ran into the bound of its range at {:.4} {}: the data asks for something this element cannot do",
             estimate.name, estimate.value, estimate.unit
         ));
     }
@@ -327,7 +341,7 @@ fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> F
     let _ = base.set_list("polynomial", &coefficients);
     let mut list: Vec<Unknown> = (0..n).map(|k| Unknown::Entry("polynomial", k)).collect();
     list.extend([Unknown::Log("lag_slow"), Unknown::Log("lag_fast")]);
-    finish(segments, Unknowns { base, list }, base, Vec::new(), Vec::new())
+    finish(segments, Unknowns { base, list }, base, Vec::new())
 }
 
 /// What the campaign cannot show.

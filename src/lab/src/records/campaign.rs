@@ -10,6 +10,7 @@ use super::channel::Channel;
 use super::cleaning;
 use super::error::RecordError;
 use super::options::Options;
+use super::plausibility;
 use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sign::{self, SignFinding};
@@ -78,14 +79,15 @@ pub fn load(
     let sign = sign::settle(&mut motions, options, &mut notes)?;
     let mut records: Vec<Record> = motions
         .into_par_iter()
-        .map(cleaning::finish)
+        .map(|motion| {
+            let record = cleaning::finish(motion)?;
+            plausibility::refuse_absurd(&record)?;
+            Ok(record)
+        })
         .collect::<Result<_, _>>()?;
     unique_names(&mut records);
-    Ok(Campaign {
-        records,
-        sign,
-        notes,
-    })
+    plausibility::remark(&records, &mut notes)?;
+    Ok(Campaign { records, sign, notes })
 }
 
 /// Counts finished steps for the caller's progress display.
@@ -97,11 +99,7 @@ struct Counter<'a> {
 
 impl<'a> Counter<'a> {
     fn new(total: usize, report: &'a (dyn Fn(Progress) + Sync)) -> Self {
-        Counter {
-            done: 0.into(),
-            total: total.into(),
-            report,
-        }
+        Counter { done: 0.into(), total: total.into(), report }
     }
 
     fn step(&self, new_steps: usize) {
@@ -128,10 +126,7 @@ fn find(paths: &[PathBuf], notes: &mut Vec<Note>) -> Result<Vec<PathBuf>, Record
             }
             continue;
         }
-        let unreadable = |source| RecordError::Read {
-            file: path.clone(),
-            source,
-        };
+        let unreadable = |source| RecordError::Read { file: path.clone(), source };
         let mut entries = Vec::new();
         for entry in std::fs::read_dir(path).map_err(unreadable)? {
             entries.push(entry.map_err(unreadable)?.path());
@@ -156,34 +151,22 @@ fn find(paths: &[PathBuf], notes: &mut Vec<Note>) -> Result<Vec<PathBuf>, Record
         if !ignored.is_empty() {
             notes.push(Note {
                 kind: "ignored",
-                text: format!(
-                    "in {}, not read as records: {}",
-                    path.display(),
-                    ignored.join(", ")
-                ),
+                text: format!("in {}, not read as records: {}", path.display(), ignored.join(", ")),
             });
         }
         if files.len() == before {
-            return Err(RecordError::EmptyFolder {
-                folder: path.clone(),
-            });
+            return Err(RecordError::EmptyFolder { folder: path.clone() });
         }
     }
     Ok(files)
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn extension(path: &Path) -> String {
-    path.extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .to_ascii_lowercase()
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
 /// The tests of one file, read by its extension.
@@ -237,10 +220,7 @@ fn unique_names(records: &mut [Record]) {
         let taken = |name: &str, records: &[Record]| records[..i].iter().any(|r| r.name == name);
         if taken(&records[i].name, records) {
             let base = records[i].name.clone();
-            let name = (2..)
-                .map(|n| format!("{base} ({n})"))
-                .find(|name| !taken(name, records))
-                .unwrap_or(base);
+            let name = (2..).map(|n| format!("{base} ({n})")).find(|name| !taken(name, records)).unwrap_or(base);
             records[i].name = name;
         }
     }
@@ -270,12 +250,7 @@ mod tests {
     }
 
     fn sine(frequency: f64) -> String {
-        SineTest {
-            frequency,
-            seed: (1e3 * frequency) as u64,
-            ..SineTest::default()
-        }
-        .csv()
+        SineTest { frequency, seed: (1e3 * frequency) as u64, ..SineTest::default() }.csv()
     }
 
     #[test]
@@ -294,20 +269,8 @@ mod tests {
             assert!(p.done >= 1);
             calls.fetch_add(1, Relaxed);
         };
-        let campaign = load(
-            &[folder.path().to_path_buf()],
-            &Options::default(),
-            &progress,
-        )
-        .unwrap();
-        assert_eq!(
-            campaign
-                .records
-                .iter()
-                .map(|r| r.name.as_str())
-                .collect::<Vec<_>>(),
-            ["Test1", "test2", "test10"]
-        );
+        let campaign = load(&[folder.path().to_path_buf()], &Options::default(), &progress).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["Test1", "test2", "test10"]);
         assert_eq!(calls.load(Relaxed), 6); // three files, three tests
         assert_eq!(campaign.sign.positive, super::super::Positive::Rebound);
         let note = &campaign.notes[0];
@@ -318,34 +281,19 @@ mod tests {
         assert!(!note.text.contains("hidden"));
         for (record, frequency) in campaign.records.iter().zip([0.02, 0.5, 2.0]) {
             assert_eq!(record.cycles.len(), 5);
-            assert!(
-                (record.frequency / frequency - 1.0).abs() < 2e-3,
-                "{}",
-                record.frequency
-            );
+            assert!((record.frequency / frequency - 1.0).abs() < 2e-3, "{}", record.frequency);
             assert!((record.noise.force_rms / 4.0 - 1.0).abs() < 0.1);
         }
     }
 
     #[test]
     fn the_result_does_not_depend_on_the_number_of_threads() {
-        let files: Vec<(String, String)> = (1..8)
-            .map(|k| (format!("t{k}.csv"), sine(0.3 * f64::from(k))))
-            .collect();
-        let files: Vec<(&str, &str)> = files
-            .iter()
-            .map(|(a, b)| (a.as_str(), b.as_str()))
-            .collect();
+        let files: Vec<(String, String)> = (1..8).map(|k| (format!("t{k}.csv"), sine(0.3 * f64::from(k)))).collect();
+        let files: Vec<(&str, &str)> = files.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
         let folder = folder(&files);
         let with = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            format!(
-                "{:?}",
-                pool.install(|| load_folder(&folder, &Options::default()).unwrap())
-            )
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            format!("{:?}", pool.install(|| load_folder(&folder, &Options::default()).unwrap()))
         };
         assert!(with(1) == with(4));
     }
@@ -354,11 +302,7 @@ mod tests {
     fn one_file_with_several_tests_gives_one_record_each() {
         let mut text = String::from("Test No;Time [ms];Stroke [mm];Force [kN]\n");
         for (name, frequency) in [("A7", 0.5), ("A8", 2.0)] {
-            let samples = SineTest {
-                frequency,
-                ..SineTest::default()
-            }
-            .samples();
+            let samples = SineTest { frequency, ..SineTest::default() }.samples();
             let x = samples.displacement.as_ref().unwrap();
             for ((t, x), f) in samples.time.iter().zip(x).zip(&samples.force) {
                 let row = format!("{name};{:.3};{:.6};{:.7}\n", 1e3 * t, 1e3 * x, 1e-3 * f);
@@ -367,96 +311,43 @@ mod tests {
         }
         let folder = folder(&[("all.csv", &text)]);
         let campaign = load_folder(&folder, &Options::default()).unwrap();
-        assert_eq!(
-            campaign
-                .records
-                .iter()
-                .map(|r| r.name.as_str())
-                .collect::<Vec<_>>(),
-            ["A7", "A8"]
-        );
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["A7", "A8"]);
         assert!(campaign.records[1].source.ends_with("all.csv (test 'A8')"));
         assert!((campaign.records[1].amplitude - 0.05).abs() < 2e-4);
         let notes = &campaign.records[0].notes;
-        assert!(
-            notes.iter().any(|n| n.kind == "converted")
-                && notes.iter().any(|n| n.kind == "derived")
-        );
+        assert!(notes.iter().any(|n| n.kind == "converted") && notes.iter().any(|n| n.kind == "derived"));
     }
 
     #[test]
     fn records_of_equal_name_are_told_apart() {
-        let (one, two) = (
-            folder(&[("a.csv", &sine(1.0))]),
-            folder(&[("a.csv", &sine(2.0))]),
-        );
-        let paths = [
-            one.path().join("a.csv"),
-            two.path().to_path_buf(),
-            one.path().join("a.csv"),
-        ];
+        let (one, two) = (folder(&[("a.csv", &sine(1.0))]), folder(&[("a.csv", &sine(2.0))]));
+        let paths = [one.path().join("a.csv"), two.path().to_path_buf(), one.path().join("a.csv")];
         let campaign = load(&paths, &Options::default(), &quiet).unwrap();
-        assert_eq!(
-            campaign
-                .records
-                .iter()
-                .map(|r| r.name.as_str())
-                .collect::<Vec<_>>(),
-            ["a", "a (2)"]
-        );
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a", "a (2)"]);
     }
 
     #[test]
     fn what_cannot_be_read_is_refused_with_the_file_named() {
-        let message = |files: &[(&str, &str)]| {
-            load_folder(&folder(files), &Options::default())
-                .unwrap_err()
-                .to_string()
-        };
+        let message =
+            |files: &[(&str, &str)]| load_folder(&folder(files), &Options::default()).unwrap_err().to_string();
         assert!(message(&[("notes.txt", "")]).contains("holds no record"));
         assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
-        assert!(
-            message(&[("a.csv", "time_s,x_mm,force_N\n")])
-                .contains("a.csv: has a header but no data")
-        );
-        assert!(
-            message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples")
-        );
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
         // The first bad file in order is named, whichever thread finds its fault first.
-        assert!(
-            message(&[
-                ("a1.csv", &sine(1.0)),
-                ("a2.csv", "x\n"),
-                ("a10.csv", "y\n")
-            ])
-            .contains("a2.csv")
-        );
+        assert!(message(&[("a1.csv", &sine(1.0)), ("a2.csv", "x\n"), ("a10.csv", "y\n")]).contains("a2.csv"));
         let folder = folder(&[("a.pdf", "")]);
-        let path = |name: &str| {
-            load(&[folder.path().join(name)], &Options::default(), &quiet)
-                .unwrap_err()
-                .to_string()
-        };
+        let path = |name: &str| load(&[folder.path().join(name)], &Options::default(), &quiet).unwrap_err().to_string();
         assert!(path("missing.csv").contains("missing.csv: there is no such file"));
         assert!(path("a.pdf").contains("a.pdf: is no record"));
-        assert!(
-            load(&[], &Options::default(), &quiet)
-                .unwrap_err()
-                .to_string()
-                .contains("no record given")
-        );
+        assert!(load(&[], &Options::default(), &quiet).unwrap_err().to_string().contains("no record given"));
     }
 
     #[test]
     fn compression_positive_files_end_rebound_positive() {
         let mut text = String::from("time_s,displacement_m,force_N\n");
         let samples = SineTest::default().samples();
-        for ((t, x), f) in samples
-            .time
-            .iter()
-            .zip(samples.displacement.as_ref().unwrap())
-            .zip(&samples.force)
-        {
+        for ((t, x), f) in samples.time.iter().zip(samples.displacement.as_ref().unwrap()).zip(&samples.force) {
             text += &format!("{t:.6},{:.9},{:.4}\n", -x, -f);
         }
         let campaign = load_folder(&folder(&[("a.csv", &text)]), &Options::default()).unwrap();
@@ -471,9 +362,6 @@ mod tests {
     fn natural_order_compares_numbers_as_numbers() {
         let mut names = ["t10", "t9", "T1", "t010a", "t", "s3", "t9.5", "t9.10"];
         names.sort_by(|a, b| natural_order(a, b));
-        assert_eq!(
-            names,
-            ["s3", "t", "T1", "t9", "t9.5", "t9.10", "t10", "t010a"]
-        );
+        assert_eq!(names, ["s3", "t", "T1", "t9", "t9.5", "t9.10", "t10", "t010a"]);
     }
 }

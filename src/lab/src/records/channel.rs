@@ -46,6 +46,14 @@ impl Channel {
         }
     }
 
+    /// How to do without the channel, for messages; nothing where a record needs it.
+    pub(crate) fn leave_out_advice(self) -> String {
+        match self {
+            Channel::Time | Channel::Force => String::new(),
+            _ => format!(", or leave the channel out with --ignore {self}"),
+        }
+    }
+
     /// What the channel measures.
     pub fn dimension(self) -> Dimension {
         match self {
@@ -60,26 +68,10 @@ impl Channel {
     /// Headings understood for this channel, without the unit, in lower case with blanks between the words.
     fn headings(self) -> &'static [&'static str] {
         match self {
-            Channel::Time => &[
-                "time",
-                "t",
-                "timestamp",
-                "time stamp",
-                "elapsed time",
-                "test time",
-                "running time",
-            ],
-            Channel::Displacement => &[
-                "displacement",
-                "disp",
-                "displ",
-                "position",
-                "pos",
-                "stroke",
-                "travel",
-                "deflection",
-                "x",
-            ],
+            Channel::Time => &["time", "t", "timestamp", "time stamp", "elapsed time", "test time", "running time"],
+            Channel::Displacement => {
+                &["displacement", "disp", "displ", "position", "pos", "stroke", "travel", "deflection", "x"]
+            }
             Channel::Velocity => &["velocity", "vel", "speed", "v"],
             Channel::Force => &["force", "load", "f", "load cell", "loadcell"],
             Channel::SideForce => &[
@@ -98,12 +90,7 @@ impl Channel {
 
     /// The units understood for this channel, for messages.
     pub fn units_understood(self) -> String {
-        Unit::ALL
-            .iter()
-            .filter(|u| u.dimension() == self.dimension())
-            .map(|u| u.name())
-            .collect::<Vec<_>>()
-            .join(", ")
+        Unit::ALL.iter().filter(|u| u.dimension() == self.dimension()).map(|u| u.name()).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -122,10 +109,7 @@ impl FromStr for Channel {
             .into_iter()
             .find(|c| c.name().replace('_', " ") == words || c.headings().contains(&words.as_str()))
             .ok_or_else(|| {
-                format!(
-                    "'{text}' is no channel; the channels are {}",
-                    Channel::ALL.map(Channel::name).join(", ")
-                )
+                format!("'{text}' is no channel; the channels are {}", Channel::ALL.map(Channel::name).join(", "))
             })
     }
 }
@@ -223,9 +207,7 @@ impl Unit {
             Unit::Millimetre => &["mm"],
             Unit::Micrometre => &["um", "micron", "microns"],
             Unit::Inch => &["in", "inch", "inches", "\""],
-            Unit::MetrePerSecond => &[
-                "m/s", "mps", "m/sec", "m s-1", "m.s-1", "m*s^-1", "ms-1", "ms^-1",
-            ],
+            Unit::MetrePerSecond => &["m/s", "mps", "m/sec", "m s-1", "m.s-1", "m*s^-1", "ms-1", "ms^-1"],
             Unit::CentimetrePerSecond => &["cm/s", "cm/sec"],
             Unit::MillimetrePerSecond => &["mm/s", "mmps", "mm/sec", "mm s-1", "mm.s-1"],
             Unit::InchPerSecond => &["in/s", "ips", "in/sec", "inch/s"],
@@ -244,18 +226,13 @@ impl Unit {
     pub fn dimension(self) -> Dimension {
         match self {
             Unit::Second | Unit::Millisecond | Unit::Microsecond | Unit::Minute => Dimension::Time,
-            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Micrometre | Unit::Inch => {
-                Dimension::Length
+            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Micrometre | Unit::Inch => Dimension::Length,
+            Unit::MetrePerSecond | Unit::CentimetrePerSecond | Unit::MillimetrePerSecond | Unit::InchPerSecond => {
+                Dimension::Speed
             }
-            Unit::MetrePerSecond
-            | Unit::CentimetrePerSecond
-            | Unit::MillimetrePerSecond
-            | Unit::InchPerSecond => Dimension::Speed,
-            Unit::Newton
-            | Unit::Decanewton
-            | Unit::Kilonewton
-            | Unit::PoundForce
-            | Unit::KilogramForce => Dimension::Force,
+            Unit::Newton | Unit::Decanewton | Unit::Kilonewton | Unit::PoundForce | Unit::KilogramForce => {
+                Dimension::Force
+            }
             Unit::Celsius | Unit::Kelvin | Unit::Fahrenheit => Dimension::Temperature,
         }
     }
@@ -263,9 +240,7 @@ impl Unit {
     /// A value in this unit as SI (temperature: °C). This is the only place where units change.
     pub fn to_si(self, value: f64) -> f64 {
         match self {
-            Unit::Second | Unit::Metre | Unit::MetrePerSecond | Unit::Newton | Unit::Celsius => {
-                value
-            }
+            Unit::Second | Unit::Metre | Unit::MetrePerSecond | Unit::Newton | Unit::Celsius => value,
             Unit::Minute => value * 60.0,
             // Division keeps decimal figures exact to the last digit: 12.5 mm is the double nearest 0.0125 m.
             Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond => value / 1e3,
@@ -294,15 +269,9 @@ impl FromStr for Unit {
     fn from_str(text: &str) -> Result<Self, String> {
         let plain = plain(text);
         let plain = plain.trim().trim_matches(|c| "[](){}".contains(c)).trim();
-        Unit::ALL
-            .into_iter()
-            .find(|u| u.spellings().iter().any(|s| s.eq_ignore_ascii_case(plain)))
-            .ok_or_else(|| {
-                format!(
-                    "'{text}' is no unit known here; known are {}",
-                    Unit::ALL.map(Unit::name).join(", ")
-                )
-            })
+        Unit::ALL.into_iter().find(|u| u.spellings().iter().any(|s| s.eq_ignore_ascii_case(plain))).ok_or_else(|| {
+            format!("'{text}' is no unit known here; known are {}", Unit::ALL.map(Unit::name).join(", "))
+        })
     }
 }
 
@@ -348,8 +317,8 @@ const TEST_HEADINGS: [&str; 12] = [
 
 /// Words in a heading that say nothing about the quantity.
 const FILLERS: [&str; 15] = [
-    "channel", "ch", "signal", "measured", "meas", "actual", "act", "damper", "actuator", "axial",
-    "rig", "rod", "piston", "oil", "body",
+    "channel", "ch", "signal", "measured", "meas", "actual", "act", "damper", "actuator", "axial", "rig", "rod",
+    "piston", "oil", "body",
 ];
 
 /// Reads a column heading: `displacement_mm`, `Velocity [m/s]`, `Force (N)`, `F_N`, `Load, kN`.
@@ -385,34 +354,18 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     if TEST_HEADINGS.contains(&all.as_str()) {
         return Heading::Test;
     }
-    let telling: Vec<&str> = words
-        .iter()
-        .map(String::as_str)
-        .filter(|w| !FILLERS.contains(w))
-        .collect();
+    let telling: Vec<&str> = words.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
     let name = telling.join(" ");
     let unit = match unit {
         HeadingUnitText::None => None,
         HeadingUnitText::Bracketed("") => None,
-        HeadingUnitText::Bracketed(text) => {
-            Some(text.parse::<Unit>().map_err(|_| text.to_string()))
-        }
+        HeadingUnitText::Bracketed(text) => Some(text.parse::<Unit>().map_err(|_| text.to_string())),
         HeadingUnitText::Trailing(unit) => Some(Ok(unit)),
     };
-    if [
-        "dt",
-        "ts",
-        "sample time",
-        "sampling time",
-        "sample interval",
-    ]
-    .contains(&name.as_str())
-    {
+    if ["dt", "ts", "sample time", "sampling time", "sample interval"].contains(&name.as_str()) {
         return match unit {
             None => Heading::SampleTime(HeadingUnit::Missing),
-            Some(Ok(u)) if u.dimension() == Dimension::Time => {
-                Heading::SampleTime(HeadingUnit::Known(u))
-            }
+            Some(Ok(u)) if u.dimension() == Dimension::Time => Heading::SampleTime(HeadingUnit::Known(u)),
             Some(_) => Heading::Unknown,
         };
     }
@@ -423,17 +376,12 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
         }
         _ => {}
     }
-    let Some(channel) = Channel::ALL
-        .into_iter()
-        .find(|c| c.headings().contains(&name.as_str()))
-    else {
+    let Some(channel) = Channel::ALL.into_iter().find(|c| c.headings().contains(&name.as_str())) else {
         return Heading::Unknown;
     };
     match unit {
         None => Heading::Channel(channel, HeadingUnit::Missing),
-        Some(Ok(u)) if u.dimension() == channel.dimension() => {
-            Heading::Channel(channel, HeadingUnit::Known(u))
-        }
+        Some(Ok(u)) if u.dimension() == channel.dimension() => Heading::Channel(channel, HeadingUnit::Known(u)),
         // A single letter with a foreign unit is another quantity (`f [Hz]`, `v [V]`), not a damper channel.
         Some(_) if name.len() == 1 => Heading::Unknown,
         Some(Ok(u)) => Heading::Channel(channel, HeadingUnit::Unknown(u.name().to_string())),
@@ -446,10 +394,7 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
     for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
         if let Some(start) = text.rfind(open) {
             if let Some(length) = text[start..].find(close) {
-                return Some((
-                    &text[..start],
-                    text[start + open.len_utf8()..start + length].trim(),
-                ));
+                return Some((&text[..start], text[start + open.len_utf8()..start + length].trim()));
             }
         }
     }
@@ -458,19 +403,12 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
 
 /// Letters outside ASCII that units and headings use, written plainly.
 fn plain(text: &str) -> String {
-    text.replace(['µ', 'μ'], "u")
-        .replace(['°', 'º'], "deg")
-        .replace('\u{feff}', "")
-        .replace('⁻', "-")
-        .replace('¹', "1")
+    text.replace(['µ', 'μ'], "u").replace(['°', 'º'], "deg").replace('\u{feff}', "").replace('⁻', "-").replace('¹', "1")
 }
 
 /// Words of a heading in lower case.
 fn words(text: &str) -> Vec<String> {
-    text.split(|c: char| !c.is_alphanumeric())
-        .filter(|w| !w.is_empty())
-        .map(str::to_lowercase)
-        .collect()
+    text.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase).collect()
 }
 
 /// Splits a command-line assignment such as `force=kN` or `force=Load Cell 1`.
@@ -478,9 +416,8 @@ fn words(text: &str) -> Vec<String> {
 /// # Errors
 /// A sentence if there is no `=`, or the left side is no channel.
 pub fn assignment(text: &str) -> Result<(Channel, &str), String> {
-    let (channel, value) = text
-        .split_once('=')
-        .ok_or_else(|| format!("'{text}' should read channel=value, for example force=kN"))?;
+    let (channel, value) =
+        text.split_once('=').ok_or_else(|| format!("'{text}' should read channel=value, for example force=kN"))?;
     let value = value.trim().trim_matches('"');
     if value.is_empty() {
         return Err(format!("'{text}' says nothing after the '='"));
@@ -490,16 +427,7 @@ pub fn assignment(text: &str) -> Result<(Channel, &str), String> {
 
 /// What headings and units are understood, for error messages.
 pub(crate) fn vocabulary() -> String {
-    Channel::ALL
-        .map(|c| {
-            format!(
-                "{} ({}) in {}",
-                c.name(),
-                c.headings().join(", "),
-                c.units_understood()
-            )
-        })
-        .join("; ")
+    Channel::ALL.map(|c| format!("{} ({}) in {}", c.name(), c.headings().join(", "), c.units_understood())).join("; ")
 }
 
 #[cfg(test)]
@@ -516,53 +444,25 @@ mod tests {
     #[test]
     fn headings_of_common_exports_are_understood() {
         assert_eq!(read("time_s"), (Channel::Time, Unit::Second));
-        assert_eq!(
-            read("displacement_mm"),
-            (Channel::Displacement, Unit::Millimetre)
-        );
-        assert_eq!(
-            read("velocity_m_s"),
-            (Channel::Velocity, Unit::MetrePerSecond)
-        );
-        assert_eq!(
-            read("Velocity [m/s]"),
-            (Channel::Velocity, Unit::MetrePerSecond)
-        );
+        assert_eq!(read("displacement_mm"), (Channel::Displacement, Unit::Millimetre));
+        assert_eq!(read("velocity_m_s"), (Channel::Velocity, Unit::MetrePerSecond));
+        assert_eq!(read("Velocity [m/s]"), (Channel::Velocity, Unit::MetrePerSecond));
         assert_eq!(read("Force (N)"), (Channel::Force, Unit::Newton));
         assert_eq!(read("F_kN"), (Channel::Force, Unit::Kilonewton));
-        assert_eq!(
-            read("Damper Force, daN"),
-            (Channel::Force, Unit::Decanewton)
-        );
-        assert_eq!(
-            read("Piston velocity in/s"),
-            (Channel::Velocity, Unit::InchPerSecond)
-        );
-        assert_eq!(
-            read("Lateral Force [lbf]"),
-            (Channel::SideForce, Unit::PoundForce)
-        );
+        assert_eq!(read("Damper Force, daN"), (Channel::Force, Unit::Decanewton));
+        assert_eq!(read("Piston velocity in/s"), (Channel::Velocity, Unit::InchPerSecond));
+        assert_eq!(read("Lateral Force [lbf]"), (Channel::SideForce, Unit::PoundForce));
         assert_eq!(read("T [°C]"), (Channel::Temperature, Unit::Celsius));
         assert_eq!(read("t [ms]"), (Channel::Time, Unit::Millisecond));
         assert_eq!(read("x (µm)"), (Channel::Displacement, Unit::Micrometre));
-        assert_eq!(
-            read("speed_mm_s"),
-            (Channel::Velocity, Unit::MillimetrePerSecond)
-        );
+        assert_eq!(read("speed_mm_s"), (Channel::Velocity, Unit::MillimetrePerSecond));
     }
 
     #[test]
     fn other_quantities_are_left_alone() {
-        for text in [
-            "f [Hz]",
-            "v [V]",
-            "Force setpoint [N]",
-            "displacement command mm",
-            "Cycle",
-            "acceleration",
-            "s",
-            "",
-        ] {
+        for text in
+            ["f [Hz]", "v [V]", "Force setpoint [N]", "displacement command mm", "Cycle", "acceleration", "s", ""]
+        {
             assert_eq!(heading(text), Heading::Unknown, "{text}");
         }
         assert_eq!(heading("Test No"), Heading::Test);
@@ -571,25 +471,14 @@ mod tests {
 
     #[test]
     fn a_unit_of_the_wrong_kind_is_reported_as_unknown() {
-        assert_eq!(
-            heading("Force [mm]"),
-            Heading::Channel(Channel::Force, HeadingUnit::Unknown("mm".into()))
-        );
-        assert_eq!(
-            heading("Force [tons]"),
-            Heading::Channel(Channel::Force, HeadingUnit::Unknown("tons".into()))
-        );
-        assert_eq!(
-            heading("Force"),
-            Heading::Channel(Channel::Force, HeadingUnit::Missing)
-        );
+        assert_eq!(heading("Force [mm]"), Heading::Channel(Channel::Force, HeadingUnit::Unknown("mm".into())));
+        assert_eq!(heading("Force [tons]"), Heading::Channel(Channel::Force, HeadingUnit::Unknown("tons".into())));
+        assert_eq!(heading("Force"), Heading::Channel(Channel::Force, HeadingUnit::Missing));
     }
 
     #[test]
     fn units_convert_to_si() {
-        let near = |u: Unit, value: f64, si: f64| {
-            assert!((u.to_si(value) - si).abs() <= 1e-12 * si.abs(), "{u}")
-        };
+        let near = |u: Unit, value: f64, si: f64| assert!((u.to_si(value) - si).abs() <= 1e-12 * si.abs(), "{u}");
         near(Unit::Millimetre, 12.5, 0.0125);
         near(Unit::Inch, 1.0, 0.0254);
         near(Unit::PoundForce, 100.0, 444.822_161_526_05);
@@ -609,15 +498,8 @@ mod tests {
     #[test]
     fn assignments_from_the_command_line() {
         assert_eq!(assignment("force=kN"), Ok((Channel::Force, "kN")));
-        assert_eq!(
-            assignment("side_force=\"Load Cell 2\""),
-            Ok((Channel::SideForce, "Load Cell 2"))
-        );
+        assert_eq!(assignment("side_force=\"Load Cell 2\""), Ok((Channel::SideForce, "Load Cell 2")));
         assert!(assignment("force").is_err());
-        assert!(
-            assignment("pressure=bar")
-                .unwrap_err()
-                .contains("displacement")
-        );
+        assert!(assignment("pressure=bar").unwrap_err().contains("displacement"));
     }
 }

@@ -25,25 +25,18 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     }
     let integral = integrate(time, velocity, 0.0);
     let mean = |values: &[f64]| values.iter().sum::<f64>() / n as f64;
-    let spread = |values: &[f64], mean: f64| {
-        (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n as f64).sqrt()
-    };
+    let spread = |values: &[f64], mean: f64| (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n as f64).sqrt();
     let scaled = |values: &[f64]| {
         let centre = mean(values);
         let width = spread(values, centre);
         (centre, width)
     };
-    let ((ci, wi), (cv, wv), (ct, wt), (cx, wx)) = (
-        scaled(&integral),
-        scaled(velocity),
-        scaled(time),
-        scaled(displacement),
-    );
+    let ((ci, wi), (cv, wv), (ct, wt), (cx, wx)) =
+        (scaled(&integral), scaled(velocity), scaled(time), scaled(displacement));
     if [wi, wv, wt, wx].contains(&0.0) {
         return None;
     }
-    let (mut normal, mut right, mut total, mut plain) =
-        (Matrix4::zeros(), Vector4::zeros(), 0.0, 0.0);
+    let (mut normal, mut right, mut total, mut plain) = (Matrix4::zeros(), Vector4::zeros(), 0.0, 0.0);
     for i in 0..n {
         let t = (time[i] - ct) / wt;
         let row = Vector4::new((integral[i] - ci) / wi, (velocity[i] - cv) / wv, 1.0, t);
@@ -58,18 +51,12 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
-    Some(Agreement {
-        gain: 1.0 / a,
-        lag: b / a,
-        explained,
-    })
+    Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
 
 /// The likely cause where the two contradict each other grossly.
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<String> {
-    let Agreement {
-        gain, explained, ..
-    } = *agreement;
+    let Agreement { gain, explained, .. } = *agreement;
     let advice = "or read one of them only: --ignore velocity (or --ignore displacement)";
     if explained < 0.5 {
         return Some(format!(
@@ -85,26 +72,11 @@ pub(crate) fn contradiction(agreement: &Agreement) -> Option<String> {
         ));
     }
     let slips = [
-        (
-            1000.0,
-            "displacement or velocity is in mm where the header says m",
-        ),
-        (
-            100.0,
-            "displacement or velocity is in cm where the header says m",
-        ),
-        (
-            10.0,
-            "displacement or velocity is in mm where the header says cm",
-        ),
-        (
-            25.4,
-            "one of them is in inches where the header says mm, or the reverse",
-        ),
-        (
-            39.370_078_740_157_48,
-            "one of them is in inches where the header says m, or the reverse",
-        ),
+        (1000.0, "displacement or velocity is in mm where the header says m"),
+        (100.0, "displacement or velocity is in cm where the header says m"),
+        (10.0, "displacement or velocity is in mm where the header says cm"),
+        (25.4, "one of them is in inches where the header says mm, or the reverse"),
+        (39.370_078_740_157_48, "one of them is in inches where the header says m, or the reverse"),
     ];
     for (factor, cause) in slips {
         for slip in [factor, 1.0 / factor] {
@@ -118,8 +90,8 @@ pub(crate) fn contradiction(agreement: &Agreement) -> Option<String> {
     }
     if !(0.75..1.33).contains(&gain) {
         return Some(format!(
-            "velocity is {gain:.3} times the derivative of displacement. Check the units and calibration of both and the unit \
-             of time, {advice}"
+            "velocity is {gain:.3} times the derivative of displacement. Check the units and calibration of both, the unit \
+             of time, and whether the sampling is fast enough for the motion, {advice}"
         ));
     }
     None
@@ -131,36 +103,20 @@ mod tests {
     use super::*;
 
     fn channels() -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-        let samples = SineTest {
-            per_cycle: 500,
-            ..SineTest::default()
-        }
-        .samples();
-        (
-            samples.time,
-            samples.displacement.unwrap(),
-            samples.velocity.unwrap(),
-        )
+        let samples = SineTest { per_cycle: 500, ..SineTest::default() }.samples();
+        (samples.time, samples.displacement.unwrap(), samples.velocity.unwrap())
     }
 
     #[test]
     fn gain_and_lag_are_found() {
         let (time, x, v) = channels();
         let agreement = compare(&time, &x, &v).unwrap();
-        assert!(
-            (agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5,
-            "{agreement:?}"
-        );
+        assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
         assert!(contradiction(&agreement).is_none());
         // Velocity 3 % too large, with offset, four samples (8 ms) late.
-        let late: Vec<f64> = (0..v.len())
-            .map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002)
-            .collect();
+        let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
         let agreement = compare(&time, &x, &late).unwrap();
-        assert!(
-            (agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4,
-            "{agreement:?}"
-        );
+        assert!((agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4, "{agreement:?}");
     }
 
     #[test]
@@ -177,11 +133,7 @@ mod tests {
         assert!(cause(2.0).contains("calibration"));
         assert!(cause(1.1).is_empty());
         let unrelated: Vec<f64> = time.iter().map(|t| (7.3 * t).sin()).collect();
-        assert!(
-            contradiction(&compare(&time, &x, &unrelated).unwrap())
-                .unwrap()
-                .contains("do not belong")
-        );
+        assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().contains("do not belong"));
         assert!(compare(&time, &x, &vec![0.0; x.len()]).is_none());
     }
 }

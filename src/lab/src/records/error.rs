@@ -17,10 +17,7 @@ pub struct Place {
 impl Place {
     /// A place that is a whole file.
     pub fn file(file: impl Into<PathBuf>) -> Self {
-        Place {
-            file: file.into(),
-            part: None,
-        }
+        Place { file: file.into(), part: None }
     }
 }
 
@@ -72,126 +69,62 @@ pub enum RecordError {
         "{at}: no header line found that names time and other channels; the first line reads '{found}'. Understood are: \
          {understood}. Other headings can be given as --column force=\"Load Cell 1\""
     )]
-    Header {
-        at: Place,
-        found: String,
-        understood: String,
-    },
+    Header { at: Place, found: String, understood: String },
 
     #[error(
         "{at}, line {line}: no column for {missing}; the columns are {found}. Name the column with --column {example}=\"heading\""
     )]
-    MissingColumn {
-        at: Place,
-        line: usize,
-        missing: &'static str,
-        example: Channel,
-        found: String,
-    },
+    MissingColumn { at: Place, line: usize, missing: &'static str, example: Channel, found: String },
 
     #[error(
         "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\""
     )]
-    TwoColumns {
-        at: Place,
-        line: usize,
-        channel: Channel,
-        first: String,
-        second: String,
-    },
+    TwoColumns { at: Place, line: usize, channel: Channel, first: String, second: String },
 
-    #[error(
-        "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}"
-    )]
-    NoSuchColumn {
-        at: Place,
-        line: usize,
-        channel: Channel,
-        wanted: String,
-        found: String,
-    },
+    #[error("{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}")]
+    NoSuchColumn { at: Place, line: usize, channel: Channel, wanted: String, found: String },
 
     #[error(
         "{at}, line {line}: column '{column}' has no unit; write it in the heading as '{column} [{example}]' or give \
          --unit {channel}={example}. Understood for {channel}: {understood}",
         understood = .channel.units_understood()
     )]
-    MissingUnit {
-        at: Place,
-        line: usize,
-        column: String,
-        channel: Channel,
-        example: &'static str,
-    },
+    MissingUnit { at: Place, line: usize, column: String, channel: Channel, example: &'static str },
 
     #[error(
         "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are \
          {understood}. Give --unit {channel}=... if the heading is wrong",
         understood = .channel.units_understood()
     )]
-    UnknownUnit {
-        at: Place,
-        line: usize,
-        column: String,
-        unit: String,
-        channel: Channel,
-    },
+    UnknownUnit { at: Place, line: usize, column: String, unit: String, channel: Channel },
 
     #[error("{at}, line {line}, column '{column}': '{text}' is no number{hint}")]
-    Cell {
-        at: Place,
-        line: usize,
-        column: String,
-        text: String,
-        hint: &'static str,
-    },
+    Cell { at: Place, line: usize, column: String, text: String, hint: &'static str },
 
     #[error("{at}, line {line}: has {found} fields where the header has {expected}{hint}")]
-    Fields {
-        at: Place,
-        line: usize,
-        found: usize,
-        expected: usize,
-        hint: &'static str,
-    },
+    Fields { at: Place, line: usize, found: usize, expected: usize, hint: &'static str },
 
     #[error(
         "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to \
-         drop. Repair the export, or leave the channel out with --ignore {channel}"
+         drop. Repair the export{advice}",
+        advice = channel.leave_out_advice()
     )]
-    Missing {
-        at: Place,
-        line: usize,
-        channel: Channel,
-        count: usize,
-        rows: usize,
-    },
+    Missing { at: Place, line: usize, channel: Channel, count: usize, rows: usize },
 
     #[error("{at}: has a header but no data rows")]
     NoData { at: Place },
 
     #[error("{at}: has only {samples} usable samples; a test needs at least {needed}")]
-    TooFew {
-        at: Place,
-        samples: usize,
-        needed: usize,
-    },
+    TooFew { at: Place, samples: usize, needed: usize },
 
-    #[error(
-        "{at}: time does not advance, it is {time} s in every row; check that the right column is read as time"
-    )]
+    #[error("{at}: time does not advance, it is {time} s in every row; check that the right column is read as time")]
     ConstantTime { at: Place, time: f64 },
 
     #[error(
         "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, \
          add a column 'test' or split it; otherwise cut the stray block"
     )]
-    TimeBackwards {
-        at: Place,
-        line: usize,
-        from: f64,
-        to: f64,
-    },
+    TimeBackwards { at: Place, line: usize, from: f64, to: f64 },
 
     #[error(
         "{at}, lines {first} to {last}: {channel} is frozen at {value:.6} (SI) for {seconds:.3} s while {moving}; {advice}"
@@ -211,39 +144,30 @@ pub enum RecordError {
         "{at}, first at line {line}: {channel} is clipped at {value:.5} (SI) in {percent:.1} % of the samples, which leaves too \
          little to trust; {advice}"
     )]
-    Clipped {
-        at: Place,
-        line: usize,
-        channel: Channel,
-        value: f64,
-        percent: f64,
-        advice: &'static str,
-    },
+    Clipped { at: Place, line: usize, channel: Channel, value: f64, percent: f64, advice: &'static str },
 
-    #[error("{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off")]
-    MotionGap {
-        at: Place,
-        line: usize,
-        channel: Channel,
-    },
+    #[error(
+        "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off"
+    )]
+    MotionGap { at: Place, line: usize, channel: Channel },
 
     #[error("{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time")]
-    MotionTime {
-        at: Place,
-        line: usize,
-        from: f64,
-        to: f64,
-    },
+    MotionTime { at: Place, line: usize, from: f64, to: f64 },
 
     #[error("{at}: has one row; a motion needs at least two")]
     ShortMotion { at: Place },
 
     #[error("{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file", file = .file.display())]
-    SeveralMotions {
-        file: PathBuf,
-        first: String,
-        second: String,
-    },
+    SeveralMotions { file: PathBuf, first: String, second: String },
+
+    #[error("{record}: shows {what}, which no suspension damper has; {advice}")]
+    Absurd { record: String, what: String, advice: &'static str },
+
+    #[error(
+        "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise:.3} N, although the damper \
+         moves. Check the load cell and its channel (--column force=\"heading\")"
+    )]
+    NoForce { count: usize, all: usize, record: String, noise: f64 },
 
     #[error("{channel} cannot be left out of records; take it off --ignore")]
     Indispensable { channel: Channel },

@@ -15,6 +15,7 @@ mod mat;
 mod motion;
 mod noise;
 mod options;
+mod plausibility;
 pub mod record;
 mod samples;
 mod sign;

@@ -30,8 +30,7 @@ pub(crate) struct Column {
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let known = cells.iter().filter(|c| {
         let text = c.as_ref().trim();
-        matches!(heading(text), Heading::Channel(..))
-            || options.columns.values().any(|wanted| same(wanted, text))
+        matches!(heading(text), Heading::Channel(..)) || options.columns.values().any(|wanted| same(wanted, text))
     });
     known.count() >= 2
 }
@@ -62,35 +61,25 @@ pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     if let Ok(value) = text.parse::<f64>() {
         return Some(if value.is_finite() { value } else { f64::NAN });
     }
-    if [
-        "", "-", "--", "n/a", "na", "#n/a", "null", "#num!", "1.#qnan", "-1.#ind",
-    ]
-    .iter()
-    .any(|empty| text.eq_ignore_ascii_case(empty))
+    if ["", "-", "--", "n/a", "na", "#n/a", "null", "#num!", "1.#qnan", "-1.#ind"]
+        .iter()
+        .any(|empty| text.eq_ignore_ascii_case(empty))
     {
         return Some(f64::NAN);
     }
     if decimal_comma && text.bytes().filter(|&b| b == b',').count() == 1 && !text.contains('.') {
-        return text
-            .replace(',', ".")
-            .parse()
-            .ok()
-            .filter(|v: &f64| v.is_finite());
+        return text.replace(',', ".").parse().ok().filter(|v: &f64| v.is_finite());
     }
     None
 }
 
 /// The error for a file without a header known here.
 pub(crate) fn no_header(at: &Place, first_line: &str) -> RecordError {
-    let mut found: String = first_line.trim().chars().take(120).collect();
+    let mut found: String = first_line.trim().chars().filter(|c| !c.is_control()).take(120).collect();
     if found.len() < first_line.trim().len() {
         found.push_str(" ...");
     }
-    RecordError::Header {
-        at: at.clone(),
-        found,
-        understood: vocabulary(),
-    }
+    RecordError::Header { at: at.clone(), found, understood: vocabulary() }
 }
 
 impl Layout {
@@ -105,17 +94,8 @@ impl Layout {
         options: &Options,
         sample_time_given: bool,
     ) -> Result<Layout, RecordError> {
-        let header: Vec<&str> = header
-            .iter()
-            .map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}'))
-            .collect();
-        let found = || {
-            header
-                .iter()
-                .map(|h| format!("'{h}'"))
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
+        let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
+        let found = || header.iter().map(|h| format!("'{h}'")).collect::<Vec<_>>().join(", ");
         let headings: Vec<Heading> = header.iter().map(|h| heading(h)).collect();
         let mut columns = Vec::new();
         for channel in Channel::ALL {
@@ -123,29 +103,22 @@ impl Layout {
                 continue;
             }
             let index = if let Some(wanted) = options.columns.get(&channel) {
-                let index = header.iter().position(|h| same(wanted, h)).ok_or_else(|| {
-                    RecordError::NoSuchColumn {
-                        at: at.clone(),
-                        line,
-                        channel,
-                        wanted: wanted.clone(),
-                        found: found(),
-                    }
+                let index = header.iter().position(|h| same(wanted, h)).ok_or_else(|| RecordError::NoSuchColumn {
+                    at: at.clone(),
+                    line,
+                    channel,
+                    wanted: wanted.clone(),
+                    found: found(),
                 })?;
                 Some(index)
             } else {
                 let taken = |i: usize| {
-                    options
-                        .columns
-                        .iter()
-                        .any(|(other, wanted)| *other != channel && same(wanted, header[i]))
+                    options.columns.iter().any(|(other, wanted)| *other != channel && same(wanted, header[i]))
                 };
                 let mut candidates = headings
                     .iter()
                     .enumerate()
-                    .filter(|(i, h)| {
-                        matches!(h, Heading::Channel(c, _) if *c == channel) && !taken(*i)
-                    })
+                    .filter(|(i, h)| matches!(h, Heading::Channel(c, _) if *c == channel) && !taken(*i))
                     .map(|(i, _)| i);
                 let first = candidates.next();
                 if let (Some(first), Some(second)) = (first, candidates.next()) {
@@ -160,21 +133,9 @@ impl Layout {
                 first
             };
             let Some(index) = index else { continue };
-            let unit = unit_of(
-                at,
-                line,
-                channel,
-                header[index],
-                &headings[index],
-                units.map(|u| u[index..].iter()),
-                options,
-            )?;
-            columns.push(Column {
-                channel,
-                index,
-                unit,
-                heading: header[index].to_string(),
-            });
+            let unit =
+                unit_of(at, line, channel, header[index], &headings[index], units.map(|u| u[index..].iter()), options)?;
+            columns.push(Column { channel, index, unit, heading: header[index].to_string() });
         }
         let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
         let missing = if !has(Channel::Time) && !sample_time_given {
@@ -187,27 +148,15 @@ impl Layout {
             None
         };
         if let Some((missing, example)) = missing {
-            return Err(RecordError::MissingColumn {
-                at: at.clone(),
-                line,
-                missing,
-                example,
-                found: found(),
-            });
+            return Err(RecordError::MissingColumn { at: at.clone(), line, missing, example, found: found() });
         }
         let test = headings.iter().position(|h| *h == Heading::Test);
         let ignored = (0..header.len())
-            .filter(|i| {
-                !header[*i].is_empty() && Some(*i) != test && columns.iter().all(|c| c.index != *i)
-            })
+            .filter(|i| !header[*i].is_empty() && Some(*i) != test && columns.iter().all(|c| c.index != *i))
             .filter(|i| !matches!(headings[*i], Heading::SampleTime(_)))
             .map(|i| header[i].to_string())
             .collect();
-        Ok(Layout {
-            columns,
-            test,
-            ignored,
-        })
+        Ok(Layout { columns, test, ignored })
     }
 }
 
@@ -228,16 +177,10 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
         channel,
     };
     if let Some(&unit) = options.units.get(&channel) {
-        return if unit.dimension() == channel.dimension() {
-            Ok(unit)
-        } else {
-            Err(unknown(unit.name()))
-        };
+        return if unit.dimension() == channel.dimension() { Ok(unit) } else { Err(unknown(unit.name())) };
     }
     match heading {
-        Heading::Channel(_, HeadingUnit::Known(unit))
-            if unit.dimension() == channel.dimension() =>
-        {
+        Heading::Channel(_, HeadingUnit::Known(unit)) if unit.dimension() == channel.dimension() => {
             return Ok(*unit);
         }
         Heading::Channel(_, HeadingUnit::Known(unit)) => return Err(unknown(unit.name())),
@@ -246,16 +189,8 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
     }
     // A column chosen by name may still carry its unit: `Load Cell 1 [kN]`.
     let written = column.rsplit_once(['[', '(']).map(|(_, unit)| unit);
-    let below = units
-        .as_mut()
-        .and_then(|u| u.next())
-        .map(|u| u.as_ref().trim())
-        .filter(|u| !u.is_empty());
-    let parsed = |text: &str| {
-        text.parse::<Unit>()
-            .ok()
-            .filter(|unit| unit.dimension() == channel.dimension())
-    };
+    let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
+    let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
     if let Some(unit) = written.and_then(parsed).or_else(|| below.and_then(parsed)) {
         return Ok(unit);
     }
@@ -291,15 +226,7 @@ pub(crate) struct Rows {
 impl Rows {
     pub fn new(at: Place, name: String, layout: Layout) -> Self {
         let values = vec![Vec::new(); layout.columns.len()];
-        Rows {
-            at,
-            name,
-            layout,
-            lines: Vec::new(),
-            values,
-            tests: Vec::new(),
-            names: Vec::new(),
-        }
+        Rows { at, name, layout, lines: Vec::new(), values, tests: Vec::new(), names: Vec::new() }
     }
 
     pub fn layout(&self) -> &Layout {
@@ -309,9 +236,7 @@ impl Rows {
     /// Adds a row: one value per column of the layout in the file's units, and the text of the test column.
     pub fn push(&mut self, line: usize, values: impl Iterator<Item = f64>, test: Option<&str>) {
         self.lines.push(line);
-        for ((column, channel), value) in
-            self.values.iter_mut().zip(&self.layout.columns).zip(values)
-        {
+        for ((column, channel), value) in self.values.iter_mut().zip(&self.layout.columns).zip(values) {
             column.push(channel.unit.to_si(value));
         }
         if let Some(test) = test {
@@ -319,14 +244,10 @@ impl Rows {
             let test = test.trim();
             let index = match self.tests.last() {
                 Some(&last) if self.names[last] == test => last,
-                _ => self
-                    .names
-                    .iter()
-                    .position(|n| n == test)
-                    .unwrap_or_else(|| {
-                        self.names.push(test.to_string());
-                        self.names.len() - 1
-                    }),
+                _ => self.names.iter().position(|n| n == test).unwrap_or_else(|| {
+                    self.names.push(test.to_string());
+                    self.names.len() - 1
+                }),
             };
             self.tests.push(index);
         }
@@ -339,10 +260,7 @@ impl Rows {
         }
         let mut notes = Vec::new();
         if !self.layout.ignored.is_empty() {
-            notes.push(Note {
-                kind: "ignored",
-                text: format!("columns not read: {}", self.layout.ignored.join(", ")),
-            });
+            notes.push(Note { kind: "ignored", text: format!("columns not read: {}", self.layout.ignored.join(", ")) });
         }
         let converted: Vec<String> = self
             .layout
@@ -352,25 +270,15 @@ impl Rows {
             .map(|c| format!("{} from {}", c.channel, c.unit))
             .collect();
         if !converted.is_empty() {
-            notes.push(Note {
-                kind: "converted",
-                text: format!("converted to SI: {}", converted.join(", ")),
-            });
+            notes.push(Note { kind: "converted", text: format!("converted to SI: {}", converted.join(", ")) });
         }
         let groups: Vec<(String, Place, Option<Vec<usize>>)> = if self.layout.test.is_some() {
             let mut members = vec![Vec::new(); self.names.len()];
             for (row, &test) in self.tests.iter().enumerate() {
                 members[test].push(row);
             }
-            let place = |name: &str| Place {
-                part: Some(format!("test '{name}'")),
-                ..self.at.clone()
-            };
-            self.names
-                .iter()
-                .zip(members)
-                .map(|(name, rows)| (name.clone(), place(name), Some(rows)))
-                .collect()
+            let place = |name: &str| Place { part: Some(format!("test '{name}'")), ..self.at.clone() };
+            self.names.iter().zip(members).map(|(name, rows)| (name.clone(), place(name), Some(rows))).collect()
         } else {
             vec![(self.name.clone(), self.at.clone(), None)]
         };
@@ -378,16 +286,9 @@ impl Rows {
         let mut tests = Vec::with_capacity(groups.len());
         for (name, at, rows) in groups {
             let mut take = |channel: Channel| {
-                let index = self
-                    .layout
-                    .columns
-                    .iter()
-                    .position(|c| c.channel == channel)?;
+                let index = self.layout.columns.iter().position(|c| c.channel == channel)?;
                 Some(match &rows {
-                    Some(rows) => rows
-                        .iter()
-                        .map(|&r| columns[index][r])
-                        .collect::<Vec<f64>>(),
+                    Some(rows) => rows.iter().map(|&r| columns[index][r]).collect::<Vec<f64>>(),
                     None => std::mem::take(&mut columns[index]),
                 })
             };

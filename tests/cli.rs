@@ -1,0 +1,127 @@
+//! The command `dashpot` as it is shipped, and campaigns to run it on.
+
+use crate::library::{root, succeed};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+/// Path of the release build of the command; builds it once per process.
+pub fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(|| {
+        let mut build = Command::new(env!("CARGO"));
+        build.args(["build", "--release", "--quiet", "-p", "dashpot-cli"]).current_dir(root());
+        succeed(&mut build);
+        // target/<profile>/deps/<this test>
+        let test = std::env::current_exe().expect("the path of this test");
+        test.ancestors().nth(3).expect("a target directory").join("release").join("dashpot")
+    })
+}
+
+/// What a run of the command left behind.
+#[derive(Debug)]
+pub struct Ran {
+    /// Exit code.
+    pub code: Option<i32>,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+/// Runs the command in `folder`. Whatever the arguments, it must not panic and must end with 0 or 2.
+pub fn run(folder: &Path, args: &[&str]) -> Ran {
+    run_with(folder, args, &[])
+}
+
+/// As [`run`], with environment variables.
+pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> Ran {
+    let mut command = Command::new(program());
+    command.args(args).current_dir(folder).envs(environment.iter().copied());
+    let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    let ran = Ran {
+        code: output.status.code(),
+        out: String::from_utf8(output.stdout).expect("standard output is UTF-8"),
+        err: String::from_utf8_lossy(&output.stderr).into_owned(),
+    };
+    assert!(!ran.err.contains("panicked"), "{args:?}: {ran:?}");
+    assert!(matches!(ran.code, Some(0 | 2)), "{args:?}: {ran:?}");
+    ran
+}
+
+/// Runs the command, which must succeed; returns its standard output.
+pub fn done(folder: &Path, args: &[&str]) -> String {
+    let ran = run(folder, args);
+    assert_eq!(ran.code, Some(0), "{args:?}: {}", ran.err);
+    ran.out
+}
+
+/// Runs the command, which must refuse with a message and write nothing; returns the message.
+pub fn refused(folder: &Path, args: &[&str]) -> String {
+    let before = contents(folder);
+    let ran = run(folder, args);
+    assert_eq!(ran.code, Some(2), "{args:?}: {ran:?}");
+    assert!(ran.out.is_empty(), "{args:?}: {ran:?}");
+    assert!(!ran.err.trim().is_empty(), "{args:?}");
+    assert!(contents(folder) == before, "{args:?} changed files");
+    ran.err
+}
+
+/// Every file below a folder with its bytes.
+pub fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            files.extend(contents(&path));
+        } else {
+            let bytes = std::fs::read(&path).expect("a file");
+            files.push((path, bytes));
+        }
+    }
+    files.sort();
+    files
+}
+
+/// A JSON file.
+pub fn json(path: &Path) -> Value {
+    let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A number in JSON.
+pub fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
+}
+
+/// Measures a small campaign, 50, 15 and 1 mm and slow tests, into the folder `records` below `folder`.
+pub fn small_campaign(folder: &Path) {
+    done(folder, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
+    done(folder, &["rig", "-o", "records", "--matrix", "small.csv", "--seed", "3"]);
+}
+
+/// Header and rows of a record or a result.
+pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut reader = csv::Reader::from_path(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let header = reader.headers().expect("a header").iter().map(String::from).collect();
+    let rows = reader.records().map(|row| row.expect("a row").iter().map(|c| c.parse().expect("a number")).collect());
+    (header, rows.collect())
+}
+
+/// Writes every record of a folder anew: header line and the text of each row, from time, displacement, velocity, force.
+pub fn rewrite(from: &Path, to: &Path, header: &str, row: impl Fn([f64; 4]) -> String) {
+    std::fs::create_dir_all(to).expect("a folder");
+    for entry in std::fs::read_dir(from).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|e| e != "csv") {
+            continue;
+        }
+        let mut text = format!("{header}\n");
+        for r in table(&path).1 {
+            text += &row([r[0], r[1], r[2], r[3]]);
+            text.push('\n');
+        }
+        std::fs::write(to.join(path.file_name().expect("a name")), text).expect("a file");
+    }
+}

@@ -1,0 +1,103 @@
+//! The command's names, flags, JSON keys and exit codes: what scripts rely on.
+
+use dashpot_tests::cli::{done, json, number, refused, run, small_campaign};
+use serde_json::Value;
+
+const ERRORS: [&str; 5] = ["mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"];
+const FIGURES: [&str; 4] = ["amplitude_m", "frequency_hz", "peak_velocity_m_s", "max_force_n"];
+
+fn assert_errors(value: &Value) {
+    for key in ERRORS {
+        assert!(number(value, key) >= 0.0, "{key}");
+    }
+    for key in ["mean_error_n", "error_percent", "rmse_n"] {
+        assert!(number(&value["fv_only"], key) >= 0.0, "{key}");
+    }
+}
+
+#[test]
+fn records_to_model_to_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    small_campaign(dir);
+    done(dir, &["fit", "records", "-o", "m.toml", "--json", "fit.json", "--positive", "rebound", "--model", "thesis"]);
+    let fit = json(&dir.join("fit.json"));
+    assert!(fit["parameters"].as_array().is_some_and(|p| p.len() > 5));
+    let model: toml::Table = std::fs::read_to_string(dir.join("m.toml")).unwrap().parse().unwrap();
+    assert_eq!(model["format"].as_integer(), Some(1));
+
+    // Standard output is pure JSON, and the same as in a file.
+    let out = done(dir, &["validate", "m.toml", "records", "--json", "-", "--report", "r.html", "--svg", "figures"]);
+    let validation: Value = serde_json::from_str(&out).unwrap();
+    done(dir, &["validate", "m.toml", "records", "--json", "v.json"]);
+    assert_eq!(json(&dir.join("v.json")), validation);
+    let tests = validation["tests"].as_array().unwrap();
+    let records = std::fs::read_dir(dir.join("records")).unwrap().count() - 1; // and campaign.toml
+    assert_eq!(tests.len(), records);
+    for test in tests {
+        assert!(test["name"].is_string());
+        FIGURES.iter().for_each(|key| assert!(number(test, key) > 0.0));
+        assert_errors(test);
+    }
+    assert_errors(&validation["overall"]);
+    let mean = tests.iter().map(|t| number(t, "error_percent")).sum::<f64>() / tests.len() as f64;
+    assert!((mean - number(&validation["overall"], "error_percent")).abs() < 1e-9 * mean);
+    let report = std::fs::read_to_string(dir.join("r.html")).unwrap();
+    assert!(report.contains("<svg") && !report.contains("src=\"http") && !report.contains("<script src"));
+    assert!(std::fs::read_dir(dir.join("figures")).unwrap().count() > tests.len());
+
+    for kind in ["fv", "lag"] {
+        let out = done(dir, &["fit", "records", "-o", "k.toml", "--model", kind, "--json", "-"]);
+        assert!(serde_json::from_str::<Value>(&out).unwrap()["parameters"].is_array());
+        done(dir, &["simulate", "k.toml", "records/a50mm_v0262mm_s.csv", "-o", "k.csv"]);
+    }
+}
+
+#[test]
+fn several_files_and_folders_are_one_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    small_campaign(dir);
+    let file = |name: &str| format!("records/{name}.csv");
+    let (a, b) = (file("a50mm_v0262mm_s"), file("a15mm_v0262mm_s"));
+    let out = done(dir, &["fit", &a, &b, "-o", "m.toml", "--model", "fv"]);
+    assert!(out.contains("2 tests fitted"));
+    let out = done(dir, &["validate", "m.toml", "records", &a, "--json", "-"]);
+    let validation: Value = serde_json::from_str(&out).unwrap();
+    let used = |name: &str| {
+        let tests = validation["tests"].as_array().unwrap();
+        tests.iter().find(|t| t["name"] == name).unwrap()["used_in_fit"].clone()
+    };
+    assert_eq!((used("a50mm_v0262mm_s"), used("a50mm_v0052mm_s")), (true.into(), false.into()));
+}
+
+#[test]
+fn matrix_and_rig_write_what_each_other_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    let printed = done(dir, &["matrix"]);
+    assert!(printed.starts_with("name,amplitude_mm,frequency_hz"));
+    done(dir, &["matrix", "-o", "m.csv"]);
+    assert_eq!(std::fs::read_to_string(dir.join("m.csv")).unwrap(), printed);
+    std::fs::write(dir.join("two.csv"), "amplitude_mm,frequency_hz\n50,0.5\n5,2\n").unwrap();
+    done(dir, &["rig", "-o", "c", "--seed", "1", "--noise", "0", "--matrix", "two.csv"]);
+    let records = |e: &std::fs::DirEntry| e.path().extension().is_some_and(|e| e == "csv");
+    assert_eq!(std::fs::read_dir(dir.join("c")).unwrap().filter(|e| records(e.as_ref().unwrap())).count(), 2);
+}
+
+#[test]
+fn every_verb_explains_itself_with_an_example() {
+    let folder = tempfile::tempdir().unwrap();
+    let help = done(folder.path(), &["--help"]);
+    for verb in ["fit", "validate", "simulate", "matrix", "rig", "demo", "bench"] {
+        assert!(help.contains(verb));
+        let help = done(folder.path(), &[verb, "--help"]);
+        assert!(help.contains("Example") && help.contains(&format!("dashpot {verb}")), "{verb}: {help}");
+    }
+    // Without arguments, and with wrong ones, it says how it is used.
+    for args in [&[][..], &["fit"], &["fit", "x"], &["paint"], &["simulate", "a", "b"]] {
+        let ran = run(folder.path(), args);
+        assert!(ran.code == Some(2) && (ran.err + &ran.out).contains("Usage"), "{args:?}");
+    }
+    assert!(refused(folder.path(), &["fit", "x", "-o", "m", "--model", "magic"]).contains("thesis"));
+}

@@ -1,0 +1,193 @@
+//! Mistakes of a hurried engineer: each ends in a message that names the cause, or in a model that says what it lacks.
+
+use dashpot_tests::cli::{done, json, refused, rewrite, small_campaign, table};
+use std::path::Path;
+use std::sync::OnceLock;
+
+const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
+
+fn row(r: [f64; 4]) -> String {
+    r.map(|v| format!("{v:.9}")).join(",")
+}
+
+/// A campaign measured once, copied for every test.
+fn folder() -> tempfile::TempDir {
+    static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
+    let measured = RECORDS.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        small_campaign(folder.path());
+        folder
+    });
+    let folder = tempfile::tempdir().unwrap();
+    rewrite(&measured.path().join("records"), &folder.path().join("records"), HEADER, row);
+    folder
+}
+
+fn fit_refused(dir: &Path) -> String {
+    refused(dir, &["fit", "data", "-o", "m.toml"])
+}
+
+#[test]
+fn wrong_units_are_refused_or_told() {
+    let folder = folder();
+    let dir = folder.path();
+    let (records, data) = (dir.join("records"), dir.join("data"));
+    type Slip = (&'static str, fn([f64; 4]) -> String, &'static str);
+    let slips: [Slip; 4] = [
+        ("time_s,displacement_m,force_N", |[t, x, _, f]| format!("{t},{},{f}", 1e3 * x), "--unit displacement=mm"),
+        ("time_s,velocity_m_s,force_N", |[t, _, v, f]| format!("{t},{},{f}", 1e3 * v), "velocity=mm/s"),
+        ("time_s,displacement_m,force_kN", |[t, x, _, f]| format!("{t},{x},{f}"), "--unit force=N"),
+        (HEADER, |[t, x, v, f]| format!("{t},{},{v},{f}", 1e3 * x), "--unit velocity=mm/s"),
+    ];
+    for (header, slip, wanted) in slips {
+        rewrite(&records, &data, header, slip);
+        let message = fit_refused(dir);
+        assert!(message.contains(wanted) && message.contains(".csv"), "{message}");
+    }
+    rewrite(&records, &data, "time_s,displacement_m,force_N", |[t, x, _, f]| format!("{},{x},{f}", 1e3 * t));
+    let told = done(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
+    assert!(told.contains("are the units of time and motion right?"), "{told}");
+}
+
+#[test]
+fn a_load_cell_that_is_turned_or_dead_is_refused() {
+    let folder = folder();
+    let dir = folder.path();
+    let (records, data) = (dir.join("records"), dir.join("data"));
+    rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, -f]));
+    assert!(fit_refused(dir).contains("sign"));
+    let told = done(dir, &["fit", "data", "-o", "m.toml", "--flip", "force", "--model", "fv"]);
+    assert!(told.contains("rebound positive"), "{told}");
+    std::fs::remove_file(dir.join("m.toml")).unwrap();
+    rewrite(&records, &data, HEADER, |[t, x, v, _]| row([t, x, v, -152.0]));
+    assert!(fit_refused(dir).contains("frozen"));
+    // Dead but for noise of a few newtons that has nothing to do with the motion.
+    rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, (1e6 * f + 1e7 * t).sin()]));
+    assert!(fit_refused(dir).contains("tests show no force"));
+}
+
+#[test]
+fn gaps_stubs_and_strays_are_named() {
+    let folder = folder();
+    let dir = folder.path();
+    let (records, data) = (dir.join("records"), dir.join("data"));
+    let copy = || rewrite(&records, &data, HEADER, row);
+    std::fs::create_dir(&data).unwrap();
+    assert!(fit_refused(dir).contains("holds no record"));
+    copy();
+    std::fs::write(data.join("b.csv"), format!("{HEADER}\n0,0,0,0\n1,0,0,0\n")).unwrap();
+    assert!(fit_refused(dir).contains("b.csv: has only 2 usable samples"));
+    std::fs::write(data.join("b.csv"), "").unwrap();
+    assert!(fit_refused(dir).contains("b.csv"));
+    std::fs::remove_file(data.join("b.csv")).unwrap();
+    let of = |r: [f64; 4], hole: bool| if hole { row(r).replace(&format!("{:.9}", r[3]), "NaN") } else { row(r) };
+    rewrite(&records, &data, HEADER, |r| of(r, true));
+    let message = fit_refused(dir);
+    assert!(message.contains("line 2: force is missing") && !message.contains("--ignore force"), "{message}");
+    // Cut in the middle of a line, and one file twice: both can be used, and both are told.
+    copy();
+    let cut = data.join("a15mm_v0262mm_s.csv");
+    let text = std::fs::read_to_string(&cut).unwrap();
+    std::fs::write(&cut, &text[..text[..text.len() / 2].rfind(',').unwrap()]).unwrap();
+    std::fs::copy(data.join("a50mm_v0052mm_s.csv"), data.join("a50mm_v0052mm_s Kopie – 試験.csv")).unwrap();
+    let told = done(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
+    assert!(told.contains("a15mm_v0262mm_s: 1 of"), "{told}");
+    assert!(told.contains("holds the same samples as"), "{told}");
+    done(dir, &["validate", "m.toml", "data", "--json", "v.json"]);
+}
+
+#[test]
+fn a_few_tests_give_a_model_that_says_what_it_lacks() {
+    let folder = folder();
+    let dir = folder.path();
+    for name in ["a50mm_v0262mm_s", "a01mm_v0052mm_s", "slow_0.0118hz"] {
+        let data = format!("records/{name}.csv");
+        if !dir.join(&data).exists() {
+            continue;
+        }
+        let told = done(dir, &["fit", &data, "-o", "m.toml"]);
+        assert!(told.contains("note: all tests have nearly the same amplitude"), "{name}: {told}");
+        let told = done(dir, &["validate", "m.toml", "records"]);
+        assert!(told.contains("tests are faster than the FV curve reaches"), "{name}: {told}");
+        done(dir, &["simulate", "m.toml", "records/a50mm_v1047mm_s.csv", "-o", "f.csv"]);
+        let (_, measured) = table(&dir.join("records/a50mm_v1047mm_s.csv"));
+        let (_, answered) = table(&dir.join("f.csv"));
+        let peak = |rows: &[Vec<f64>]| rows.iter().fold(0.0_f64, |m, r| m.max(r[3].abs()));
+        assert!(peak(&answered) < 50.0 * peak(&measured), "{name}: {}", peak(&answered));
+    }
+}
+
+#[test]
+fn flags_that_leave_nothing_are_refused() {
+    let folder = folder();
+    let dir = folder.path();
+    for (more, wanted) in [
+        (&["--hold-out", "*"][..], "leaves no test"),
+        (&["--hold-out", "nothing*"], "matches no test"),
+        (&["--elements", "magic"], "no element called"),
+        (&["--ignore", "force"], "cannot be left out"),
+        (&["--unit", "force"], "--unit"),
+        (&["--unit", "force=parsec"], "--unit"),
+        (&["--column", "force=nope"], "no column 'nope'"),
+        (&["--flip", "time"], "--flip"),
+        (&["--json", "none/fit.json"], "there is no folder none"),
+    ] {
+        let message = refused(dir, &[&["fit", "records", "-o", "m.toml"], more].concat());
+        assert!(message.contains(wanted), "{more:?}: {message}");
+    }
+    assert!(refused(dir, &["fit", "records", "-o", "none/m.toml"]).contains("make it first"));
+    assert!(refused(dir, &["fit", "records", "-o", "-", "--json", "-"]).contains("one result"));
+    assert!(refused(dir, &["rig", "-o", "c", "--noise", "-3"]).contains("noise"));
+    assert!(refused(dir, &["rig", "-o", "c", "--sample-rate", "10"]).contains("sample rate"));
+    assert!(refused(dir, &["rig", "-o", "c", "--matrix", "none.csv"]).contains("none.csv"));
+    assert!(refused(dir, &["matrix", "--amplitudes", "-5"]).contains("5"));
+}
+
+#[test]
+fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
+    let folder = folder();
+    let dir = folder.path();
+    done(dir, &["fit", "records", "-o", "m.toml"]);
+    let text = std::fs::read_to_string(dir.join("m.toml")).unwrap();
+    // What standard output gets is the file.
+    assert_eq!(done(dir, &["fit", "records", "-o", "-"]), text);
+    let gas = text.lines().find(|l| l.starts_with("gas_force")).unwrap();
+    for (from, to, wanted) in [
+        (gas, "gas_force = \"much\"", "line"),
+        (gas, "gas_force = nan", "line"),
+        (gas, "gas_force = 1e400", "line"),
+        (gas, "gas_force = 1e9", "gas_force"),
+        (gas, "gass_force = 150", "did you mean gas_force?"),
+        ("format = 1", "format = 9", "format = 1"),
+        ("fv_force = [", "fv_force = [1.0, ", "fv_force"),
+        ("elements = [", "elements = [\"magic\", ", "line"),
+        ("\n[identification]\n", "\n[identification\n", "line"),
+        ("[identification.fv_only]", "[identification.fv_only]\nvelocity = 1", "line"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        std::fs::write(dir.join("bad.toml"), text.replacen(from, to, 1)).unwrap();
+        let message = refused(dir, &["validate", "bad.toml", "records", "--json", "v.json"]);
+        assert!(message.contains("bad.toml") && message.contains(wanted), "{to}: {message}");
+    }
+    for (bytes, wanted) in [(&b""[..], "format = 1"), (b"\xff\xfe\x00binary", "UTF-8")] {
+        std::fs::write(dir.join("bad.toml"), bytes).unwrap();
+        assert!(refused(dir, &["validate", "bad.toml", "records"]).contains(wanted));
+    }
+    // All elements off: a damper without force, which is still a damper.
+    std::fs::write(dir.join("off.toml"), "format = 1\nelements = []\n").unwrap();
+    done(dir, &["validate", "off.toml", "records", "--json", "v.json"]);
+    let overall = &json(&dir.join("v.json"))["overall"];
+    assert!(overall["error_percent"].as_f64() > overall["fv_only"]["error_percent"].as_f64());
+}
+
+#[test]
+fn what_is_no_record_is_refused() {
+    let folder = folder();
+    let dir = folder.path();
+    for name in ["noise.csv", "noise.xlsx", "noise.mat", "noise.pdf"] {
+        std::fs::write(dir.join(name), (0..4000_u32).map(|i| (i * i / 7 % 251) as u8).collect::<Vec<_>>()).unwrap();
+        assert!(refused(dir, &["fit", name, "-o", "m.toml"]).contains(name));
+        assert!(refused(dir, &["simulate", "records/a50mm_v0052mm_s.csv", name, "-o", "f.csv"]).contains("line 1"));
+    }
+    assert!(refused(dir, &["fit", "nowhere", "-o", "m.toml"]).contains("no such file"));
+}
