@@ -172,6 +172,9 @@ const char *dashpot_version(void);
 // The parameter table has no row with this number.
 #define DASHPOT_NO_SUCH_ROW -28
 
+// The series spring is softer than the parallel spring somewhere within 100 mm.
+#define DASHPOT_SOFTER_THAN_INNER -29
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);

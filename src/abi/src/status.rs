@@ -74,12 +74,14 @@ pub const DASHPOT_FILE_UNKNOWN_ELEMENT: i32 = -26;
 pub const DASHPOT_FILE_TOO_LONG: i32 = -27;
 /// The parameter table has no row with this number.
 pub const DASHPOT_NO_SUCH_ROW: i32 = -28;
+/// The series spring is softer than the parallel spring somewhere within 100 mm.
+pub const DASHPOT_SOFTER_THAN_INNER: i32 = -29;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 32] = [
+static TEXTS: [(i32, [u8; LENGTH]); 33] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -142,6 +144,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 32] = [
     (DASHPOT_NOT_INCREASING, padded(Reason::NotIncreasing.text())),
     (DASHPOT_FALLS, padded(Reason::Falls.text())),
     (DASHPOT_ORDER, padded(Reason::Order.text())),
+    (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
     (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
     (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
     (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
@@ -198,6 +201,7 @@ impl From<Reason> for Refused {
             Reason::NotIncreasing => DASHPOT_NOT_INCREASING,
             Reason::Falls => DASHPOT_FALLS,
             Reason::Order => DASHPOT_ORDER,
+            Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,
         })
     }
 }

@@ -35,6 +35,8 @@ pub enum Reason {
     Falls,
     /// A limit that must lie above another does not.
     Order,
+    /// The springs on the internal mass are stiffer than the series spring that drives it.
+    SofterThanInner,
 }
 
 impl Reason {
@@ -51,6 +53,9 @@ impl Reason {
             Reason::NotIncreasing => "does not increase from point to point",
             Reason::Falls => "falls from one point to the next; make the force non-decreasing",
             Reason::Order => "must be larger than the limit below it",
+            Reason::SofterThanInner => {
+                "is softer than the parallel spring somewhere within 100 mm; the model is made for stiff series springs"
+            }
         }
     }
 }

@@ -1,9 +1,27 @@
 //! A model: parameters checked and made ready for evaluation.
 
-use crate::elements::Elements;
-use crate::fault::Fault;
-use crate::parameter::Params;
+use crate::elements::{Elements, Motion};
+use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::parameter::{Params, find};
 use crate::step::Integration;
+
+/// Displacements within which the springs on the mass must stay softer than the series spring, m.
+const STROKE: f64 = 0.1;
+/// Places on each side at which their slope is looked at: every half millimetre.
+const PLACES: i32 = 200;
+
+/// Largest slope of the springs on the internal mass. A step takes their tangent where it expects the mass; that is only
+/// stable where the series spring decides where the mass can be.
+fn steepest_inner(elements: &Elements) -> f64 {
+    let mut steepest = 0.0;
+    for place in -PLACES..=PLACES {
+        let displacement = STROKE * f64::from(place) / f64::from(PLACES);
+        let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
+        let slope = elements.inner(&at).by_x;
+        steepest = if slope > steepest { slope } else { steepest };
+    }
+    steepest
+}
 
 /// A prepared damper. Constant while it runs; one model serves any number of states.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +38,12 @@ impl Model {
     /// The parameter at fault, and why.
     pub fn new(params: &Params) -> Result<Model, Fault> {
         params.check()?;
-        Ok(Model { elements: Elements::prepare(params)?, integration: Integration::prepare(params)? })
+        let elements = Elements::prepare(params)?;
+        if elements.has_series() && steepest_inner(&elements) > elements.series_compliance.stiffness {
+            let parameter = find("series_stiffness").map_or(NO_PARAMETER, |row| row.index as u16);
+            return Err(Fault { parameter, reason: Reason::SofterThanInner });
+        }
+        Ok(Model { elements, integration: Integration::prepare(params)? })
     }
 
     /// The prepared elements.

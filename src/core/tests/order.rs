@@ -16,7 +16,7 @@ fn smooth() -> Model {
     params.set_list("fv_velocity", &[-2.0, 2.0]).unwrap();
     params.set_list("fv_force", &[-1500.0, 1500.0]).unwrap();
     params.set("spring_quadratic", 0.0).unwrap();
-    params.set("spring_cubic", 1e7).unwrap();
+    params.set("spring_cubic", 5e6).unwrap();
     params.set("series_stiffness", 2e5).unwrap();
     params.set("internal_mass", 2.0).unwrap();
     Model::new(&params).unwrap()
