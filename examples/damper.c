@@ -39,7 +39,6 @@ int main(int argc, char **argv)
     length = fread(text, 1, sizeof text, file);
     fclose(file);
 
-    dashpot_params_default(&params);
     status = dashpot_params_read(&params, text, length, &fault);
     if (status < 0) {
         fprintf(stderr, "%s, line %u: %s %s\n", argv[1], (unsigned)fault.line, fault.parameter,

@@ -236,7 +236,7 @@ int32_t dashpot_params_enable(dashpot_params *params, const char *element, uint3
 int32_t dashpot_params_is_on(const dashpot_params *params, const char *element, uint32_t *on);
 
 // Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
-// are set: those that the file does not name get their defaults. Where it refuses, *fault tells the line and the
+// are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before. Where it refuses, *fault tells the line and the
 // parameter; fault may be null.
 //
 // Numbers are read the same way whatever the locale: the decimal sign is a point.

@@ -247,7 +247,7 @@ pub unsafe extern "C" fn dashpot_params_is_on(
 }
 
 /// Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
-/// are set: those that the file does not name get their defaults. Where it refuses, *fault tells the line and the
+/// are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before. Where it refuses, *fault tells the line and the
 /// parameter; fault may be null.
 ///
 /// Numbers are read the same way whatever the locale: the decimal sign is a point.
@@ -259,15 +259,22 @@ pub unsafe extern "C" fn dashpot_params_read(
     fault: *mut dashpot_fault,
 ) -> i32 {
     status((|| {
-        let params = unsafe { values_mut(params) }?;
+        let block = unsafe { block(params) }?.cast_mut();
         let text = unsafe { array(text.cast::<u8>(), length) }?;
         let report = if fault.is_null() {
             None
         } else {
             Some(unsafe { exclusive(fault) }?)
         };
-        let (line, found) = match model_file::read(text, params) {
-            Ok(()) => (0, None),
+        let mut values = Params::new();
+        let (line, found) = match model_file::read(text, &mut values) {
+            Ok(()) => {
+                unsafe {
+                    (&raw mut (*block).values).write(values);
+                    (*block).magic = MAGIC;
+                }
+                (0, None)
+            }
             Err(error) => (error.line, Some(error.problem)),
         };
         let code = found.map_or(DASHPOT_OK, |problem| Refused::from(problem).0);
