@@ -11,9 +11,7 @@ use dashpot_core::elements::{GROUPS, names};
 use dashpot_core::parameter::{Params, Shape};
 
 /// The sections in order, by source file.
-const SECTIONS: [&str; 9] = [
-    "lib", "version", "status", "params", "model", "input", "state", "step", "evaluate",
-];
+const SECTIONS: [&str; 9] = ["lib", "version", "status", "params", "model", "input", "state", "step", "evaluate"];
 /// Behind the parameter table.
 const TABLE: &str = "table";
 
@@ -61,43 +59,28 @@ fn chapter(section: &str) -> String {
 fn manual(section: &str) -> String {
     let text = read(&source(section));
     let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
-    lines
-        .map(|line| line.strip_prefix(' ').unwrap_or(line))
-        .collect::<Vec<_>>()
-        .join("\n")
+    lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
 }
 
 /// A piece written in C, with an empty line before it; nothing where the section has none.
 fn part(name: &str) -> String {
     let path = root().join(format!("src/abi/header/{name}.h"));
-    if path.exists() {
-        format!("\n{}", read(&path))
-    } else {
-        String::new()
-    }
+    if path.exists() { format!("\n{}", read(&path)) } else { String::new() }
 }
 
 fn rule(title: &str) -> String {
-    format!(
-        "\n\n// {}\n// {title}\n// {}\n\n",
-        "=".repeat(110),
-        "=".repeat(110)
-    )
+    format!("\n\n// {}\n// {title}\n// {}\n\n", "=".repeat(110), "=".repeat(110))
 }
 
 fn comment(text: &str) -> String {
-    text.lines()
-        .map(|line| format!("// {line}").trim_end().to_string() + "\n")
-        .collect()
+    text.lines().map(|line| format!("// {line}").trim_end().to_string() + "\n").collect()
 }
 
 /// The items of one source file, in C.
 fn translated(section: &str) -> String {
     // cbindgen leaves out structures that no function of the same file takes, unless they are asked for by name.
     let text = read(&source(section));
-    let structures = text
-        .lines()
-        .filter_map(|line| line.strip_prefix("pub struct ")?.split([' ', '(']).next());
+    let structures = text.lines().filter_map(|line| line.strip_prefix("pub struct ")?.split([' ', '(']).next());
     let mut config = Config {
         language: Language::C,
         style: Style::Both,
@@ -110,32 +93,22 @@ fn translated(section: &str) -> String {
     config.export.include = structures.map(String::from).collect();
     config.layout.aligned_n = Some("DASHPOT_ALIGNED".into());
     config.function.args = cbindgen::Layout::Auto;
-    let bindings = Builder::new()
-        .with_src(source(section))
-        .with_config(config)
-        .generate();
+    let bindings = Builder::new().with_src(source(section)).with_config(config).generate();
     let mut bytes = Vec::new();
-    bindings
-        .unwrap_or_else(|error| panic!("{section}: {error}"))
-        .write(&mut bytes);
+    bindings.unwrap_or_else(|error| panic!("{section}: {error}")).write(&mut bytes);
     let text = String::from_utf8(bytes).expect("text");
     // It writes `struct` before the structures of the same file only; every structure has its short name.
-    let lines = text
-        .trim()
-        .lines()
-        .map(|line| match line.starts_with("typedef") {
-            true => format!("\n{line}"),
-            false => format!("\n{}", line.replace("struct dashpot_", "dashpot_")),
-        });
+    let lines = text.trim().lines().map(|line| match line.starts_with("typedef") {
+        true => format!("\n{line}"),
+        false => format!("\n{}", line.replace("struct dashpot_", "dashpot_")),
+    });
     lines.collect::<String>() + "\n"
 }
 
 /// The parameter table as text.
 fn parameters() -> String {
     let defaults = Params::new();
-    let mut text = String::from(
-        "Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n",
-    );
+    let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");
     for group in GROUPS {
         let on = match names().any(|name| name == group.name) {
             true if defaults.is_on(group.name) => " (element, on by default)",
@@ -145,25 +118,13 @@ fn parameters() -> String {
         text += &format!("\n{}{on}: {}\n", group.name, group.meaning);
         for p in group.parameters {
             let range = match p.shape {
-                Shape::Choice(words) => words
-                    .iter()
-                    .enumerate()
-                    .map(|(i, w)| format!("{i} {w}"))
-                    .collect::<Vec<_>>()
-                    .join(", "),
-                Shape::Scalar => format!(
-                    "{}, {} to {}, default {}",
-                    p.unit,
-                    short(p.low),
-                    short(p.high),
-                    short(p.default[0])
-                ),
-                Shape::List(n) => format!(
-                    "{}, {} to {}, at most {n} numbers",
-                    p.unit,
-                    short(p.low),
-                    short(p.high)
-                ),
+                Shape::Choice(words) => {
+                    words.iter().enumerate().map(|(i, w)| format!("{i} {w}")).collect::<Vec<_>>().join(", ")
+                }
+                Shape::Scalar => {
+                    format!("{}, {} to {}, default {}", p.unit, short(p.low), short(p.high), short(p.default[0]))
+                }
+                Shape::List(n) => format!("{}, {} to {}, at most {n} numbers", p.unit, short(p.low), short(p.high)),
             };
             text += &format!("  {:<28} {} [{range}]\n", p.name, p.meaning);
         }
@@ -174,9 +135,5 @@ fn parameters() -> String {
 /// A number as a person writes it.
 fn short(number: f64) -> String {
     let magnitude = number.abs();
-    if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) {
-        format!("{number:e}")
-    } else {
-        number.to_string()
-    }
+    if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) { format!("{number:e}") } else { number.to_string() }
 }

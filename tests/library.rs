@@ -24,10 +24,7 @@ pub enum Linkage {
 
 /// The root of the project.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the project's root")
-        .to_path_buf()
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project's root").to_path_buf()
 }
 
 /// Directory with the shared and the static library of a release build; builds them once per process.
@@ -35,16 +32,11 @@ pub fn directory() -> &'static Path {
     static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
     DIRECTORY.get_or_init(|| {
         let mut build = Command::new(env!("CARGO"));
-        build
-            .args(["build", "--release", "--quiet", "-p", "dashpot-dll"])
-            .current_dir(root());
+        build.args(["build", "--release", "--quiet", "-p", "dashpot-dll"]).current_dir(root());
         succeed(&mut build);
         // target/<profile>/deps/<this test>
         let test = std::env::current_exe().expect("the path of this test");
-        test.ancestors()
-            .nth(3)
-            .expect("a target directory")
-            .join("release")
+        test.ancestors().nth(3).expect("a target directory").join("release")
     })
 }
 
@@ -55,23 +47,14 @@ pub fn shared() -> PathBuf {
 
 /// Runs a command that must succeed, and returns what it printed.
 pub fn succeed(command: &mut Command) -> String {
-    let Output {
-        status,
-        stdout,
-        stderr,
-    } = command.output().unwrap_or_else(|error| {
+    let Output { status, stdout, stderr } = command.output().unwrap_or_else(|error| {
         panic!(
             "{:?} cannot be run ({error}); these tests need gcc, g++ and binutils, or $CC and $CXX",
             command.get_program()
         )
     });
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    assert!(
-        status.success(),
-        "{command:?}: {status}\n{}{}",
-        text(&stdout),
-        text(&stderr)
-    );
+    assert!(status.success(), "{command:?}: {status}\n{}{}", text(&stdout), text(&stderr));
     text(&stdout)
 }
 
@@ -82,44 +65,21 @@ pub fn compiler(language: Language) -> Command {
         Language::Cxx => ("CXX", "g++", "-std=c++11"),
     };
     let mut compiler = Command::new(std::env::var_os(variable).unwrap_or(default.into()));
-    compiler.args([
-        standard,
-        "-Wall",
-        "-Wextra",
-        "-Wpedantic",
-        "-Werror",
-        "-O1",
-        "-g",
-    ]);
+    compiler.args([standard, "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-g"]);
     compiler.arg("-I").arg(root().join("include"));
     compiler
 }
 
 /// Compiles `tests/hosts/<source>` (or an absolute path) with more `flags` to a program in directory `to`, linked with
 /// the library.
-pub fn host(
-    source: &str,
-    language: Language,
-    linkage: Linkage,
-    flags: &[&str],
-    to: &Path,
-) -> PathBuf {
-    let name = Path::new(source)
-        .file_stem()
-        .expect("a source file")
-        .to_string_lossy();
+pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], to: &Path) -> PathBuf {
+    let name = Path::new(source).file_stem().expect("a source file").to_string_lossy();
     let program = to.join(format!("{name}-{language:?}-{linkage:?}-{}", flags.len()));
     let mut compiler = compiler(language);
-    compiler
-        .args(flags)
-        .arg(root().join("tests/hosts").join(source))
-        .arg("-o")
-        .arg(&program);
+    compiler.args(flags).arg(root().join("tests/hosts").join(source)).arg("-o").arg(&program);
     match linkage {
         Linkage::Shared => {
-            compiler
-                .arg(shared())
-                .arg(format!("-Wl,-rpath,{}", directory().display()));
+            compiler.arg(shared()).arg(format!("-Wl,-rpath,{}", directory().display()));
         }
         Linkage::Static => {
             compiler.arg(directory().join("libdashpot.a"));

@@ -12,12 +12,7 @@ fn is_up_to_date() {
         fs::write(&path, &text).expect("include/dashpot.h");
     }
     let kept = fs::read_to_string(&path).expect("include/dashpot.h");
-    if let Some((line, (kept, text))) = kept
-        .lines()
-        .zip(text.lines())
-        .enumerate()
-        .find(|(_, (a, b))| a != b)
-    {
+    if let Some((line, (kept, text))) = kept.lines().zip(text.lines()).enumerate().find(|(_, (a, b))| a != b) {
         panic!(
             "include/dashpot.h, line {}: has\n{kept}\nbut the sources say\n{text}\nWrite it anew: UPDATE_HEADER=1 cargo test -p dashpot-tests --test abi_header",
             line + 1
@@ -44,10 +39,6 @@ fn compiles_as_c99_and_cxx11_without_a_warning() {
              double use(void) { return dashpot_input_motion(1.0, 2.0).displacement; }\n",
         )
         .expect("a source file");
-        succeed(
-            compiler(language)
-                .args(["-Wshadow", "-Wconversion", "-fsyntax-only"])
-                .arg(&source),
-        );
+        succeed(compiler(language).args(["-Wshadow", "-Wconversion", "-fsyntax-only"]).arg(&source));
     }
 }

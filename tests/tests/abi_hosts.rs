@@ -9,11 +9,7 @@ use dashpot_core::{Input, Model, Output, Params, State, model_file};
 use dashpot_tests::library::Language::{C, Cxx};
 use dashpot_tests::library::{Language, Linkage, host, succeed};
 
-const SANITIZERS: [&str; 3] = [
-    "-fsanitize=address,undefined",
-    "-fno-sanitize-recover=all",
-    "-fno-omit-frame-pointer",
-];
+const SANITIZERS: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"];
 
 /// A model with everything that the default leaves out: private states, side force, piecewise curve.
 const MODEL: &str = r#"
@@ -37,12 +33,7 @@ struct Sample {
 fn sine(amplitude: f64, frequency: f64, dt: f64, input: impl Fn(f64, f64) -> Input) -> Vec<Sample> {
     let w = std::f64::consts::TAU * frequency;
     let motion = |t: f64| input(amplitude * (w * t).sin(), amplitude * w * (w * t).cos());
-    (1..=600)
-        .map(|i| Sample {
-            input: motion(i as f64 * dt),
-            dt,
-        })
-        .collect()
+    (1..=600).map(|i| Sample { input: motion(i as f64 * dt), dt }).collect()
 }
 
 fn hex(text: &mut String, numbers: &[f64]) {
@@ -59,13 +50,7 @@ fn lines(samples: &[Sample]) -> String {
         write!(text, "{known}").expect("a string takes it");
         hex(
             &mut text,
-            &[
-                input.displacement.unwrap_or(f64::NAN),
-                input.velocity,
-                input.side_force,
-                input.temperature,
-                *dt,
-            ],
+            &[input.displacement.unwrap_or(f64::NAN), input.velocity, input.side_force, input.temperature, *dt],
         );
         text.push('\n');
     }
@@ -83,29 +68,10 @@ fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
         write!(text, "{warning}").expect("a string takes it");
         hex(&mut text, &[o.force]);
         if !force_alone {
-            hex(
-                &mut text,
-                &[
-                    o.force_by_displacement,
-                    o.force_by_velocity,
-                    o.primary_force,
-                    o.spring_force,
-                ],
-            );
-            hex(
-                &mut text,
-                &[o.friction_force, o.gas_force, o.series_deflection],
-            );
+            hex(&mut text, &[o.force_by_displacement, o.force_by_velocity, o.primary_force, o.spring_force]);
+            hex(&mut text, &[o.friction_force, o.gas_force, o.series_deflection]);
         }
-        hex(
-            &mut text,
-            &[
-                state.displacement,
-                state.velocity,
-                state.mass_displacement,
-                state.mass_velocity,
-            ],
-        );
+        hex(&mut text, &[state.displacement, state.velocity, state.mass_displacement, state.mass_velocity]);
         hex(&mut text, &state.memory);
         text.push('\n');
     }
@@ -123,16 +89,8 @@ fn run(program: &Path, arguments: &[&str], input: &str) -> String {
     let text = input.to_string();
     let writer = std::thread::spawn(move || stdin.write_all(text.as_bytes()));
     let output = child.wait_with_output().expect("the host's output");
-    writer
-        .join()
-        .expect("the writer")
-        .expect("the host reads its input");
-    assert!(
-        output.status.success(),
-        "{} {arguments:?}: {}",
-        program.display(),
-        output.status
-    );
+    writer.join().expect("the writer").expect("the host reads its input");
+    assert!(output.status.success(), "{} {arguments:?}: {}", program.display(), output.status);
     String::from_utf8(output.stdout).expect("text")
 }
 
@@ -165,10 +123,7 @@ fn agrees(source: &str, language: Language, linkage: Linkage, flags: &[&str]) {
         for (mode, samples) in runs {
             let mut arguments = vec![mode];
             arguments.extend(file);
-            let (got, want) = (
-                run(&program, &arguments, &lines(&samples)),
-                kernel(&model, &samples, mode == "force"),
-            );
+            let (got, want) = (run(&program, &arguments, &lines(&samples)), kernel(&model, &samples, mode == "force"));
             for (i, (got, want)) in got.lines().zip(want.lines()).enumerate() {
                 assert_eq!(got, want, "{source} {linkage:?} {arguments:?}, step {i}");
             }
@@ -180,13 +135,7 @@ fn agrees(source: &str, language: Language, linkage: Linkage, flags: &[&str]) {
 fn checks(source: &str) {
     let directory = tempfile::tempdir().expect("a directory");
     for (linkage, flags) in [(Linkage::Shared, &[][..]), (Linkage::Static, &SANITIZERS)] {
-        succeed(&mut Command::new(host(
-            source,
-            C,
-            linkage,
-            flags,
-            directory.path(),
-        )));
+        succeed(&mut Command::new(host(source, C, linkage, flags, directory.path())));
     }
 }
 
@@ -228,9 +177,7 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
 fn the_headers_example_runs() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).expect("include/dashpot.h");
     let manual = header.lines().take_while(|line| !line.starts_with('#'));
-    let example: Vec<&str> = manual
-        .filter_map(|line| line.strip_prefix("//     "))
-        .collect();
+    let example: Vec<&str> = manual.filter_map(|line| line.strip_prefix("//     ")).collect();
     assert!(example.len() >= 6, "{example:?}");
     let program = format!(
         "#include <stdio.h>\n#include \"dashpot.h\"\nint main(void) {{\ndouble velocity = 0.3, dt = 1e-3;\nint running = 51;\n\
@@ -240,17 +187,8 @@ fn the_headers_example_runs() {
     let directory = tempfile::tempdir().expect("a directory");
     let source = directory.path().join("example.c");
     std::fs::write(&source, program).expect("a source file");
-    let program = host(
-        source.to_str().expect("a path in UTF-8"),
-        C,
-        Linkage::Static,
-        &[],
-        directory.path(),
-    );
-    let force: f64 = succeed(&mut Command::new(program))
-        .trim()
-        .parse()
-        .expect("a force");
+    let program = host(source.to_str().expect("a path in UTF-8"), C, Linkage::Static, &[], directory.path());
+    let force: f64 = succeed(&mut Command::new(program)).trim().parse().expect("a force");
 
     let mut params = Params::new();
     params.set("gas_force", 120.0).expect("in bounds");

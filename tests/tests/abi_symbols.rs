@@ -5,15 +5,8 @@ use std::process::Command;
 use dashpot_tests::library::{shared, succeed};
 
 fn symbols(flag: &str) -> Vec<String> {
-    let listing = succeed(
-        Command::new("nm")
-            .args(["-D", flag, "--format=posix"])
-            .arg(shared()),
-    );
-    listing
-        .lines()
-        .filter_map(|line| Some(line.split_whitespace().next()?.to_string()))
-        .collect()
+    let listing = succeed(Command::new("nm").args(["-D", flag, "--format=posix"]).arg(shared()));
+    listing.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
 }
 
 /// No allocator, no panic handler, no thread, no file: nothing but the functions that compilers themselves call.
@@ -28,26 +21,16 @@ fn imports_nothing() {
             symbol, "rust_eh_personality",
             "a function of the precompiled core library is linked, such as from_utf8 or str::parse"
         );
-        assert!(
-            ["memcpy", "memmove", "memset", "memcmp", "bcmp"].contains(&symbol.as_str()),
-            "imports {symbol}"
-        );
+        assert!(["memcpy", "memmove", "memset", "memcmp", "bcmp"].contains(&symbol.as_str()), "imports {symbol}");
     }
 }
 
 #[test]
 fn needs_no_library() {
-    let dynamic = succeed(
-        Command::new("readelf")
-            .args(["--dynamic", "--wide"])
-            .arg(shared()),
-    );
+    let dynamic = succeed(Command::new("readelf").args(["--dynamic", "--wide"]).arg(shared()));
     assert!(dynamic.contains("Dynamic section"), "{dynamic}");
     for line in dynamic.lines() {
-        assert!(
-            !line.contains("NEEDED") && !line.contains("SONAME"),
-            "{line}"
-        );
+        assert!(!line.contains("NEEDED") && !line.contains("SONAME"), "{line}");
     }
 }
 
@@ -57,46 +40,24 @@ fn exports_what_the_header_declares_and_nothing_else() {
     let mut declared: Vec<String> = header
         .lines()
         .filter(|line| {
-            !line.starts_with(['/', ' ', '#'])
-                && !line.starts_with("static")
-                && !line.starts_with("typedef")
+            !line.starts_with(['/', ' ', '#']) && !line.starts_with("static") && !line.starts_with("typedef")
         })
-        .filter_map(|line| {
-            Some(
-                line.split_once('(')?
-                    .0
-                    .rsplit([' ', '*'])
-                    .next()?
-                    .to_string(),
-            )
-        })
+        .filter_map(|line| Some(line.split_once('(')?.0.rsplit([' ', '*']).next()?.to_string()))
         .collect();
     let mut exported = symbols("--defined-only");
     declared.sort();
     exported.sort();
     assert!(declared.len() > 10);
-    assert!(
-        exported.iter().all(|name| name.starts_with("dashpot_")),
-        "{exported:?}"
-    );
+    assert!(exported.iter().all(|name| name.starts_with("dashpot_")), "{exported:?}");
     assert_eq!(exported, declared);
 }
 
 /// Nothing that a second thread could see.
 #[test]
 fn has_no_writable_data() {
-    let sections = succeed(
-        Command::new("readelf")
-            .args(["--sections", "--wide"])
-            .arg(shared()),
-    );
+    let sections = succeed(Command::new("readelf").args(["--sections", "--wide"]).arg(shared()));
     for line in sections.lines() {
-        let words: Vec<&str> = line
-            .split(']')
-            .nth(1)
-            .unwrap_or("")
-            .split_whitespace()
-            .collect();
+        let words: Vec<&str> = line.split(']').nth(1).unwrap_or("").split_whitespace().collect();
         if let [".bss" | ".data", _, _, _, size, ..] = words[..] {
             assert_eq!(u64::from_str_radix(size, 16), Ok(0), "{line}");
         }

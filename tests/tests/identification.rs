@@ -132,7 +132,13 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
             let (low, high) = (e.low.unwrap(), e.high.unwrap());
             let value = match e.index {
                 None => truth.scalar(e.name),
-                Some(k) => model.elements().fv_curve.at(found.params.list(e.name.replace("force", "velocity").as_str())[k]).value,
+                Some(k) => {
+                    model
+                        .elements()
+                        .fv_curve
+                        .at(found.params.list(e.name.replace("force", "velocity").as_str())[k])
+                        .value
+                }
             };
             let slot = covered.entry(e.name).or_default();
             slot.0 += 1;
@@ -207,5 +213,7 @@ fn an_element_left_out_on_purpose_stays_out() {
         assert!(!found.params.is_on(name), "{name}");
     }
     let unknown = FitOptions { elements: Some(vec!["warp_drive".into()]), ..FitOptions::default() };
-    assert!(fit(&records.iter().collect::<Vec<_>>(), &unknown, |_| ()).unwrap_err().to_string().contains("gas_preload"));
+    assert!(
+        fit(&records.iter().collect::<Vec<_>>(), &unknown, |_| ()).unwrap_err().to_string().contains("gas_preload")
+    );
 }

@@ -52,13 +52,7 @@ pub unsafe extern "C" fn dashpot_evaluate(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, output, rate);
-        let (model, state, input) = unsafe {
-            (
-                prepared_aligned(model)?,
-                checked(state)?,
-                input::checked(input)?,
-            )
-        };
+        let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
         present(output)?;
         present(rate)?;
         let (answer, rates) = dashpot_core::evaluate(model, &state, &input);
@@ -80,13 +74,7 @@ pub unsafe extern "C" fn dashpot_jacobian(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, partials);
-        let (model, state, input) = unsafe {
-            (
-                prepared_aligned(model)?,
-                checked(state)?,
-                input::checked(input)?,
-            )
-        };
+        let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
         present(partials)?;
         unsafe { *partials.cast::<Partials>() = self::partials(model, &state, &input) };
         Ok(range_warning(model, input.velocity))

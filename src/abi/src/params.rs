@@ -12,8 +12,8 @@ use dashpot_core::{Fault, Model, Params, elements};
 
 use crate::pointer::{array, exclusive, one_of, shared, usable};
 use crate::status::{
-    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT,
-    DASHPOT_UNKNOWN_NAME, DASHPOT_WRONG_SHAPE, Refused, status,
+    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME,
+    DASHPOT_WRONG_SHAPE, Refused, status,
 };
 use crate::table::parameter_name;
 use crate::text;
@@ -54,9 +54,7 @@ struct Filled {
 const MAGIC: u64 = magic("params", size_of::<Params>());
 
 const _: () = {
-    assert!(
-        size_of::<dashpot_params>() == 8192 && size_of::<Filled>() <= size_of::<dashpot_params>()
-    );
+    assert!(size_of::<dashpot_params>() == 8192 && size_of::<Filled>() <= size_of::<dashpot_params>());
     assert!(align_of::<dashpot_params>() == 16 && align_of::<Filled>() == 16);
     assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
 };
@@ -82,11 +80,7 @@ unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused>
 /// As [`shared`].
 pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Refused> {
     let block = unsafe { &*block(params)? };
-    if block.magic != MAGIC {
-        Err(Refused(DASHPOT_NOT_SET))
-    } else {
-        Ok(&block.values)
-    }
+    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.values) }
 }
 
 /// The values, to be changed.
@@ -140,11 +134,7 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
 
 /// Sets one number, or a choice by its number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_params_set(
-    params: *mut dashpot_params,
-    name: *const c_char,
-    value: f64,
-) -> i32 {
+pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
         let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
         params.set(name, value)?;
@@ -176,8 +166,7 @@ pub unsafe extern "C" fn dashpot_params_get(
     value: *mut f64,
 ) -> i32 {
     status((|| {
-        let (params, name, value) =
-            unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
+        let (params, name, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
         let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
         if matches!(row.parameter.shape, Shape::List(_)) {
             return Err(Refused(DASHPOT_WRONG_SHAPE));
@@ -198,8 +187,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
     count: *mut u32,
 ) -> i32 {
     status((|| {
-        let (params, name, count) =
-            unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
+        let (params, name, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
         let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
         if !matches!(row.parameter.shape, Shape::List(_)) {
             return Err(Refused(DASHPOT_WRONG_SHAPE));
@@ -219,11 +207,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
 
 /// Switches an element of the model on (on not 0) or off (0).
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_params_enable(
-    params: *mut dashpot_params,
-    element: *const c_char,
-    on: u32,
-) -> i32 {
+pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, element: *const c_char, on: u32) -> i32 {
     status((|| {
         let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
         params.enable(element, on != 0)?;
@@ -239,8 +223,7 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     on: *mut u32,
 ) -> i32 {
     status((|| {
-        let (params, element, on) =
-            unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
+        let (params, element, on) = unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
         *on = params.is_on(element) as u32;
         Ok(DASHPOT_OK)
     })())
@@ -261,11 +244,7 @@ pub unsafe extern "C" fn dashpot_params_read(
     status((|| {
         let block = unsafe { block(params) }?.cast_mut();
         let text = unsafe { array(text.cast::<u8>(), length) }?;
-        let report = if fault.is_null() {
-            None
-        } else {
-            Some(unsafe { exclusive(fault) }?)
-        };
+        let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
         let mut values = Params::new();
         let (line, found) = match model_file::read(text, &mut values) {
             Ok(()) => {
@@ -291,20 +270,12 @@ pub unsafe extern "C" fn dashpot_params_read(
 
 /// Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_params_check(
-    params: *const dashpot_params,
-    fault: *mut dashpot_fault,
-) -> i32 {
+pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
     status((|| {
         let (params, report) = unsafe { (values(params)?, exclusive(fault)?) };
         let found = Model::new(params).err();
         let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
-        fill(
-            report,
-            code,
-            0,
-            found.and_then(|fault| parameter_name(fault.parameter)),
-        );
+        fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)));
         Ok(code)
     })())
 }

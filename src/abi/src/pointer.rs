@@ -9,21 +9,13 @@ use crate::status::{DASHPOT_MISALIGNED, DASHPOT_NULL, DASHPOT_UNKNOWN_NAME, Refu
 #[inline(always)]
 pub(crate) fn usable<T>(pointer: *const T) -> Result<(), Refused> {
     present(pointer)?;
-    if pointer.is_aligned() {
-        Ok(())
-    } else {
-        Err(Refused(DASHPOT_MISALIGNED))
-    }
+    if pointer.is_aligned() { Ok(()) } else { Err(Refused(DASHPOT_MISALIGNED)) }
 }
 
 /// Refuses a null pointer.
 #[inline(always)]
 pub(crate) fn present<T>(pointer: *const T) -> Result<(), Refused> {
-    if pointer.is_null() {
-        Err(Refused(DASHPOT_NULL))
-    } else {
-        Ok(())
-    }
+    if pointer.is_null() { Err(Refused(DASHPOT_NULL)) } else { Ok(()) }
 }
 
 /// Refuses unless all pointers are aligned (or null). One question for all of them: this is in the way of every step.
@@ -83,9 +75,7 @@ pub(crate) unsafe fn one_of(
     mut known: impl Iterator<Item = &'static str>,
 ) -> Result<&'static str, Refused> {
     usable(pointer)?;
-    known
-        .find(|name| unsafe { spells(pointer, name.as_bytes()) })
-        .ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+    known.find(|name| unsafe { spells(pointer, name.as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
 }
 
 /// Whether the C string is `name`.
@@ -94,9 +84,6 @@ pub(crate) unsafe fn one_of(
 /// A zero-terminated string.
 unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
     // A name holds no zero, so the comparison stops at the string's end at the latest.
-    let same = name
-        .iter()
-        .enumerate()
-        .all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
+    let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
     same && unsafe { *pointer.add(name.len()) } == 0
 }

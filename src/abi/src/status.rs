@@ -87,53 +87,26 @@ static TEXTS: [(i32, [u8; LENGTH]); 33] = [
         DASHPOT_OUTSIDE_RANGE,
         padded("velocity outside the identified force-velocity curve, which is prolonged straight"),
     ),
-    (
-        DASHPOT_LONG_STEP,
-        padded("step longer than 0.01 s; fast motion inside it is not resolved"),
-    ),
+    (DASHPOT_LONG_STEP, padded("step longer than 0.01 s; fast motion inside it is not resolved")),
     (
         DASHPOT_OUTSIDE_RANGE | DASHPOT_LONG_STEP,
         padded("velocity outside the identified force-velocity curve, and step longer than 0.01 s"),
     ),
     (DASHPOT_NULL, padded("a pointer is null")),
-    (
-        DASHPOT_MISALIGNED,
-        padded("an address is not aligned for what it points to"),
-    ),
-    (
-        DASHPOT_STRUCT_SIZE,
-        padded("struct_size is not the size of that structure; start from its initialiser"),
-    ),
+    (DASHPOT_MISALIGNED, padded("an address is not aligned for what it points to")),
+    (DASHPOT_STRUCT_SIZE, padded("struct_size is not the size of that structure; start from its initialiser")),
     (
         DASHPOT_ABI_MISMATCH,
-        padded(
-            "header and library have different interface versions; rebuild with the header of this library",
-        ),
+        padded("header and library have different interface versions; rebuild with the header of this library"),
     ),
     (
         DASHPOT_NOT_SET,
-        padded(
-            "parameters or model not initialised; call dashpot_params_default or dashpot_model_init first",
-        ),
+        padded("parameters or model not initialised; call dashpot_params_default or dashpot_model_init first"),
     ),
-    (
-        DASHPOT_BAD_INPUT,
-        padded(
-            "an input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9",
-        ),
-    ),
-    (
-        DASHPOT_BAD_STATE,
-        padded("the state holds NaN or infinity; call dashpot_state_init first"),
-    ),
-    (
-        DASHPOT_BAD_TIME_STEP,
-        padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s"),
-    ),
-    (
-        DASHPOT_UNKNOWN_FLAG,
-        padded("known has a bit that this library does not know"),
-    ),
+    (DASHPOT_BAD_INPUT, padded("an input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9")),
+    (DASHPOT_BAD_STATE, padded("the state holds NaN or infinity; call dashpot_state_init first")),
+    (DASHPOT_BAD_TIME_STEP, padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s")),
+    (DASHPOT_UNKNOWN_FLAG, padded("known has a bit that this library does not know")),
     (DASHPOT_UNKNOWN_NAME, padded(Reason::UnknownName.text())),
     (DASHPOT_NOT_FINITE, padded(Reason::NotFinite.text())),
     (DASHPOT_OUT_OF_BOUNDS, padded(Reason::OutOfBounds.text())),
@@ -151,15 +124,9 @@ static TEXTS: [(i32, [u8; LENGTH]); 33] = [
     (DASHPOT_FILE_REPEATED, padded(Problem::Repeated.text())),
     (DASHPOT_FILE_FORMAT, padded(Problem::Format.text())),
     (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
-    (
-        DASHPOT_FILE_UNKNOWN_ELEMENT,
-        padded(Problem::UnknownElement.text()),
-    ),
+    (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
-    (
-        DASHPOT_NO_SUCH_ROW,
-        padded("the parameter table has no row with this number"),
-    ),
+    (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
 ];
 static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's");
 
@@ -167,12 +134,7 @@ static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's
 /// parameter's name: "fv_force" "falls from one point to the next; ...".
 #[unsafe(no_mangle)]
 pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
-    TEXTS
-        .iter()
-        .find(|(code, _)| *code == status)
-        .map_or(&UNKNOWN, |(_, text)| text)
-        .as_ptr()
-        .cast()
+    TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
 }
 
 /// A refusal: a negative status.
@@ -239,22 +201,10 @@ mod tests {
     #[test]
     fn every_constant_of_this_file_has_a_text() {
         let mut seen = 0;
-        for line in include_str!("status.rs")
-            .lines()
-            .filter(|l| l.starts_with("pub const DASHPOT_"))
-        {
-            let number = line
-                .split(['=', ';'])
-                .nth(1)
-                .unwrap()
-                .trim()
-                .parse()
-                .unwrap();
+        for line in include_str!("status.rs").lines().filter(|l| l.starts_with("pub const DASHPOT_")) {
+            let number = line.split(['=', ';']).nth(1).unwrap().trim().parse().unwrap();
             let text = unsafe { CStr::from_ptr(dashpot_status_text(number)) };
-            assert!(
-                !text.to_str().unwrap().starts_with("unknown status"),
-                "{line}"
-            );
+            assert!(!text.to_str().unwrap().starts_with("unknown status"), "{line}");
             seen += 1;
         }
         // All but the texts for warnings that come together.

@@ -78,9 +78,7 @@ pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_par
         if info.struct_size as usize != size_of::<dashpot_parameter>() {
             return Err(Refused(DASHPOT_STRUCT_SIZE));
         }
-        let found = table()
-            .nth(row as usize)
-            .ok_or(Refused(DASHPOT_NO_SUCH_ROW))?;
+        let found = table().nth(row as usize).ok_or(Refused(DASHPOT_NO_SUCH_ROW))?;
         let p = found.parameter;
         let words: &[&str] = match p.shape {
             Shape::Choice(words) => words,
@@ -100,14 +98,8 @@ pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_par
         (info.low, info.high) = (p.low, p.high);
         text::write(&mut info.name, [p.name].into_iter());
         text::write(&mut info.unit, [p.unit].into_iter());
-        text::write(
-            &mut info.element,
-            GROUPS.get(found.group).map(|group| group.name).into_iter(),
-        );
-        let choices = words
-            .iter()
-            .enumerate()
-            .flat_map(|(i, word)| [if i == 0 { ": " } else { ", " }, *word]);
+        text::write(&mut info.element, GROUPS.get(found.group).map(|group| group.name).into_iter());
+        let choices = words.iter().enumerate().flat_map(|(i, word)| [if i == 0 { ": " } else { ", " }, *word]);
         text::write(&mut info.meaning, [p.meaning].into_iter().chain(choices));
         Ok(DASHPOT_OK)
     })())

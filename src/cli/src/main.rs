@@ -12,7 +12,11 @@ use std::process::ExitCode;
 ///
 /// Units are SI; extension (rebound) velocity and tension force are positive everywhere but in your own files.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true, after_help = "First steps:\n  dashpot demo                         everything once, on a virtual rig\n  dashpot fit RECORDS/ -o damper.toml  your own records\n  dashpot validate damper.toml RECORDS/ --report report.html")]
+#[command(
+    version,
+    arg_required_else_help = true,
+    after_help = "First steps:\n  dashpot demo                         everything once, on a virtual rig\n  dashpot fit RECORDS/ -o damper.toml  your own records\n  dashpot validate damper.toml RECORDS/ --report report.html"
+)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
@@ -61,8 +65,5 @@ fn told_once(error: &anyhow::Error) -> String {
 }
 
 fn is_closed_pipe(error: &anyhow::Error) -> bool {
-    error
-        .chain()
-        .filter_map(|e| e.downcast_ref::<std::io::Error>())
-        .any(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
+    error.chain().filter_map(|e| e.downcast_ref::<std::io::Error>()).any(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
 }

@@ -110,10 +110,7 @@ pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let output = force(model, state, input);
-    let mut p = Partials {
-        force_by_input: [output.force_by_displacement, output.force_by_velocity],
-        ..Partials::ZERO
-    };
+    let mut p = Partials { force_by_input: [output.force_by_displacement, output.force_by_velocity], ..Partials::ZERO };
     if e.has_series() {
         let s = &e.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);

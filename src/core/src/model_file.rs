@@ -122,10 +122,9 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                 })?;
             }
             _ => {
-                let row = table().find(|row| row.parameter.name.as_bytes() == name).ok_or(at(Problem::Parameter(Fault {
-                    parameter: NO_PARAMETER,
-                    reason: Reason::UnknownName,
-                })))?;
+                let row = table()
+                    .find(|row| row.parameter.name.as_bytes() == name)
+                    .ok_or(at(Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName })))?;
                 let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
                 if let Some(seen) = seen.get_mut(row.index) {
                     if *seen {

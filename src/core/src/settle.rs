@@ -28,11 +28,7 @@ impl Model {
             let primary = e.fv_curve.at(v).value;
             // The springs never fall, so that the series spring alone would go further than both together.
             let furthest = x - (primary + e.inner(&motion(x)).force) / k;
-            let (mut low, mut high) = if furthest < x {
-                (furthest, x)
-            } else {
-                (x, furthest)
-            };
+            let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
             for _ in 0..STEPS {
                 let inner = e.inner(&motion(x_m));
                 let left = k * (x - x_m) - primary - inner.force;
@@ -42,11 +38,7 @@ impl Model {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.by_x);
-                x_m = if newton >= low && newton <= high {
-                    newton
-                } else {
-                    0.5 * (low + high)
-                };
+                x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
             }
         }
         let mut memory = [0.0; 8];
@@ -55,13 +47,7 @@ impl Model {
                 *z = element.settled(&motion(x));
             }
         });
-        State {
-            displacement: x,
-            velocity: v,
-            mass_displacement: x_m,
-            mass_velocity: v,
-            memory,
-        }
+        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, memory }
     }
 
     /// The static force at `input`, with its slopes: the state settled there, evaluated.
@@ -81,8 +67,7 @@ impl Model {
             let (inner, primary) = (e.inner(&at), e.fv_curve.at(input.velocity));
             let share = k / (k + inner.by_x);
             output.force_by_displacement += share * inner.by_x - k;
-            output.force_by_velocity +=
-                share * (primary.slope + inner.by_v) - e.series_compliance.damping;
+            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
         }
         output
     }

@@ -20,16 +20,7 @@ fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 }
 
 fn force(model: &Model, v: f64) -> f64 {
-    evaluate(
-        model,
-        &State::ZERO,
-        &Input {
-            side_force: 500.0,
-            ..Input::motion(0.0, v)
-        },
-    )
-    .0
-    .force
+    evaluate(model, &State::ZERO, &Input { side_force: 500.0, ..Input::motion(0.0, v) }).0.force
 }
 
 proptest! {
@@ -133,19 +124,10 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     p.set("lag_v1", 0.5).unwrap();
     p.set("lag_v2", 0.6).unwrap();
     let target = 3000.0 * 0.2;
-    for (method, tolerance) in [
-        (Method::Euler, 0.05),
-        (Method::Second, 2e-3),
-        (Method::Fourth, 2e-5),
-    ] {
-        let model = Model::new(&p)
-            .unwrap()
-            .with_integration(Integration::fixed(method, 1));
+    for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
+        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
         // From rest at a velocity that is held from the first step on.
-        let mut state = State {
-            velocity: 0.2,
-            ..model.settled(&Input::motion(0.0, 0.0))
-        };
+        let mut state = State { velocity: 0.2, ..model.settled(&Input::motion(0.0, 0.0)) };
         for i in 1..=20 {
             let t = i as f64 * 1e-3;
             let (next, output) = step(&model, &state, &Input::motion(0.2 * t, 0.2), 1e-3);

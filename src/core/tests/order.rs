@@ -28,11 +28,7 @@ fn error_falls_with_the_order_of_the_method() {
     let motion = sine(0.02, 4.0);
     let (coarse, steps) = (2e-3, 250);
     let exact = reference_forces(&model, &motion, coarse, steps, 400);
-    for (method, order) in [
-        (Method::Euler, 0.9),
-        (Method::Second, 1.9),
-        (Method::Fourth, 3.5),
-    ] {
+    for (method, order) in [(Method::Euler, 0.9), (Method::Second, 1.9), (Method::Fourth, 3.5)] {
         let model = model.with_integration(Integration::fixed(method, 1));
         let error = |finer: usize| {
             let forces = step_forces(&model, &motion, coarse / finer as f64, steps * finer, false);
@@ -54,25 +50,10 @@ fn substeps_and_shorter_steps_are_the_same_refinement() {
     let model = smooth();
     let motion = |t: f64| (0.02 * t + 3.0 * t * t * t, 0.02 + 9.0 * t * t);
     for method in METHODS {
-        let whole = step_forces(
-            &model.with_integration(Integration::fixed(method, 4)),
-            &motion,
-            4e-3,
-            20,
-            false,
-        );
-        let parts = step_forces(
-            &model.with_integration(Integration::fixed(method, 1)),
-            &motion,
-            1e-3,
-            80,
-            false,
-        );
+        let whole = step_forces(&model.with_integration(Integration::fixed(method, 4)), &motion, 4e-3, 20, false);
+        let parts = step_forces(&model.with_integration(Integration::fixed(method, 1)), &motion, 1e-3, 80, false);
         for (whole, part) in whole.iter().zip(parts.iter().skip(3).step_by(4)) {
-            assert!(
-                (whole - part).abs() < 1e-8 * part.abs().max(1.0),
-                "{method:?}: {whole} {part}"
-            );
+            assert!((whole - part).abs() < 1e-8 * part.abs().max(1.0), "{method:?}: {whole} {part}");
         }
     }
 }

@@ -28,78 +28,29 @@ fn variants() -> Vec<(&'static str, Params)> {
         p
     };
     let lookup = |mut p: Params| {
-        p.set_list("spring_displacement", &[-0.1, -0.04, 0.0, 0.03, 0.09])
-            .unwrap();
-        p.set_list("spring_force", &[-400.0, -150.0, 0.0, 100.0, 700.0])
-            .unwrap();
+        p.set_list("spring_displacement", &[-0.1, -0.04, 0.0, 0.03, 0.09]).unwrap();
+        p.set_list("spring_force", &[-400.0, -150.0, 0.0, 100.0, 700.0]).unwrap();
         p
     };
     let mut algebraic = with(&[], &["lagged_polynomial"]);
     algebraic.enable("series_compliance", false).unwrap();
     vec![
         ("thesis", base),
-        (
-            "linear interpolation",
-            with(&[("fv_interpolation", 1.0)], &[]),
-        ),
+        ("linear interpolation", with(&[("fv_interpolation", 1.0)], &[])),
         ("piecewise", with(&[("fv_form", 1.0)], &[])),
-        (
-            "full Stribeck",
-            with(
-                &[
-                    ("stribeck_form", 1.0),
-                    ("stribeck_fall", 1.5),
-                    ("stribeck_rise_power", 1.2),
-                ],
-                &[],
-            ),
-        ),
-        (
-            "all friction",
-            with(
-                &[("coulomb_steepness", 100.0)],
-                &["coulomb_friction", "side_force_friction"],
-            ),
-        ),
-        (
-            "springs",
-            with(
-                &[
-                    ("spring_linear", 2e4),
-                    ("spring_cubic", 1e6),
-                    ("spring_quartic", 1e7),
-                ],
-                &[],
-            ),
-        ),
+        ("full Stribeck", with(&[("stribeck_form", 1.0), ("stribeck_fall", 1.5), ("stribeck_rise_power", 1.2)], &[])),
+        ("all friction", with(&[("coulomb_steepness", 100.0)], &["coulomb_friction", "side_force_friction"])),
+        ("springs", with(&[("spring_linear", 2e4), ("spring_cubic", 1e6), ("spring_quartic", 1e7)], &[])),
         ("lookup spring", lookup(base)),
         ("lag", with(&[], &["lagged_polynomial"])),
         ("no series", algebraic),
-        (
-            "stiff",
-            with(&[("series_stiffness", 1e7), ("internal_mass", 0.1)], &[]),
-        ),
-        (
-            "soft",
-            with(
-                &[
-                    ("series_stiffness", 1e5),
-                    ("internal_mass", 2.0),
-                    ("series_damping", 2000.0),
-                ],
-                &[],
-            ),
-        ),
+        ("stiff", with(&[("series_stiffness", 1e7), ("internal_mass", 0.1)], &[])),
+        ("soft", with(&[("series_stiffness", 1e5), ("internal_mass", 2.0), ("series_damping", 2000.0)], &[])),
     ]
 }
 
 fn input(x: Option<f64>, v: f64) -> Input {
-    Input {
-        displacement: x,
-        velocity: v,
-        side_force: 300.0,
-        temperature: 20.0,
-    }
+    Input { displacement: x, velocity: v, side_force: 300.0, temperature: 20.0 }
 }
 
 /// Whether the motion comes too near to a kink of any curve for differences to mean something: near speed 0, where

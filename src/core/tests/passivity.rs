@@ -81,19 +81,14 @@ fn free_motion_dies_with_every_method() {
     p.enable("viscous_friction", false).unwrap();
     for method in METHODS {
         for dt in [1e-5, 1e-4, 1e-3, 1e-2] {
-            let model = Model::new(&p)
-                .unwrap()
-                .with_integration(Integration::fixed(method, 1));
+            let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
             let mut state = model.settled(&Input::motion(0.0, 0.0));
             state.mass_velocity = 3.0;
             let mut energy = stored(&p, &state);
             for _ in 0..200 {
                 state = step(&model, &state, &Input::motion(0.0, 0.0), dt).0;
                 let now = stored(&p, &state);
-                assert!(
-                    now <= energy * (1.0 + 1e-9) + 1e-12,
-                    "{method:?} {dt}: {now} J after {energy} J"
-                );
+                assert!(now <= energy * (1.0 + 1e-9) + 1e-12, "{method:?} {dt}: {now} J after {energy} J");
                 energy = now;
             }
         }

@@ -18,34 +18,19 @@ fn run(
     velocity_only: bool,
 ) -> Result<(), TestCaseError> {
     let model = Model::new(params).unwrap();
-    let (k, m) = (
-        params.scalar("series_stiffness"),
-        params.scalar("internal_mass"),
-    );
+    let (k, m) = (params.scalar("series_stiffness"), params.scalar("internal_mass"));
     let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
     let start = dashpot_core::evaluate(&model, &state, &Input::motion(motion[0].0, 0.0)).0;
-    let mut length = 1e-3
-        + start.series_deflection.abs()
-        + (2.0 * start.spring_force.abs() * motion[0].0.abs() / k).sqrt();
+    let mut length =
+        1e-3 + start.series_deflection.abs() + (2.0 * start.spring_force.abs() * motion[0].0.abs() / k).sqrt();
     for (x, v) in motion {
-        let input = if velocity_only {
-            Input::velocity(*v)
-        } else {
-            Input::motion(*x, *v)
-        };
+        let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
         // The cubic path is no longer than this.
-        length += (next.displacement - state.displacement).abs()
-            + dt * (next.velocity.abs() + state.velocity.abs());
+        length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
-        prop_assert!(
-            state.is_finite() && output.force.is_finite(),
-            "not finite: {}",
-            told(params)
-        );
-        prop_assert!(
-            output.force_by_displacement.is_finite() && output.force_by_velocity.is_finite()
-        );
+        prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
+        prop_assert!(output.force_by_displacement.is_finite() && output.force_by_velocity.is_finite());
         if model.elements().has_series() {
             let kicked = length + (m / k).sqrt() * v.abs();
             let series = output.series_deflection.abs();
@@ -62,13 +47,8 @@ fn run(
         state = step(&model, &state, &hold, 1e-2).0;
     }
     let (end, output) = step(&model, &state, &hold, 1e-2);
-    prop_assert!(
-        end.is_finite() && output.force.is_finite(),
-        "hold: {}",
-        told(params)
-    );
-    let still =
-        (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
+    prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
+    let still = (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
     // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`).
     if end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
@@ -155,10 +135,7 @@ fn steps_of_any_length_stay_finite() {
         for dt in [1e-300, 1e-200, 1e-100, 1e-30, 1e-12, 1.0, 1e6, 1e12, 1e30] {
             let state = model.settled(&Input::motion(0.01, 0.0));
             let (state, output) = step(&model, &state, &Input::motion(0.01, 0.2), dt);
-            assert!(
-                state.is_finite() && output.force.is_finite(),
-                "{method:?} {dt}: {state:?} {output:?}"
-            );
+            assert!(state.is_finite() && output.force.is_finite(), "{method:?} {dt}: {state:?} {output:?}");
         }
     }
 }

@@ -9,12 +9,7 @@ use proptest::test_runner::RngSeed;
 
 /// All bits of a state and an output.
 fn bits(state: &State, output: &Output) -> Vec<u64> {
-    let s = [
-        state.displacement,
-        state.velocity,
-        state.mass_displacement,
-        state.mass_velocity,
-    ];
+    let s = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
     let o = [
         output.force,
         output.force_by_displacement,
@@ -25,11 +20,7 @@ fn bits(state: &State, output: &Output) -> Vec<u64> {
         output.gas_force,
         output.series_deflection,
     ];
-    s.iter()
-        .chain(&state.memory)
-        .chain(&o)
-        .map(|f| f.to_bits())
-        .collect()
+    s.iter().chain(&state.memory).chain(&o).map(|f| f.to_bits()).collect()
 }
 
 proptest! {
@@ -91,23 +82,13 @@ proptest! {
 #[test]
 fn static_slopes_are_those_of_the_static_force() {
     let model = model(&[]);
-    let force = |x: f64, v: f64| {
-        step(&model, &State::ZERO, &Input::motion(x, v), 0.0)
-            .1
-            .force
-    };
+    let force = |x: f64, v: f64| step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1.force;
     for (x, v) in [(0.02, 0.3), (-0.03, -0.7), (0.01, 0.02)] {
         let output = step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1;
         let by_x = (force(x + 1e-6, v) - force(x - 1e-6, v)) / 2e-6;
         let by_v = (force(x, v + 1e-6) - force(x, v - 1e-6)) / 2e-6;
-        assert!(
-            (output.force_by_displacement - by_x).abs() < 1e-5 * (by_x.abs() + 1.0),
-            "{by_x} {output:?}"
-        );
-        assert!(
-            (output.force_by_velocity - by_v).abs() < 1e-5 * (by_v.abs() + 1.0),
-            "{by_v} {output:?}"
-        );
+        assert!((output.force_by_displacement - by_x).abs() < 1e-5 * (by_x.abs() + 1.0), "{by_x} {output:?}");
+        assert!((output.force_by_velocity - by_v).abs() < 1e-5 * (by_v.abs() + 1.0), "{by_v} {output:?}");
     }
 }
 
@@ -123,9 +104,7 @@ fn the_run_has_these_digits_on_every_platform() {
             let phase = (i % 100) as f64 / 100.0;
             let v = if phase < 0.5 { phase } else { phase - 1.0 };
             let (next, output) = step(&model, &state, &Input::velocity(v), 1e-3);
-            sum = bits(&next, &output)
-                .iter()
-                .fold(sum, |s, b| s.rotate_left(5) ^ b);
+            sum = bits(&next, &output).iter().fold(sum, |s, b| s.rotate_left(5) ^ b);
             state = next;
         }
     }

@@ -269,9 +269,8 @@ pub fn write(fit: &Fit) -> String {
          # The lines up to [identification] are the damper; what follows is for people and tools.\n\n",
     );
     out += &flat(&fit.params, comment);
-    let list = |items: &[String]| {
-        format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>())
-    };
+    let list =
+        |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
     let _ = write!(out, "\n[identification]\ntests = {}\n", list(&fit.tests));
     let mut not: Vec<String> = fit
         .estimates
@@ -281,8 +280,7 @@ pub fn write(fit: &Fit) -> String {
         .collect();
     not.dedup();
     let _ = write!(out, "not_identified = {}\n", list(&not));
-    let mut notes: Vec<String> =
-        fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
+    let mut notes: Vec<String> = fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
     notes.extend(fit.notes.iter().cloned());
     let _ = write!(out, "notes = {}\n", list(&notes));
     out += "\n[identification.intervals]  # 95 %\n";

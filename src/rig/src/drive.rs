@@ -73,10 +73,7 @@ impl Drive {
 /// From 0 to 1 with no jump in velocity or acceleration, and its slope.
 fn smooth_step(share: f64) -> (f64, f64) {
     let s = share.clamp(0.0, 1.0);
-    (
-        s * s * s * (10.0 + s * (6.0 * s - 15.0)),
-        30.0 * s * s * (1.0 - s) * (1.0 - s),
-    )
+    (s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * (1.0 - s) * (1.0 - s))
 }
 
 #[cfg(test)]
@@ -103,10 +100,7 @@ mod tests {
     #[test]
     fn rests_at_the_mean_and_never_overshoots() {
         for point in Matrix::default().points() {
-            let point = TestPoint {
-                mean_displacement_m: 0.01,
-                ..point.clone()
-            };
+            let point = TestPoint { mean_displacement_m: 0.01, ..point.clone() };
             let drive = Drive::new(&point);
             let end = drive.duration_s();
             for time in [0.0, 0.5 * REST_S, end - 0.5 * REST_S, end] {
@@ -115,11 +109,7 @@ mod tests {
             for i in 0..=4000 {
                 let (x, v) = drive.motion(end * f64::from(i) / 4000.0);
                 assert!((x - 0.01).abs() <= point.amplitude_m * (1.0 + 1e-9));
-                assert!(
-                    v.abs() <= 1.1 * point.peak_velocity_m_s,
-                    "{}: {v}",
-                    point.name
-                );
+                assert!(v.abs() <= 1.1 * point.peak_velocity_m_s, "{}: {v}", point.name);
             }
         }
     }

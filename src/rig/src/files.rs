@@ -7,16 +7,11 @@ use std::path::Path;
 use crate::RigError;
 
 /// Writes a file to its end, onto the disk.
-pub(crate) fn write_file(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), RigError> {
+pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), RigError> {
     let write = || {
         let mut out = BufWriter::with_capacity(1 << 16, fs::File::create(path)?);
         content(&mut out)?;
-        out.into_inner()
-            .map_err(io::IntoInnerError::into_error)?
-            .sync_all()
+        out.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()
     };
     write().map_err(RigError::io("write", path))
 }
@@ -30,8 +25,8 @@ pub(crate) fn replace_file(
     name.push(path.file_name().unwrap_or_default());
     name.push(format!(".{}.unfinished", std::process::id()));
     let aside = path.with_file_name(name);
-    let outcome = write_file(&aside, content)
-        .and_then(|()| fs::rename(&aside, path).map_err(RigError::io("write", path)));
+    let outcome =
+        write_file(&aside, content).and_then(|()| fs::rename(&aside, path).map_err(RigError::io("write", path)));
     if outcome.is_err() {
         // Nothing more can be done when this fails as well; the first fault is the one to report.
         let _ = fs::remove_file(&aside);
@@ -53,10 +48,7 @@ mod tests {
             Err(io::Error::other("disk full"))
         });
         let message = fault.unwrap_err().to_string();
-        assert!(
-            message.contains("matrix.csv") && message.contains("disk full"),
-            "{message}"
-        );
+        assert!(message.contains("matrix.csv") && message.contains("disk full"), "{message}");
         assert_eq!(fs::read(&file).unwrap(), b"first");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         replace_file(&file, |out| out.write_all(b"second")).unwrap();

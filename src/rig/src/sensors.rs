@@ -33,20 +33,12 @@ pub struct Sensors<'a> {
 impl<'a> Sensors<'a> {
     /// Sensors of the campaign `seed` in the test named `test`. With `noise_percent` 0 they are ideal, all of them.
     pub fn new(seed: u64, test: &'a str, noise_percent: f64) -> Self {
-        Self {
-            seed,
-            test,
-            noise_percent,
-        }
+        Self { seed, test, noise_percent }
     }
 
     /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's.
     pub fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
-        self.disturb(
-            Channel::Force,
-            0.01 * self.noise_percent * rms_n + FORCE_FLOOR_N,
-            force_n,
-        );
+        self.disturb(Channel::Force, 0.01 * self.noise_percent * rms_n + FORCE_FLOOR_N, force_n);
     }
 
     /// Adds the side-force cell's noise.
@@ -88,9 +80,7 @@ impl<'a> Sensors<'a> {
 
 /// FNV-1a: unlike the standard library's hash, the same in every release.
 fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 #[cfg(test)]
@@ -116,10 +106,7 @@ mod tests {
         let mean = noise.iter().sum::<f64>() / COUNT as f64;
         let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
         // 2 % of 1000 N + 0.5 N; four standard errors.
-        assert!(
-            (deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * COUNT as f64).sqrt(),
-            "{deviation}"
-        );
+        assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * COUNT as f64).sqrt(), "{deviation}");
         assert!(mean.abs() < 4.0 * 20.5 / (COUNT as f64).sqrt());
         assert!(correlation(&noise[1..], &noise[..COUNT - 1]).abs() < 4.0 / (COUNT as f64).sqrt());
     }
@@ -130,11 +117,7 @@ mod tests {
         assert_eq!(reference, force_noise(1, "a", 1.0));
         let mut displacement = vec![0.0; COUNT];
         Sensors::new(1, "a", 1.0).disturb_displacement(&mut displacement);
-        for other in [
-            force_noise(2, "a", 1.0),
-            force_noise(1, "b", 1.0),
-            displacement,
-        ] {
+        for other in [force_noise(2, "a", 1.0), force_noise(1, "b", 1.0), displacement] {
             assert!(correlation(&reference, &other).abs() < 4.0 / (COUNT as f64).sqrt());
         }
     }

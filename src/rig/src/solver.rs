@@ -16,27 +16,9 @@ const WEIGHTS: [[f64; STAGES - 1]; STAGES] = [
     [0.0; 5],
     [0.25, 0.0, 0.0, 0.0, 0.0],
     [8611.0 / 62500.0, -1743.0 / 31250.0, 0.0, 0.0, 0.0],
-    [
-        5012029.0 / 34652500.0,
-        -654441.0 / 2922500.0,
-        174375.0 / 388108.0,
-        0.0,
-        0.0,
-    ],
-    [
-        15267082809.0 / 155376265600.0,
-        -71443401.0 / 120774400.0,
-        730878875.0 / 902184768.0,
-        2285395.0 / 8070912.0,
-        0.0,
-    ],
-    [
-        82889.0 / 524892.0,
-        0.0,
-        15625.0 / 83664.0,
-        69875.0 / 102672.0,
-        -2260.0 / 8211.0,
-    ],
+    [5012029.0 / 34652500.0, -654441.0 / 2922500.0, 174375.0 / 388108.0, 0.0, 0.0],
+    [15267082809.0 / 155376265600.0, -71443401.0 / 120774400.0, 730878875.0 / 902184768.0, 2285395.0 / 8070912.0, 0.0],
+    [82889.0 / 524892.0, 0.0, 15625.0 / 83664.0, 69875.0 / 102672.0, -2260.0 / 8211.0],
 ];
 /// Third-order weights, for the error estimate.
 const EMBEDDED: [f64; STAGES] = [
@@ -153,11 +135,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
             }
             let proposal = step * factor;
             // A step cut short by `end` says nothing against the longer one proposed before.
-            self.step = if step < self.step {
-                proposal.max(self.step.min(4.0 * proposal))
-            } else {
-                proposal
-            };
+            self.step = if step < self.step { proposal.max(self.step.min(4.0 * proposal)) } else { proposal };
         }
         Ok(())
     }
@@ -166,18 +144,15 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         if self.step > SMALLEST_STEP_S {
             return Ok(());
         }
-        Err(Stuck {
-            time_s: self.time,
-            reason: "no step is small enough for the accuracy asked for",
-        })
+        Err(Stuck { time_s: self.time, reason: "no step is small enough for the accuracy asked for" })
     }
 
     /// Largest component in units of the tolerance; NaN when any is not a number.
     fn norm(&self, change: &[f64; N], state: &[f64; N]) -> f64 {
         let mut largest = 0.0;
         for i in 0..N {
-            let allowed = self.tolerance.absolute[i]
-                + self.tolerance.relative * self.state[i].abs().max(state[i].abs());
+            let allowed =
+                self.tolerance.absolute[i] + self.tolerance.relative * self.state[i].abs().max(state[i].abs());
             let share = (change[i] / allowed).abs();
             if share.is_nan() {
                 return f64::NAN;
@@ -192,8 +167,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         for column in 0..N {
             let mut shifted = self.state;
             // Large enough for the digits of the rate, small against what the tolerance calls a change.
-            shifted[column] +=
-                1e-7 * self.state[column].abs() + 1e-3 * self.tolerance.absolute[column];
+            shifted[column] += 1e-7 * self.state[column].abs() + 1e-3 * self.tolerance.absolute[column];
             let increment = shifted[column] - self.state[column];
             let rate = (self.rates)(self.time, &shifted);
             for row in 0..N {
@@ -211,8 +185,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
             let mut matrix = [[0.0; N]; N];
             for row in 0..N {
                 for column in 0..N {
-                    matrix[row][column] = f64::from(u8::from(row == column))
-                        - GAMMA * step * self.jacobian[row][column];
+                    matrix[row][column] =
+                        f64::from(u8::from(row == column)) - GAMMA * step * self.jacobian[row][column];
                 }
             }
             self.factors = Some((step, Factors::of(matrix)?));
@@ -268,11 +242,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 }
                 slow_newton |= ratio > NEWTON_SLOW && norm > NEWTON_TOLERANCE;
                 // What the following iterations would still change.
-                let rest = if last_norm.is_finite() {
-                    norm * ratio / (1.0 - ratio.min(0.95))
-                } else {
-                    norm
-                };
+                let rest = if last_norm.is_finite() { norm * ratio / (1.0 - ratio.min(0.95)) } else { norm };
                 last_norm = norm;
                 if rest <= NEWTON_TOLERANCE {
                     converged = true;
@@ -289,25 +259,14 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         }
         let mut error = [0.0; N];
         for (stage, rate) in rates.iter().enumerate() {
-            let weight = if stage == STAGES - 1 {
-                GAMMA
-            } else {
-                WEIGHTS[STAGES - 1][stage]
-            };
+            let weight = if stage == STAGES - 1 { GAMMA } else { WEIGHTS[STAGES - 1][stage] };
             for i in 0..N {
                 error[i] += step * (weight - EMBEDDED[stage]) * rate[i];
             }
         }
         // Without this filter the estimate overrates the stiff components, which the method damps anyway.
         let filtered = solve(error);
-        Some((
-            Attempt {
-                state: value,
-                rate: (self.rates)(self.time + step, &value),
-                slow_newton,
-            },
-            filtered,
-        ))
+        Some((Attempt { state: value, rate: (self.rates)(self.time + step, &value), slow_newton }, filtered))
     }
 }
 
@@ -332,8 +291,7 @@ impl<const N: usize> Factors<N> {
             *row = index;
         }
         for pivot in 0..N {
-            let best =
-                (pivot..N).max_by(|a, b| lu[*a][pivot].abs().total_cmp(&lu[*b][pivot].abs()))?;
+            let best = (pivot..N).max_by(|a, b| lu[*a][pivot].abs().total_cmp(&lu[*b][pivot].abs()))?;
             if !(lu[best][pivot].abs() > 0.0 && lu[best][pivot].is_finite()) {
                 return None;
             }
@@ -389,10 +347,7 @@ mod tests {
     #[test]
     fn coefficients_meet_the_order_conditions() {
         for (stage, node) in NODES.iter().enumerate() {
-            assert!(
-                (dot(&row(stage), |_| 1.0) - node).abs() < 1e-14,
-                "row {stage}"
-            );
+            assert!((dot(&row(stage), |_| 1.0) - node).abs() < 1e-14, "row {stage}");
         }
         let c = |i: usize| NODES[i];
         let ac = |i: usize| dot(&row(i), c);
@@ -400,12 +355,7 @@ mod tests {
         let aac = |i: usize| dot(&row(i), ac);
         let weights = row(STAGES - 1);
         let third = |b: &[f64; STAGES]| {
-            [
-                dot(b, |_| 1.0) - 1.0,
-                dot(b, c) - 1.0 / 2.0,
-                dot(b, |i| c(i) * c(i)) - 1.0 / 3.0,
-                dot(b, ac) - 1.0 / 6.0,
-            ]
+            [dot(b, |_| 1.0) - 1.0, dot(b, c) - 1.0 / 2.0, dot(b, |i| c(i) * c(i)) - 1.0 / 3.0, dot(b, ac) - 1.0 / 6.0]
         };
         let fourth = [
             dot(&weights, |i| c(i).powi(3)) - 1.0 / 4.0,
@@ -413,11 +363,7 @@ mod tests {
             dot(&weights, acc) - 1.0 / 12.0,
             dot(&weights, aac) - 1.0 / 24.0,
         ];
-        for defect in third(&weights)
-            .into_iter()
-            .chain(third(&EMBEDDED))
-            .chain(fourth)
-        {
+        for defect in third(&weights).into_iter().chain(third(&EMBEDDED)).chain(fourth) {
             assert!(defect.abs() < 1e-14, "{defect}");
         }
         // The estimate must see a fourth-order error, or step control would be blind.
@@ -427,21 +373,11 @@ mod tests {
     /// Prothero & Robinson: a stiff pull towards a known curve.
     fn stiff_error(relative: f64) -> f64 {
         let rates = |t: f64, y: &[f64; 2]| [-1e5 * (y[0] - t.cos()) - t.sin(), -y[1] * y[0]];
-        let mut integrator = Integrator::new(
-            rates,
-            0.0,
-            [1.0, 1.0],
-            Tolerance {
-                absolute: [relative; 2],
-                relative,
-            },
-        );
+        let mut integrator = Integrator::new(rates, 0.0, [1.0, 1.0], Tolerance { absolute: [relative; 2], relative });
         integrator.advance_to(5.0).unwrap();
         let state = integrator.state();
         // y1' = -y1 cos t has the solution exp(-sin t).
-        (state[0] - 5f64.cos())
-            .abs()
-            .max((state[1] - (-(5f64.sin())).exp()).abs())
+        (state[0] - 5f64.cos()).abs().max((state[1] - (-(5f64.sin())).exp()).abs())
     }
 
     #[test]
@@ -457,16 +393,11 @@ mod tests {
         // Linear oscillator; a loose tolerance accepts every step, so the step is what `advance_to` prescribes.
         let error = |steps: u32| {
             let rates = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
-            let loose = Tolerance {
-                absolute: [1e-3; 2],
-                relative: 0.0,
-            };
+            let loose = Tolerance { absolute: [1e-3; 2], relative: 0.0 };
             let mut integrator = Integrator::new(rates, 0.0, [1.0, 0.0], loose);
             integrator.step = 1.0;
             for step in 1..=steps {
-                integrator
-                    .advance_to(2.0 * f64::from(step) / f64::from(steps))
-                    .unwrap();
+                integrator.advance_to(2.0 * f64::from(step) / f64::from(steps)).unwrap();
             }
             (integrator.state()[0] - 2f64.cos()).hypot(integrator.state()[1] + 2f64.sin())
         };
@@ -480,10 +411,7 @@ mod tests {
             |t, _: &[f64; 1]| [if t > 0.5 { f64::NAN } else { 1.0 }],
             0.0,
             [0.0],
-            Tolerance {
-                absolute: [1e-6],
-                relative: 1e-6,
-            },
+            Tolerance { absolute: [1e-6], relative: 1e-6 },
         );
         let stuck = integrator.advance_to(1.0).unwrap_err();
         assert!((stuck.time_s - 0.5).abs() < 1e-3, "{stuck:?}");

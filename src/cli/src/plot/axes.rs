@@ -30,35 +30,17 @@ pub struct Axis {
 impl Axis {
     /// An axis that shows all values with a margin. Constant or missing values get a range of their own size.
     pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
-        let (low, high) = values
-            .into_iter()
-            .fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = values.into_iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
         let size = low.abs().max(high.abs());
         let span = high - low;
-        let margin = if span > 1e-9 * size {
-            0.04 * span
-        } else {
-            (0.5 * size).max(1e-6)
-        };
-        Self {
-            label: label.into(),
-            low: low - margin,
-            high: high + margin,
-        }
+        let margin = if span > 1e-9 * size { 0.04 * span } else { (0.5 * size).max(1e-6) };
+        Self { label: label.into(), low: low - margin, high: high + margin }
     }
 
     /// An axis that ends exactly where the values do (time).
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
-        if high > low {
-            Self {
-                label: label.into(),
-                low,
-                high,
-            }
-        } else {
-            Self::around(label, [low])
-        }
+        if high > low { Self { label: label.into(), low, high } } else { Self::around(label, [low]) }
     }
 
     /// Place of a value between 0 (low end) and 1 (high end).
@@ -107,21 +89,13 @@ impl Plane {
         let at_x = |value: f64| left + self.x.place(value) * (right - left);
         let at_y = |value: f64| bottom - self.y.place(value) * (bottom - top);
 
-        let legend: Vec<_> = self
-            .series
-            .iter()
-            .map(|series| (series.role, series.label))
-            .collect();
+        let legend: Vec<_> = self.series.iter().map(|series| (series.role, series.label)).collect();
         heading(&mut svg, &self.title, left, Mark::Line, &legend);
 
         let (x_ticks, y_ticks) = (self.x.ticks(6), self.y.ticks(6));
         let vertical = |value: f64| [[at_x(value), top], [at_x(value), bottom]];
         let horizontal = |value: f64| [[left, at_y(value)], [right, at_y(value)]];
-        let mut grid: Vec<_> = x_ticks
-            .at
-            .iter()
-            .map(|(value, _)| vertical(*value))
-            .collect();
+        let mut grid: Vec<_> = x_ticks.at.iter().map(|(value, _)| vertical(*value)).collect();
         grid.extend(y_ticks.at.iter().map(|(value, _)| horizontal(*value)));
         svg.grid(&grid);
         let mut zero = Vec::new();
@@ -132,36 +106,15 @@ impl Plane {
             zero.push(horizontal(0.0));
         }
         svg.frame(&zero, 0.8);
-        svg.frame(
-            &[
-                [[left, bottom], [right, bottom]],
-                [[left, top], [left, bottom]],
-            ],
-            1.0,
-        );
+        svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
         for (value, label) in &x_ticks.at {
-            svg.text(
-                [at_x(*value), bottom + 15.0],
-                label,
-                TextStyle::faint(TICK, Anchor::Middle),
-            );
+            svg.text([at_x(*value), bottom + 15.0], label, TextStyle::faint(TICK, Anchor::Middle));
         }
         for (value, label) in &y_ticks.at {
-            svg.text(
-                [left - 6.0, at_y(*value) + 4.0],
-                label,
-                TextStyle::faint(TICK, Anchor::End),
-            );
+            svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));
         }
-        svg.text(
-            [0.5 * (left + right), height - 10.0],
-            &self.x.label,
-            TextStyle::plain(LABEL, Anchor::Middle),
-        );
-        let turned = TextStyle {
-            turn: -90.0,
-            ..TextStyle::plain(LABEL, Anchor::Middle)
-        };
+        svg.text([0.5 * (left + right), height - 10.0], &self.x.label, TextStyle::plain(LABEL, Anchor::Middle));
+        let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
         svg.text([15.0, 0.5 * (top + bottom)], &self.y.label, turned);
 
         for series in &self.series {
@@ -169,9 +122,7 @@ impl Plane {
                 let points: Vec<_> = line.iter().map(|[x, y]| [at_x(*x), at_y(*y)]).collect();
                 svg.path(series.role, &points, LINE_LIMIT / series.lines.len().max(1));
                 if series.dotted {
-                    points
-                        .iter()
-                        .for_each(|point| svg.dot(series.role, *point, 2.3));
+                    points.iter().for_each(|point| svg.dot(series.role, *point, 2.3));
                 }
             }
         }
@@ -190,25 +141,14 @@ pub enum Mark {
 
 /// Title and, below it, the legend: a mark and a name for each series.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, mark: Mark, legend: &[(Role, &str)]) {
-    svg.text(
-        [left, 17.0],
-        title,
-        TextStyle {
-            bold: true,
-            ..TextStyle::plain(TITLE, Anchor::Start)
-        },
-    );
+    svg.text([left, 17.0], title, TextStyle { bold: true, ..TextStyle::plain(TITLE, Anchor::Start) });
     let mut x = left;
     for (role, label) in legend {
         match mark {
             Mark::Line => svg.path(*role, &[[x, 33.0], [x + 20.0, 33.0]], 2),
             Mark::Dot => svg.dot(*role, [x + 14.0, 33.0], 3.4),
         }
-        svg.text(
-            [x + 25.0, 37.0],
-            label,
-            TextStyle::plain(LABEL, Anchor::Start),
-        );
+        svg.text([x + 25.0, 37.0], label, TextStyle::plain(LABEL, Anchor::Start));
         x += 25.0 + text_width(label, LABEL) + 16.0;
     }
 }
@@ -228,10 +168,7 @@ mod tests {
         assert!(axis.place(-3.0) > 0.0 && axis.place(9.0) < 1.0);
         for values in [vec![], vec![0.0, 0.0], vec![1e6], vec![-1e-12]] {
             let axis = Axis::around("N", values.clone());
-            assert!(
-                axis.high > axis.low && !axis.ticks(5).at.is_empty(),
-                "{values:?} {axis:?}"
-            );
+            assert!(axis.high > axis.low && !axis.ticks(5).at.is_empty(), "{values:?} {axis:?}");
         }
         let still = Axis::exactly("s", 2.0, 2.0);
         assert!(still.high > still.low);
@@ -239,12 +176,8 @@ mod tests {
 
     #[test]
     fn the_larger_value_is_drawn_further_up_and_right() {
-        let series = Series {
-            role: Role::Model,
-            label: "model",
-            lines: vec![vec![[0.0, 0.0], [1.0, 1.0]]],
-            dotted: true,
-        };
+        let series =
+            Series { role: Role::Model, label: "model", lines: vec![vec![[0.0, 0.0], [1.0, 1.0]]], dotted: true };
         let text = Plane {
             title: "t".into(),
             x: Axis::around("x", [0.0, 1.0]),
@@ -253,10 +186,7 @@ mod tests {
         }
         .draw();
         let read = |name: &str| -> Vec<f64> {
-            text.split(&format!(" {name}=\""))
-                .skip(1)
-                .map(|s| s.split('"').next().unwrap().parse().unwrap())
-                .collect()
+            text.split(&format!(" {name}=\"")).skip(1).map(|s| s.split('"').next().unwrap().parse().unwrap()).collect()
         };
         let (x, y) = (read("cx"), read("cy"));
         assert!(x[1] > x[0] && y[1] < y[0], "{x:?} {y:?}");

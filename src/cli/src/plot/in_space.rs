@@ -26,33 +26,14 @@ pub fn force(compared: &Compared<'_>) -> String {
         (Role::FvOnly, FV_ONLY, compared.fv_only.clone()),
         (Role::Model, MODEL, compared.model.clone()),
     ];
-    draw(
-        "Force over velocity and displacement",
-        FORCE,
-        compared,
-        &series,
-    )
+    draw("Force over velocity and displacement", FORCE, compared, &series)
 }
 
 /// Error over velocity and displacement.
 pub fn error(compared: &Compared<'_>) -> String {
-    let minus = |force: &[f64]| {
-        force
-            .iter()
-            .zip(&compared.record.force)
-            .map(|(f, measured)| f - measured)
-            .collect()
-    };
-    let series = [
-        (Role::FvOnly, FV_ONLY, minus(&compared.fv_only)),
-        (Role::Model, MODEL, minus(&compared.model)),
-    ];
-    draw(
-        "Error over velocity and displacement",
-        ERROR,
-        compared,
-        &series,
-    )
+    let minus = |force: &[f64]| force.iter().zip(&compared.record.force).map(|(f, measured)| f - measured).collect();
+    let series = [(Role::FvOnly, FV_ONLY, minus(&compared.fv_only)), (Role::Model, MODEL, minus(&compared.model))];
+    draw("Error over velocity and displacement", ERROR, compared, &series)
 }
 
 /// Place in the figure of a place in the box, each coordinate from 0 to 1: velocity runs right and towards the reader,
@@ -61,66 +42,36 @@ fn project(at: [f64; 3]) -> Point {
     let (turn, elevation) = (TURN.to_radians(), ELEVATION.to_radians());
     let [u, w, z] = [0, 1, 2].map(|i| (at[i] - 0.5) * BOX[i]);
     let away = w * turn.cos() - u * turn.sin();
-    [
-        MIDDLE[0] + u * turn.cos() + w * turn.sin(),
-        MIDDLE[1] - z * elevation.cos() - away * elevation.sin(),
-    ]
+    [MIDDLE[0] + u * turn.cos() + w * turn.sin(), MIDDLE[1] - z * elevation.cos() - away * elevation.sin()]
 }
 
-fn draw(
-    title: &str,
-    quantity: &str,
-    compared: &Compared<'_>,
-    series: &[(Role, &'static str, Vec<f64>)],
-) -> String {
+fn draw(title: &str, quantity: &str, compared: &Compared<'_>, series: &[(Role, &'static str, Vec<f64>)]) -> String {
     let record = compared.record;
     let ranges = shown(compared);
     let samples = || ranges.iter().cloned().flatten();
     let axes = [
         Axis::around(VELOCITY, samples().map(|i| 1e3 * record.velocity[i])),
-        Axis::around(
-            DISPLACEMENT,
-            samples().map(|i| 1e3 * record.displacement[i]),
-        ),
-        Axis::around(
-            quantity,
-            series
-                .iter()
-                .flat_map(|(_, _, values)| samples().map(|i| values[i])),
-        ),
+        Axis::around(DISPLACEMENT, samples().map(|i| 1e3 * record.displacement[i])),
+        Axis::around(quantity, series.iter().flat_map(|(_, _, values)| samples().map(|i| values[i]))),
     ];
     let mut svg = Svg::new(SIZE[0], SIZE[1], title);
-    let legend: Vec<_> = series
-        .iter()
-        .map(|(role, label, _)| (*role, *label))
-        .collect();
+    let legend: Vec<_> = series.iter().map(|(role, label, _)| (*role, *label)).collect();
     heading(&mut svg, title, 20.0, Mark::Line, &legend);
     draw_box(&mut svg, &axes);
 
     let place = |values: &[f64], i: usize| {
-        let at = [
-            1e3 * record.velocity[i],
-            1e3 * record.displacement[i],
-            values[i],
-        ];
+        let at = [1e3 * record.velocity[i], 1e3 * record.displacement[i], values[i]];
         [0, 1, 2].map(|axis| axes[axis].place(at[axis]))
     };
     let mut lines = |role: Role, values: &[f64], limit: usize, onto: fn([f64; 3]) -> [f64; 3]| {
         for range in &ranges {
-            let line: Vec<Point> = range
-                .clone()
-                .map(|i| project(onto(place(values, i))))
-                .collect();
+            let line: Vec<Point> = range.clone().map(|i| project(onto(place(values, i)))).collect();
             svg.path(role, &line, limit / ranges.len());
         }
     };
     if let Some((_, _, first)) = series.iter().find(|(role, ..)| *role == Role::Measured) {
-        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| {
-            [at[0], 1.0, at[2]]
-        });
-        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| {
-            [0.0, at[1], at[2]]
-        });
+        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| [at[0], 1.0, at[2]]);
+        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| [0.0, at[1], at[2]]);
     }
     for (role, _, values) in series {
         lines(*role, values, LINE_LIMIT, |at| at);
@@ -131,31 +82,17 @@ fn draw(
 /// Floor and two back walls with grid, frame, tick labels and axis titles along the outer edges.
 fn draw_box(svg: &mut Svg, axes: &[Axis; 3]) {
     let ticks = [axes[0].ticks(5), axes[1].ticks(4), axes[2].ticks(5)];
-    let places = |axis: usize| {
-        ticks[axis]
-            .at
-            .iter()
-            .map(move |(value, _)| axes[axis].place(*value))
-    };
+    let places = |axis: usize| ticks[axis].at.iter().map(move |(value, _)| axes[axis].place(*value));
     let line = |a: [f64; 3], b: [f64; 3]| [project(a), project(b)];
     let mut grid = Vec::new();
     for u in places(0) {
-        grid.extend([
-            line([u, 0.0, 0.0], [u, 1.0, 0.0]),
-            line([u, 1.0, 0.0], [u, 1.0, 1.0]),
-        ]);
+        grid.extend([line([u, 0.0, 0.0], [u, 1.0, 0.0]), line([u, 1.0, 0.0], [u, 1.0, 1.0])]);
     }
     for w in places(1) {
-        grid.extend([
-            line([0.0, w, 0.0], [1.0, w, 0.0]),
-            line([0.0, w, 0.0], [0.0, w, 1.0]),
-        ]);
+        grid.extend([line([0.0, w, 0.0], [1.0, w, 0.0]), line([0.0, w, 0.0], [0.0, w, 1.0])]);
     }
     for z in places(2) {
-        grid.extend([
-            line([0.0, 0.0, z], [0.0, 1.0, z]),
-            line([0.0, 1.0, z], [1.0, 1.0, z]),
-        ]);
+        grid.extend([line([0.0, 0.0, z], [0.0, 1.0, z]), line([0.0, 1.0, z], [1.0, 1.0, z])]);
     }
     svg.grid(&grid);
     let corner = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -176,57 +113,29 @@ fn draw_box(svg: &mut Svg, axes: &[Axis; 3]) {
     // Where the quantity is zero, on both back walls.
     let zero = axes[2].place(0.0);
     if (0.0..=1.0).contains(&zero) {
-        svg.frame(
-            &[
-                line([0.0, 0.0, zero], [0.0, 1.0, zero]),
-                line([0.0, 1.0, zero], [1.0, 1.0, zero]),
-            ],
-            0.6,
-        );
+        svg.frame(&[line([0.0, 0.0, zero], [0.0, 1.0, zero]), line([0.0, 1.0, zero], [1.0, 1.0, zero])], 0.6);
     }
 
     let beside = |point: Point, dx: f64, dy: f64| [point[0] + dx, point[1] + dy];
     for (value, label) in &ticks[0].at {
         let at = project([axes[0].place(*value), 0.0, 0.0]);
-        svg.text(
-            beside(at, -5.0, 14.0),
-            label,
-            TextStyle::faint(TICK, Anchor::End),
-        );
+        svg.text(beside(at, -5.0, 14.0), label, TextStyle::faint(TICK, Anchor::End));
     }
     for (value, label) in &ticks[1].at {
         let at = project([1.0, axes[1].place(*value), 0.0]);
-        svg.text(
-            beside(at, 6.0, 13.0),
-            label,
-            TextStyle::faint(TICK, Anchor::Start),
-        );
+        svg.text(beside(at, 6.0, 13.0), label, TextStyle::faint(TICK, Anchor::Start));
     }
     for (value, label) in &ticks[2].at {
         let at = project([0.0, 0.0, axes[2].place(*value)]);
-        svg.text(
-            beside(at, -6.0, 4.0),
-            label,
-            TextStyle::faint(TICK, Anchor::End),
-        );
+        svg.text(beside(at, -6.0, 4.0), label, TextStyle::faint(TICK, Anchor::End));
     }
     let mut along = |a: [f64; 3], b: [f64; 3], away: f64, label: &str| {
         let (from, to) = (project(a), project(b));
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = dx.hypot(dy);
-        let at = [
-            0.5 * (from[0] + to[0]) - away * dy / length,
-            0.5 * (from[1] + to[1]) + away * dx / length,
-        ];
+        let at = [0.5 * (from[0] + to[0]) - away * dy / length, 0.5 * (from[1] + to[1]) + away * dx / length];
         let turn = dy.atan2(dx).to_degrees();
-        svg.text(
-            at,
-            label,
-            TextStyle {
-                turn,
-                ..TextStyle::plain(LABEL, Anchor::Middle)
-            },
-        );
+        svg.text(at, label, TextStyle { turn, ..TextStyle::plain(LABEL, Anchor::Middle) });
     };
     along([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], 44.0, &axes[0].label);
     along([1.0, 0.0, 0.0], [1.0, 1.0, 0.0], 44.0, &axes[1].label);
@@ -242,10 +151,7 @@ mod tests {
     fn the_box_and_its_labels_fit_the_figure() {
         for corner in 0..8 {
             let [x, y] = project([0, 1, 2].map(|axis| f64::from(corner >> axis & 1)));
-            assert!(
-                (60.0..=SIZE[0] - 20.0).contains(&x) && (40.0..=SIZE[1] - 30.0).contains(&y),
-                "{x} {y}"
-            );
+            assert!((60.0..=SIZE[0] - 20.0).contains(&x) && (40.0..=SIZE[1] - 30.0).contains(&y), "{x} {y}");
         }
     }
 
@@ -256,21 +162,14 @@ mod tests {
             let turn = TURN.to_radians();
             (at[1] - 0.5) * BOX[1] * turn.cos() - (at[0] - 0.5) * BOX[0] * turn.sin()
         };
-        assert!(
-            depth([0.5, 1.0, 0.5]) > depth([0.5, 0.0, 0.5])
-                && depth([0.0, 0.5, 0.5]) > depth([1.0, 0.5, 0.5])
-        );
+        assert!(depth([0.5, 1.0, 0.5]) > depth([0.5, 0.0, 0.5]) && depth([0.0, 0.5, 0.5]) > depth([1.0, 0.5, 0.5]));
     }
 
     #[test]
     fn both_figures_are_finite_and_small() {
         let record = record(3, true);
         for text in [force(&compared(&record)), error(&compared(&record))] {
-            assert!(
-                !text.contains("NaN") && !text.contains("inf") && text.len() < 16_000,
-                "{}",
-                text.len()
-            );
+            assert!(!text.contains("NaN") && !text.contains("inf") && text.len() < 16_000, "{}", text.len());
         }
     }
 }

@@ -54,9 +54,7 @@ pub fn force_time(compared: &Compared<'_>) -> String {
     let shown = shown(compared);
     let start = shown.first().map_or(0.0, |range| time[range.start]);
     let series = forces(compared, &shown, |i| time[i] - start);
-    let end = shown
-        .last()
-        .map_or(1.0, |range| time[range.end - 1] - start);
+    let end = shown.last().map_or(1.0, |range| time[range.end - 1] - start);
     let mut plane = prepare("Force over time", "time, s", FORCE, series);
     plane.x = Axis::exactly("time, s", 0.0, end);
     plane.draw()
@@ -65,23 +63,13 @@ pub fn force_time(compared: &Compared<'_>) -> String {
 /// Error over velocity.
 pub fn error_velocity(compared: &Compared<'_>) -> String {
     let velocity = &compared.record.velocity;
-    plane(
-        "Error over velocity",
-        VELOCITY,
-        ERROR,
-        errors(compared, |i| 1e3 * velocity[i]),
-    )
+    plane("Error over velocity", VELOCITY, ERROR, errors(compared, |i| 1e3 * velocity[i]))
 }
 
 /// Error over displacement.
 pub fn error_displacement(compared: &Compared<'_>) -> String {
     let displacement = &compared.record.displacement;
-    plane(
-        "Error over displacement",
-        DISPLACEMENT,
-        ERROR,
-        errors(compared, |i| 1e3 * displacement[i]),
-    )
+    plane("Error over displacement", DISPLACEMENT, ERROR, errors(compared, |i| 1e3 * displacement[i]))
 }
 
 /// Gap between the strokes over velocity, averaged over all whole cycles.
@@ -89,13 +77,7 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis) -> String {
     let line = |role, label, gap: fn(&dashpot_lab::validation::OfEach) -> f64| Series {
         role,
         label,
-        lines: vec![
-            hysteresis
-                .gap
-                .iter()
-                .map(|bin| [1e3 * bin.velocity_m_s, gap(&bin.gap_n)])
-                .collect(),
-        ],
+        lines: vec![hysteresis.gap.iter().map(|bin| [1e3 * bin.velocity_m_s, gap(&bin.gap_n)]).collect()],
         dotted: true,
     };
     let series = vec![
@@ -103,35 +85,19 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis) -> String {
         line(Role::FvOnly, FV_ONLY, |gap| gap.fv_only),
         line(Role::Model, MODEL, |gap| gap.model),
     ];
-    plane(
-        "Hysteresis gap over velocity",
-        VELOCITY,
-        "rising − falling velocity, N",
-        series,
-    )
+    plane("Hysteresis gap over velocity", VELOCITY, "rising − falling velocity, N", series)
 }
 
 /// Sample ranges a loop shows; none is empty.
 pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     let cycles = &compared.record.cycles;
     let last: Vec<_> = cycles[cycles.len().saturating_sub(CYCLES_SHOWN)..].to_vec();
-    let ranges = if last.is_empty() {
-        std::iter::once(0..compared.record.force.len()).collect()
-    } else {
-        last
-    };
-    ranges
-        .into_iter()
-        .filter(|range| !range.is_empty())
-        .collect()
+    let ranges = if last.is_empty() { std::iter::once(0..compared.record.force.len()).collect() } else { last };
+    ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
 
 /// Measured, curve and model over a quantity, in drawing order: the model on top.
-fn forces(
-    compared: &Compared<'_>,
-    shown: &[Range<usize>],
-    over: impl Fn(usize) -> f64,
-) -> Vec<Series> {
+fn forces(compared: &Compared<'_>, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
     [
         (Role::Measured, MEASURED, &compared.record.force),
         (Role::FvOnly, FV_ONLY, &compared.fv_only),
@@ -141,10 +107,7 @@ fn forces(
     .map(|(role, label, force)| Series {
         role,
         label,
-        lines: shown
-            .iter()
-            .map(|range| range.clone().map(|i| [over(i), force[i]]).collect())
-            .collect(),
+        lines: shown.iter().map(|range| range.clone().map(|i| [over(i), force[i]]).collect()).collect(),
         dotted: false,
     })
     .collect()
@@ -154,41 +117,21 @@ fn forces(
 fn errors(compared: &Compared<'_>, over: impl Fn(usize) -> f64) -> Vec<Series> {
     let measured = &compared.record.force;
     let shown = shown(compared);
-    [
-        (Role::FvOnly, FV_ONLY, &compared.fv_only),
-        (Role::Model, MODEL, &compared.model),
-    ]
-    .into_iter()
-    .map(|(role, label, force)| Series {
-        role,
-        label,
-        lines: shown
-            .iter()
-            .map(|r| {
-                r.clone()
-                    .map(|i| [over(i), force[i] - measured[i]])
-                    .collect()
-            })
-            .collect(),
-        dotted: false,
-    })
-    .collect()
+    [(Role::FvOnly, FV_ONLY, &compared.fv_only), (Role::Model, MODEL, &compared.model)]
+        .into_iter()
+        .map(|(role, label, force)| Series {
+            role,
+            label,
+            lines: shown.iter().map(|r| r.clone().map(|i| [over(i), force[i] - measured[i]]).collect()).collect(),
+            dotted: false,
+        })
+        .collect()
 }
 
 /// A figure whose axes hold all series.
 fn prepare(title: &str, x: &str, y: &str, series: Vec<Series>) -> Plane {
-    let values = |which: usize| {
-        series
-            .iter()
-            .flat_map(|s| s.lines.iter().flatten())
-            .map(move |point| point[which])
-    };
-    Plane {
-        title: title.into(),
-        x: Axis::around(x, values(0)),
-        y: Axis::around(y, values(1)),
-        series,
-    }
+    let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
+    Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }
 }
 
 fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
@@ -217,9 +160,7 @@ pub mod tests {
             record.time.push(i as f64 / 400.0);
             record.displacement.push(0.05 * phase.sin());
             record.velocity.push(0.314 * phase.cos());
-            record
-                .force
-                .push(900.0 * phase.cos() + 80.0 * phase.sin() + 10.0);
+            record.force.push(900.0 * phase.cos() + 80.0 * phase.sin() + 10.0);
         }
         record
     }
@@ -251,10 +192,7 @@ pub mod tests {
     fn the_axis_of_the_error_holds_the_offset_alone() {
         let record = record(2, true);
         let only_model: Vec<Series> = errors(&compared(&record), |i| i as f64).split_off(1);
-        for point in only_model
-            .iter()
-            .flat_map(|series| series.lines.iter().flatten())
-        {
+        for point in only_model.iter().flat_map(|series| series.lines.iter().flatten()) {
             assert!((point[1] - 5.0).abs() < 1e-9);
         }
     }
@@ -268,13 +206,7 @@ pub mod tests {
             *force += f64::from(seed >> 16) / 600.0;
         }
         let compared = compared(&record);
-        for figure in [
-            force_velocity,
-            force_displacement,
-            force_time,
-            error_velocity,
-            error_displacement,
-        ] {
+        for figure in [force_velocity, force_displacement, force_time, error_velocity, error_displacement] {
             let text = figure(&compared);
             assert!(text.len() < 16_000, "{}", text.len());
             assert!(!text.contains("NaN") && !text.contains("inf"));

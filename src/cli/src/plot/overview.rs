@@ -15,73 +15,35 @@ pub fn error_of_tests(validation: &Validation) -> String {
     let tests = &validation.tests;
     let pitch = (880.0 / tests.len() as f64).clamp(14.0, 60.0);
     let names: Vec<String> = tests.iter().map(|test| shorten(&test.name)).collect();
-    let longest = names
-        .iter()
-        .map(|name| text_width(name, TICK))
-        .fold(0.0, f64::max);
+    let longest = names.iter().map(|name| text_width(name, TICK)).fold(0.0, f64::max);
     let (left, top, tall) = (66.0, 50.0, 240.0);
     let right = left + pitch * tests.len() as f64;
     let bottom = top + tall;
     let title = "Error of every test, % of its largest force";
     let mut svg = Svg::new(right.max(380.0) + 14.0, bottom + longest + 20.0, title);
-    heading(
-        &mut svg,
-        title,
-        left,
-        Mark::Dot,
-        &[(Role::Model, MODEL), (Role::FvOnly, FV_ONLY)],
-    );
+    heading(&mut svg, title, left, Mark::Dot, &[(Role::Model, MODEL), (Role::FvOnly, FV_ONLY)]);
 
     // An exact fit has no logarithm; it is drawn on the floor.
     const FLOOR: f64 = 0.01;
-    let percents = tests
-        .iter()
-        .flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
-    let (low, high) = percents
-        .map(|p| p.max(FLOOR))
-        .fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
+    let percents = tests.iter().flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
+    let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
     let (low, high) = (low / 1.3, high * 1.3);
     let at_y = |percent: f64| bottom - (percent.max(FLOOR) / low).ln() / (high / low).ln() * tall;
     let ticks = Ticks::logarithmic(low, high);
-    svg.grid(
-        &ticks
-            .at
-            .iter()
-            .map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]])
-            .collect::<Vec<_>>(),
-    );
-    svg.frame(
-        &[
-            [[left, bottom], [right, bottom]],
-            [[left, top], [left, bottom]],
-        ],
-        1.0,
-    );
+    svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
+    svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     for (value, label) in &ticks.at {
-        svg.text(
-            [left - 6.0, at_y(*value) + 4.0],
-            label,
-            TextStyle::faint(TICK, Anchor::End),
-        );
+        svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));
     }
-    let turned = TextStyle {
-        turn: -90.0,
-        ..TextStyle::plain(LABEL, Anchor::Middle)
-    };
+    let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
     svg.text([15.0, 0.5 * (top + bottom)], "error, %", turned);
     for (i, (test, name)) in tests.iter().zip(&names).enumerate() {
         let x = left + (i as f64 + 0.5) * pitch;
-        let (model, curve) = (
-            at_y(test.errors.model.error_percent),
-            at_y(test.errors.fv_only.error_percent),
-        );
+        let (model, curve) = (at_y(test.errors.model.error_percent), at_y(test.errors.fv_only.error_percent));
         svg.grid(&[[[x, model], [x, curve]]]);
         svg.dot(Role::FvOnly, [x, curve], 3.4);
         svg.dot(Role::Model, [x, model], 3.4);
-        let style = TextStyle {
-            turn: -90.0,
-            ..TextStyle::faint(TICK, Anchor::End)
-        };
+        let style = TextStyle { turn: -90.0, ..TextStyle::faint(TICK, Anchor::End) };
         svg.text([x + 4.0, bottom + 8.0], name, style);
     }
     svg.finish()
@@ -94,79 +56,34 @@ pub fn error_map(validation: &Validation) -> Option<String> {
     if matrix.cells.is_empty() {
         return None;
     }
-    let (rows, columns) = (
-        matrix.by_amplitude.len() as f64,
-        matrix.by_peak_velocity.len() as f64,
-    );
+    let (rows, columns) = (matrix.by_amplitude.len() as f64, matrix.by_peak_velocity.len() as f64);
     let (left, top, size) = (90.0, 66.0, [62.0, 38.0]);
     let (right, bottom) = (left + columns * size[0], top + rows * size[1]);
     let title = "Error by amplitude and peak velocity, %";
     let mut svg = Svg::new((right + 14.0).max(470.0), bottom + 50.0, title);
-    let bold = TextStyle {
-        bold: true,
-        ..TextStyle::plain(super::axes::TITLE, Anchor::Start)
-    };
+    let bold = TextStyle { bold: true, ..TextStyle::plain(super::axes::TITLE, Anchor::Start) };
     svg.text([20.0, 17.0], title, bold);
-    svg.text(
-        [20.0, 36.0],
-        "large: model, small: FV curve alone",
-        TextStyle::faint(TICK, Anchor::Start),
-    );
+    svg.text([20.0, 36.0], "large: model, small: FV curve alone", TextStyle::faint(TICK, Anchor::Start));
     for (i, row) in matrix.by_amplitude.iter().enumerate() {
         let y = top + (i as f64 + 0.5) * size[1] + 4.0;
-        svg.text(
-            [left - 8.0, y],
-            &millimetres(row.value),
-            TextStyle::faint(TICK, Anchor::End),
-        );
+        svg.text([left - 8.0, y], &millimetres(row.value), TextStyle::faint(TICK, Anchor::End));
     }
     for (i, column) in matrix.by_peak_velocity.iter().enumerate() {
         let x = left + (i as f64 + 0.5) * size[0];
-        svg.text(
-            [x, bottom + 15.0],
-            &millimetres(column.value),
-            TextStyle::faint(TICK, Anchor::Middle),
-        );
+        svg.text([x, bottom + 15.0], &millimetres(column.value), TextStyle::faint(TICK, Anchor::Middle));
     }
-    svg.text(
-        [0.5 * (left + right), bottom + 34.0],
-        "peak velocity, mm/s",
-        TextStyle::plain(LABEL, Anchor::Middle),
-    );
-    let turned = TextStyle {
-        turn: -90.0,
-        ..TextStyle::plain(LABEL, Anchor::Middle)
-    };
+    svg.text([0.5 * (left + right), bottom + 34.0], "peak velocity, mm/s", TextStyle::plain(LABEL, Anchor::Middle));
+    let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
     svg.text([30.0, 0.5 * (top + bottom)], "amplitude, mm", turned);
     for cell in &matrix.cells {
-        let corner = [
-            left + cell.peak_velocity_row as f64 * size[0],
-            top + cell.amplitude_row as f64 * size[1],
-        ];
+        let corner = [left + cell.peak_velocity_row as f64 * size[0], top + cell.amplitude_row as f64 * size[1]];
         let (fill, dark_text) = heat(cell.errors.model.error_percent);
-        svg.cell(
-            [corner[0] + 1.0, corner[1] + 1.0],
-            [size[0] - 2.0, size[1] - 2.0],
-            &fill,
-        );
+        svg.cell([corner[0] + 1.0, corner[1] + 1.0], [size[0] - 2.0, size[1] - 2.0], &fill);
         let middle = corner[0] + 0.5 * size[0];
-        let large = TextStyle {
-            bold: true,
-            ..TextStyle::plain(13.0, Anchor::Middle)
-        };
-        svg.cell_text(
-            [middle, corner[1] + 18.0],
-            &percent(cell.errors.model.error_percent),
-            large,
-            dark_text,
-        );
+        let large = TextStyle { bold: true, ..TextStyle::plain(13.0, Anchor::Middle) };
+        svg.cell_text([middle, corner[1] + 18.0], &percent(cell.errors.model.error_percent), large, dark_text);
         let small = TextStyle::plain(10.0, Anchor::Middle);
-        svg.cell_text(
-            [middle, corner[1] + 31.0],
-            &percent(cell.errors.fv_only.error_percent),
-            small,
-            dark_text,
-        );
+        svg.cell_text([middle, corner[1] + 31.0], &percent(cell.errors.fv_only.error_percent), small, dark_text);
     }
     Some(svg.finish())
 }
@@ -174,10 +91,7 @@ pub fn error_map(validation: &Validation) -> Option<String> {
 /// A length in mm or a velocity in mm/s from SI, three digits.
 fn millimetres(si: f64) -> String {
     let value = 1e3 * si;
-    number(
-        value,
-        (2.0 - value.abs().max(0.01).log10().floor()).clamp(0.0, 2.0) as usize,
-    )
+    number(value, (2.0 - value.abs().max(0.01).log10().floor()).clamp(0.0, 2.0) as usize)
 }
 
 /// A percentage with two or three digits.
@@ -201,11 +115,7 @@ fn shorten(name: &str) -> String {
         return name.to_owned();
     }
     let keep = (NAME - 1) / 2;
-    letters[..keep]
-        .iter()
-        .chain(&['…'])
-        .chain(&letters[letters.len() - keep..])
-        .collect()
+    letters[..keep].iter().chain(&['…']).chain(&letters[letters.len() - keep..]).collect()
 }
 
 #[cfg(test)]
@@ -236,10 +146,6 @@ mod tests {
     #[test]
     fn long_names_keep_both_ends() {
         let short = shorten("campaign_2024_left_front_damper_50mm_1571");
-        assert!(
-            short.chars().count() <= NAME
-                && short.starts_with("campaign")
-                && short.ends_with("1571")
-        );
+        assert!(short.chars().count() <= NAME && short.starts_with("campaign") && short.ends_with("1571"));
     }
 }

@@ -83,10 +83,7 @@ pub fn page_css() -> String {
     let mut css = String::from("@media screen and (prefers-color-scheme: dark) {\n");
     for role in ROLES {
         let (class, colour) = (role.class(), role.dark());
-        let _ = writeln!(
-            css,
-            "  svg .l.{class} {{ stroke: {colour}; }}\n  svg .p.{class} {{ fill: {colour}; }}"
-        );
+        let _ = writeln!(css, "  svg .l.{class} {{ stroke: {colour}; }}\n  svg .p.{class} {{ fill: {colour}; }}");
     }
     css.push_str(concat!(
         "  svg .paper { fill: #1b1f23; }\n",
@@ -106,16 +103,9 @@ pub fn heat(percent: f64) -> (String, bool) {
     const MIDDLE: [f64; 3] = [240.0, 140.0, 70.0];
     const DEEP: [f64; 3] = [120.0, 24.0, 30.0];
     let place = ((percent.max(1e-9) / 0.5).log10() / 2.0).clamp(0.0, 1.0);
-    let (from, to, part) = if place < 0.5 {
-        (PALE, MIDDLE, 2.0 * place)
-    } else {
-        (MIDDLE, DEEP, 2.0 * place - 1.0)
-    };
+    let (from, to, part) = if place < 0.5 { (PALE, MIDDLE, 2.0 * place) } else { (MIDDLE, DEEP, 2.0 * place - 1.0) };
     let mix = |i: usize| (from[i] + part * (to[i] - from[i])).round() as u8;
-    (
-        format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)),
-        place < 0.72,
-    )
+    (format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)), place < 0.72)
 }
 
 #[cfg(test)]
@@ -126,11 +116,7 @@ mod tests {
     fn linear(colour: &str) -> [f64; 3] {
         [1, 3, 5].map(|at| {
             let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
-            if value <= 0.04045 {
-                value / 12.92
-            } else {
-                ((value + 0.055) / 1.055).powf(2.4)
-            }
+            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
         })
     }
 
@@ -138,11 +124,7 @@ mod tests {
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let dot = |row: [f64; 3]| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>();
         let f = |t: f64| {
-            if t > 0.008856 {
-                t.cbrt()
-            } else {
-                7.787 * t + 16.0 / 116.0
-            }
+            if t > 0.008856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 }
         };
         let x = f(dot([0.4124, 0.3576, 0.1805]) / 0.95047);
         let y = f(dot([0.2126, 0.7152, 0.0722]));
@@ -155,39 +137,20 @@ mod tests {
         // Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
         let sights = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            [
-                [0.152286, 1.052583, -0.204868],
-                [0.114503, 0.786281, 0.099216],
-                [-0.003882, -0.048116, 1.051998],
-            ],
-            [
-                [0.367322, 0.860646, -0.227968],
-                [0.280085, 0.672501, 0.047413],
-                [-0.011820, 0.042940, 0.968881],
-            ],
+            [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+            [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
         ];
         let roles = [Role::Measured, Role::Model, Role::FvOnly];
         for sight in sights {
             let seen = |colour: &str| {
                 let rgb = linear(colour);
-                lab(sight.map(|row| {
-                    row.iter()
-                        .zip(rgb)
-                        .map(|(a, b)| a * b)
-                        .sum::<f64>()
-                        .clamp(0.0, 1.0)
-                }))
+                lab(sight.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0)))
             };
             for shade in [Role::light, Role::dark] {
                 for (i, a) in roles.iter().enumerate() {
                     for b in &roles[i + 1..] {
                         let (p, q) = (seen(shade(*a)), seen(shade(*b)));
-                        let distance = p
-                            .iter()
-                            .zip(q)
-                            .map(|(p, q)| (p - q).powi(2))
-                            .sum::<f64>()
-                            .sqrt();
+                        let distance = p.iter().zip(q).map(|(p, q)| (p - q).powi(2)).sum::<f64>().sqrt();
                         assert!(distance > 20.0, "{a:?} {b:?}: {distance}");
                     }
                 }

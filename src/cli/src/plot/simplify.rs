@@ -33,10 +33,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     loop {
         let points = douglas_peucker(&merged, tolerance);
         if points.len() <= limit.max(2) {
-            return Thinned {
-                points,
-                rough: tolerance > ROUGH,
-            };
+            return Thinned { points, rough: tolerance > ROUGH };
         }
         tolerance *= 1.3;
     }
@@ -46,9 +43,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
 fn merge(path: &[Point], near: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
     for (i, point) in path.iter().enumerate() {
-        let far = kept
-            .last()
-            .is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) >= near);
+        let far = kept.last().is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) >= near);
         if far || i + 1 == path.len() {
             kept.push(*point);
         }
@@ -68,31 +63,21 @@ fn douglas_peucker(path: &[Point], tolerance: f64) -> Vec<Point> {
     while let Some((from, to)) = open.pop() {
         let furthest = (from + 1..to)
             .map(|i| (i, distance(path[i], path[from], path[to])))
-            .fold(
-                (from, tolerance),
-                |best, this| if this.1 > best.1 { this } else { best },
-            );
+            .fold((from, tolerance), |best, this| if this.1 > best.1 { this } else { best });
         if furthest.0 != from {
             keep[furthest.0] = true;
             open.push((from, furthest.0));
             open.push((furthest.0, to));
         }
     }
-    path.iter()
-        .zip(keep)
-        .filter_map(|(point, keep)| keep.then_some(*point))
-        .collect()
+    path.iter().zip(keep).filter_map(|(point, keep)| keep.then_some(*point)).collect()
 }
 
 /// Distance of a point from the segment a–b, px.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let square = dx * dx + dy * dy;
-    let along = if square > 0.0 {
-        ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square
-    } else {
-        0.0
-    };
+    let along = if square > 0.0 { ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square } else { 0.0 };
     let along = along.clamp(0.0, 1.0);
     (point[0] - a[0] - along * dx).hypot(point[1] - a[1] - along * dy)
 }
@@ -103,14 +88,7 @@ mod tests {
 
     fn circle(points: usize) -> Vec<Point> {
         let angle = |i: usize| std::f64::consts::TAU * i as f64 / points as f64;
-        (0..=points)
-            .map(|i| {
-                [
-                    200.0 + 150.0 * angle(i).cos(),
-                    200.0 + 150.0 * angle(i).sin(),
-                ]
-            })
-            .collect()
+        (0..=points).map(|i| [200.0 + 150.0 * angle(i).cos(), 200.0 + 150.0 * angle(i).sin()]).collect()
     }
 
     #[test]
@@ -120,10 +98,7 @@ mod tests {
         let thin = thin.points;
         assert!(thin.len() < 100, "{}", thin.len());
         for point in circle(5000) {
-            let nearest = thin
-                .windows(2)
-                .map(|s| distance(point, s[0], s[1]))
-                .fold(f64::MAX, f64::min);
+            let nearest = thin.windows(2).map(|s| distance(point, s[0], s[1])).fold(f64::MAX, f64::min);
             assert!(nearest <= 2.0 * INVISIBLE, "{nearest}");
         }
     }
@@ -135,28 +110,20 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             f64::from(seed) / f64::from(u32::MAX) * 40.0
         };
-        let path: Vec<Point> = (0..40_000)
-            .map(|i| [f64::from(i) * 0.01, noise()])
-            .collect();
+        let path: Vec<Point> = (0..40_000).map(|i| [f64::from(i) * 0.01, noise()]).collect();
         let thin = simplify(&path, 300);
         assert!(thin.rough);
         let thin = thin.points;
         assert!(thin.len() <= 300);
         let high = thin.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
         assert!(high > 39.0, "{high}");
-        assert_eq!(
-            (thin[0], thin[thin.len() - 1]),
-            (path[0], path[path.len() - 1])
-        );
+        assert_eq!((thin[0], thin[thin.len() - 1]), (path[0], path[path.len() - 1]));
     }
 
     #[test]
     fn short_paths_pass_unchanged() {
         assert!(simplify(&[], 10).points.is_empty());
         assert_eq!(simplify(&[[1.0, 2.0]], 10).points, [[1.0, 2.0]]);
-        assert_eq!(
-            simplify(&[[1.0, 1.0]; 5], 10).points,
-            [[1.0, 1.0], [1.0, 1.0]]
-        );
+        assert_eq!(simplify(&[[1.0, 1.0]; 5], 10).points, [[1.0, 1.0], [1.0, 1.0]]);
     }
 }

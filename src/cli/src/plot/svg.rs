@@ -36,21 +36,12 @@ pub struct TextStyle {
 impl TextStyle {
     /// Plain primary text.
     pub fn plain(size: f64, anchor: Anchor) -> Self {
-        Self {
-            size,
-            anchor,
-            turn: 0.0,
-            bold: false,
-            faint: false,
-        }
+        Self { size, anchor, turn: 0.0, bold: false, faint: false }
     }
 
     /// Secondary text: tick labels, remarks.
     pub fn faint(size: f64, anchor: Anchor) -> Self {
-        Self {
-            faint: true,
-            ..Self::plain(size, anchor)
-        }
+        Self { faint: true, ..Self::plain(size, anchor) }
     }
 }
 
@@ -66,12 +57,7 @@ pub struct Svg {
 impl Svg {
     /// Starts a document of a size in px; `title` is what a screen reader says.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
-        Self {
-            body: String::new(),
-            width,
-            height,
-            title: title.to_owned(),
-        }
+        Self { body: String::new(), width, height, title: title.to_owned() }
     }
 
     /// The finished document.
@@ -99,11 +85,7 @@ impl Svg {
             "<path class=\"l {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
             role.class(),
             role.light(),
-            px(if rough {
-                role.width().min(NOISY)
-            } else {
-                role.width()
-            }),
+            px(if rough { role.width().min(NOISY) } else { role.width() }),
         );
         if let Some(dash) = role.dash().filter(|_| !rough) {
             let _ = write!(self.body, " stroke-dasharray=\"{dash}\"");
@@ -157,23 +139,13 @@ impl Svg {
 
     /// A text.
     pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
-        let (class, colour) = if style.faint {
-            ("faint", FAINT_INK)
-        } else {
-            ("ink", INK)
-        };
+        let (class, colour) = if style.faint { ("faint", FAINT_INK) } else { ("ink", INK) };
         self.text_in(at, text, style, class, colour);
     }
 
     /// A text on a [`Svg::cell`], dark or light as its fill demands, the same on a dark page.
     pub fn cell_text(&mut self, at: Point, text: &str, style: TextStyle, dark: bool) {
-        self.text_in(
-            at,
-            text,
-            style,
-            "fixed",
-            if dark { "#000000" } else { "#ffffff" },
-        );
+        self.text_in(at, text, style, "fixed", if dark { "#000000" } else { "#ffffff" });
     }
 
     fn text_in(&mut self, at: Point, text: &str, style: TextStyle, class: &str, colour: &str) {
@@ -192,11 +164,7 @@ impl Svg {
             self.body.push_str(" font-weight=\"600\"");
         }
         if style.turn != 0.0 {
-            let _ = write!(
-                self.body,
-                " transform=\"rotate({} {x} {y})\"",
-                px(style.turn)
-            );
+            let _ = write!(self.body, " transform=\"rotate({} {x} {y})\"", px(style.turn));
         }
         let _ = write!(self.body, ">{}</text>", escape(text));
     }
@@ -272,13 +240,7 @@ mod tests {
 
     #[test]
     fn path_data_reads_back_to_a_tenth_of_a_pixel() {
-        let points = [
-            [10.04, 20.0],
-            [10.31, 19.5],
-            [9.0, 19.54],
-            [9.0, 19.54],
-            [400.26, 0.0],
-        ];
+        let points = [[10.04, 20.0], [10.31, 19.5], [9.0, 19.54], [9.0, 19.54], [400.26, 0.0]];
         let data = path_data(&points);
         assert_eq!(data, "M10 20l.3-.5-1.3 0 391.3-19.5");
     }
@@ -286,11 +248,7 @@ mod tests {
     #[test]
     fn names_cannot_break_out_of_the_document() {
         let mut svg = Svg::new(10.0, 10.0, "</title><script>");
-        svg.text(
-            [0.0, 0.0],
-            "a<b & \"c\"\u{1}",
-            TextStyle::plain(10.0, Anchor::End),
-        );
+        svg.text([0.0, 0.0], "a<b & \"c\"\u{1}", TextStyle::plain(10.0, Anchor::End));
         let text = svg.finish();
         assert!(text.contains("&lt;/title&gt;&lt;script&gt;") && !text.contains("<script>"));
         assert!(text.contains(">a&lt;b &amp; &quot;c&quot;</text>"));

@@ -16,35 +16,19 @@ impl Ticks {
         }
         let rough = span / wanted.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
-        let factor = [1.0, 2.0, 2.5, 5.0, 10.0]
-            .into_iter()
-            .find(|f| f * decade >= rough * 0.999)
-            .unwrap_or(10.0);
+        let factor = [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().find(|f| f * decade >= rough * 0.999).unwrap_or(10.0);
         let step = factor * decade;
         let quarter = usize::from(factor == 2.5);
         let decimals = (-decade.log10().round()).max(-(quarter as f64)) as i32 + quarter as i32;
-        let decimals = if factor == 10.0 {
-            decimals - 1
-        } else {
-            decimals
-        }
-        .clamp(0, 12) as usize;
+        let decimals = if factor == 10.0 { decimals - 1 } else { decimals }.clamp(0, 12) as usize;
         let first = (low / step - 1e-9).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
-        Self {
-            at: (first..=last)
-                .map(|i| (i as f64 * step, number(i as f64 * step, decimals)))
-                .collect(),
-        }
+        Self { at: (first..=last).map(|i| (i as f64 * step, number(i as f64 * step, decimals))).collect() }
     }
 
     /// Marks of a logarithmic axis inside `low..=high`, both positive: decades, with 2 and 5 between where few.
     pub fn logarithmic(low: f64, high: f64) -> Self {
-        let factors: &[f64] = if high / low > 2e3 {
-            &[1.0]
-        } else {
-            &[1.0, 2.0, 5.0]
-        };
+        let factors: &[f64] = if high / low > 2e3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let mut at = Vec::new();
         for exponent in low.log10().floor() as i32..=high.log10().ceil() as i32 {
             for factor in factors {
@@ -79,26 +63,11 @@ mod tests {
 
     #[test]
     fn steps_are_round_and_labels_say_what_is_marked() {
-        assert_eq!(
-            labels(&Ticks::linear(-2100.0, 4050.0, 6)),
-            ["−2000", "0", "2000", "4000"]
-        );
-        assert_eq!(
-            labels(&Ticks::linear(-0.55, 0.55, 4)),
-            ["−0.5", "0.0", "0.5"]
-        );
-        assert_eq!(
-            labels(&Ticks::linear(0.0, 1.0, 4)),
-            ["0.00", "0.25", "0.50", "0.75", "1.00"]
-        );
-        assert_eq!(
-            labels(&Ticks::linear(0.0, 100.0, 4)),
-            ["0", "25", "50", "75", "100"]
-        );
-        assert_eq!(
-            labels(&Ticks::logarithmic(0.5, 50.0)),
-            ["0.5", "1", "2", "5", "10", "20", "50"]
-        );
+        assert_eq!(labels(&Ticks::linear(-2100.0, 4050.0, 6)), ["−2000", "0", "2000", "4000"]);
+        assert_eq!(labels(&Ticks::linear(-0.55, 0.55, 4)), ["−0.5", "0.0", "0.5"]);
+        assert_eq!(labels(&Ticks::linear(0.0, 1.0, 4)), ["0.00", "0.25", "0.50", "0.75", "1.00"]);
+        assert_eq!(labels(&Ticks::linear(0.0, 100.0, 4)), ["0", "25", "50", "75", "100"]);
+        assert_eq!(labels(&Ticks::logarithmic(0.5, 50.0)), ["0.5", "1", "2", "5", "10", "20", "50"]);
     }
 
     #[test]
@@ -114,10 +83,7 @@ mod tests {
                 for (value, label) in &ticks.at {
                     assert!((low * 1.001..=high * 1.001).contains(value));
                     let read: f64 = label.replace('\u{2212}', "-").parse().unwrap();
-                    assert!(
-                        (read - value).abs() < 1e-9 * high.max(1.0),
-                        "{label} marks {value}"
-                    );
+                    assert!((read - value).abs() < 1e-9 * high.max(1.0), "{label} marks {value}");
                 }
             }
         }
@@ -125,9 +91,6 @@ mod tests {
 
     #[test]
     fn an_empty_range_has_no_marks() {
-        assert!(
-            Ticks::linear(1.0, 1.0, 5).at.is_empty()
-                && Ticks::linear(0.0, f64::NAN, 5).at.is_empty()
-        );
+        assert!(Ticks::linear(1.0, 1.0, 5).at.is_empty() && Ticks::linear(0.0, f64::NAN, 5).at.is_empty());
     }
 }

@@ -72,12 +72,7 @@ pub struct Column {
 impl Section {
     /// A section without choices.
     pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self {
-            id: id.into(),
-            title: title.into(),
-            blocks,
-            choices: Vec::new(),
-        }
+        Self { id: id.into(), title: title.into(), blocks, choices: Vec::new() }
     }
 
     /// All figures in reading order.
@@ -98,31 +93,19 @@ impl Section {
 impl Figure {
     /// A figure without caption.
     pub fn new(file: impl Into<String>, svg: String) -> Self {
-        Self {
-            file: file.into(),
-            svg,
-            caption: String::new(),
-        }
+        Self { file: file.into(), svg, caption: String::new() }
     }
 }
 
 impl Column {
     /// A column of words.
     pub fn words(heading: &'static str) -> Self {
-        Self {
-            group: "",
-            heading,
-            figures: false,
-        }
+        Self { group: "", heading, figures: false }
     }
 
     /// A column of figures.
     pub fn figures(heading: &'static str) -> Self {
-        Self {
-            group: "",
-            heading,
-            figures: true,
-        }
+        Self { group: "", heading, figures: true }
     }
 
     /// The same column under a group heading.

@@ -19,14 +19,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>]) -> Section {
         .enumerate()
         .map(|(i, (figures, compared))| one(i, figures, compared))
         .collect();
-    Section {
-        choices,
-        ..Section::new(
-            "single-tests",
-            "Single tests",
-            vec![Block::Paragraph(about)],
-        )
-    }
+    Section { choices, ..Section::new("single-tests", "Single tests", vec![Block::Paragraph(about)]) }
 }
 
 fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>) -> Section {
@@ -34,12 +27,8 @@ fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>) -> Secti
     let mut blocks = vec![Block::Paragraph(in_words(figures, compared))];
     let notes = &compared.record.notes;
     if !notes.is_empty() {
-        blocks.push(Block::Paragraph(
-            "What reading and cleaning did or noticed:".into(),
-        ));
-        blocks.push(Block::List(
-            notes.iter().map(|note| note.text.clone()).collect(),
-        ));
+        blocks.push(Block::Paragraph("What reading and cleaning did or noticed:".into()));
+        blocks.push(Block::List(notes.iter().map(|note| note.text.clone()).collect()));
     }
     let stem = format!("{number:03}-{}", file_name(&figures.name));
     let figure = |kind: &str, svg: String| Figure::new(format!("{stem}-{kind}"), svg);
@@ -52,13 +41,8 @@ fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>) -> Secti
         figure("error-in-space", in_space::error(compared)),
         figure("force-time", of_test::force_time(compared)),
     ];
-    let gap = figures
-        .hysteresis
-        .as_ref()
-        .filter(|hysteresis| hysteresis.gap.len() > 1);
-    plots.extend(
-        gap.map(|hysteresis| figure("hysteresis-gap", of_test::hysteresis_gap(hysteresis))),
-    );
+    let gap = figures.hysteresis.as_ref().filter(|hysteresis| hysteresis.gap.len() > 1);
+    plots.extend(gap.map(|hysteresis| figure("hysteresis-gap", of_test::hysteresis_gap(hysteresis))));
     blocks.push(Block::Figures(plots));
     Section::new(format!("test-{number}"), figures.name.clone(), blocks)
 }
@@ -74,18 +58,11 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>) -> String {
             figures.cycles,
         )
     } else {
-        format!(
-            "Not periodic, peak velocity {} mm/s.",
-            milli(figures.peak_velocity_m_s)
-        )
+        format!("Not periodic, peak velocity {} mm/s.", milli(figures.peak_velocity_m_s))
     };
     let temperature = compared.record.temperature.as_ref().and_then(|channel| {
         let (first, last) = (channel.first()?, channel.last()?);
-        Some(format!(
-            " Temperature {} °C at the start, {} °C at the end.",
-            digits(*first, 3),
-            digits(*last, 3)
-        ))
+        Some(format!(" Temperature {} °C at the start, {} °C at the end.", digits(*first, 3), digits(*last, 3)))
     });
     let noise = if figures.noise_rms_n > 0.0 {
         format!(" Force noise {} N rms.", digits(figures.noise_rms_n, 2))
@@ -95,11 +72,7 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>) -> String {
     format!(
         "{motion} {} Largest force {} N. Mean error of the model {} N, {} %; of the force–velocity curve alone {} N, \
          {} %.{noise}{}",
-        if figures.used_in_fit {
-            "Used in the fit."
-        } else {
-            "Left out of the fit."
-        },
+        if figures.used_in_fit { "Used in the fit." } else { "Left out of the fit." },
         force(figures.max_force_n),
         error(figures.errors.model.mean_error_n),
         percent(figures.errors.model.error_percent),
@@ -112,11 +85,7 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>) -> String {
 /// A test's name as part of a file name: what no file system minds. The running number keeps it unique.
 fn file_name(name: &str) -> String {
     let safe = |c: char| {
-        if c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '.' {
-            c
-        } else {
-            '_'
-        }
+        if c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '.' { c } else { '_' }
     };
     name.chars().map(safe).take(60).collect()
 }

@@ -13,23 +13,15 @@ pub fn section(validation: &Validation) -> Section {
     let matrix = &validation.matrix;
     let mut blocks = Vec::new();
     blocks.extend(
-        overview::error_map(validation)
-            .map(|svg| Block::Wide(Figure::new("overview-amplitude-velocity", svg))),
+        overview::error_map(validation).map(|svg| Block::Wide(Figure::new("overview-amplitude-velocity", svg))),
     );
     let apart: Vec<&MatrixRow> = matrix.slow.iter().chain(&matrix.not_periodic).collect();
-    let rule =
-        "Each test has equal weight in its row; the percent is of the largest force of the row.";
+    let rule = "Each test has equal weight in its row; the percent is of the largest force of the row.";
     if !matrix.by_amplitude.is_empty() {
         let rows = matrix.by_amplitude.iter().chain(apart.iter().copied());
-        blocks.push(Block::Table(table(
-            format!("Tests of one amplitude together. {rule}"),
-            rows,
-        )));
+        blocks.push(Block::Table(table(format!("Tests of one amplitude together. {rule}"), rows)));
         let rows = matrix.by_peak_velocity.iter();
-        blocks.push(Block::Table(table(
-            format!("Tests of one peak velocity together. {rule}"),
-            rows,
-        )));
+        blocks.push(Block::Table(table(format!("Tests of one peak velocity together. {rule}"), rows)));
     } else {
         blocks.push(Block::Table(table(rule.to_owned(), apart.iter().copied())));
     }
@@ -45,18 +37,10 @@ pub fn tests(validation: &Validation) -> Section {
             let mut cells = vec![
                 test.name.clone(),
                 milli(test.amplitude_m),
-                if test.frequency_hz > 0.0 {
-                    frequency(test.frequency_hz)
-                } else {
-                    "–".into()
-                },
+                if test.frequency_hz > 0.0 { frequency(test.frequency_hz) } else { "–".into() },
                 milli(test.peak_velocity_m_s),
                 force(test.max_force_n),
-                if test.used_in_fit {
-                    "yes".into()
-                } else {
-                    "no".into()
-                },
+                if test.used_in_fit { "yes".into() } else { "no".into() },
             ];
             cells.extend(figures(&test.errors));
             cells
@@ -72,42 +56,20 @@ pub fn tests(validation: &Validation) -> Section {
     ];
     columns.extend(error_columns());
     let caption = "Every test by itself; the percent is of its own largest force.".to_owned();
-    Section::new(
-        "tests",
-        "Errors of every test",
-        vec![Block::Table(Table {
-            caption,
-            columns,
-            rows,
-            sortable: true,
-        })],
-    )
+    Section::new("tests", "Errors of every test", vec![Block::Table(Table { caption, columns, rows, sortable: true })])
 }
 
 fn table<'a>(caption: String, rows: impl Iterator<Item = &'a MatrixRow>) -> Table {
     let rows = rows
         .map(|row| {
-            let mut cells = vec![
-                row.label.clone(),
-                row.tests.to_string(),
-                force(row.max_force_n),
-            ];
+            let mut cells = vec![row.label.clone(), row.tests.to_string(), force(row.max_force_n)];
             cells.extend(figures(&row.errors));
             cells
         })
         .collect();
-    let mut columns = vec![
-        Column::words("tests"),
-        Column::figures("number"),
-        Column::figures("largest force,\u{a0}N"),
-    ];
+    let mut columns = vec![Column::words("tests"), Column::figures("number"), Column::figures("largest force,\u{a0}N")];
     columns.extend(error_columns());
-    Table {
-        caption,
-        columns,
-        rows,
-        sortable: false,
-    }
+    Table { caption, columns, rows, sortable: false }
 }
 
 fn error_columns() -> Vec<Column> {

@@ -57,8 +57,7 @@ pub fn render(input: &ReportInput<'_>) -> String {
 /// # Errors
 /// When the folder does not exist or cannot be written; the older report then stays.
 pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> {
-    replace_file(path, render(input).as_bytes())
-        .with_context(|| format!("writing the report {}", path.display()))
+    replace_file(path, render(input).as_bytes()).with_context(|| format!("writing the report {}", path.display()))
 }
 
 /// Writes every figure of the report as a file of its own into a folder, which is made if missing. Returns the paths in
@@ -67,14 +66,12 @@ pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> 
 /// # Errors
 /// When the folder or a file cannot be written.
 pub fn svgs(input: &ReportInput<'_>, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    std::fs::create_dir_all(folder)
-        .with_context(|| format!("making the folder {}", folder.display()))?;
+    std::fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))?;
     let sections = sections(input);
     let mut written = Vec::new();
     for figure in sections.iter().flat_map(Section::figures) {
         let path = folder.join(format!("{}.svg", figure.file));
-        replace_file(&path, figure.svg.as_bytes())
-            .with_context(|| format!("writing the figure {}", path.display()))?;
+        replace_file(&path, figure.svg.as_bytes()).with_context(|| format!("writing the figure {}", path.display()))?;
         written.push(path);
     }
     Ok(written)
@@ -82,22 +79,12 @@ pub fn svgs(input: &ReportInput<'_>, folder: &Path) -> anyhow::Result<Vec<PathBu
 
 /// All sections in reading order: the answer first, the evidence after it.
 fn sections(input: &ReportInput<'_>) -> Vec<Section> {
-    let mut sections = vec![
-        summary::section(input.validation),
-        errors::section(input.validation),
-    ];
+    let mut sections = vec![summary::section(input.validation), errors::section(input.validation)];
     sections.extend(hysteresis::section(input.validation));
     if !input.identification.is_empty() {
-        sections.push(Section::new(
-            "identification",
-            "Identification",
-            input.identification.clone(),
-        ));
+        sections.push(Section::new("identification", "Identification", input.identification.clone()));
     }
-    sections.extend(parameters::section(
-        &input.parameters,
-        &input.parameter_range,
-    ));
+    sections.extend(parameters::section(&input.parameters, &input.parameter_range));
     sections.extend(input.extra.iter().cloned());
     sections.push(errors::tests(input.validation));
     sections.push(each_test::section(input.validation, input.tests));
@@ -106,10 +93,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
 
 /// What was compared with what.
 fn subtitle(input: &ReportInput<'_>) -> String {
-    format!(
-        "Model {} against the rig data in {}",
-        input.model_file, input.data
-    )
+    format!("Model {} against the rig data in {}", input.model_file, input.data)
 }
 
 #[cfg(test)]
@@ -132,41 +116,25 @@ mod tests {
             parameters: vec![],
             parameter_range: String::new(),
             identification: vec![Block::Warning("mass was not identifiable".into())],
-            extra: vec![Section::new(
-                "later",
-                "Later",
-                vec![Block::Paragraph("to come".into())],
-            )],
+            extra: vec![Section::new("later", "Later", vec![Block::Paragraph("to come".into())])],
         })
     }
 
     fn records() -> Vec<Record> {
         let mut noted = record(3, true);
-        noted.notes.push(Note {
-            kind: "trimmed",
-            text: "12 samples before the first cycle".into(),
-        });
+        noted.notes.push(Note { kind: "trimmed", text: "12 samples before the first cycle".into() });
         vec![noted, record(2, false), record(1, true)]
     }
 
     #[test]
     fn the_page_holds_every_section_and_asks_nobody() {
         let html = with_input(&records(), render);
-        for expected in [
-            "Front damper",
-            "front.toml",
-            "mass was not identifiable",
-            "to come",
-            "12 samples before",
-        ] {
+        for expected in ["Front damper", "front.toml", "mass was not identifiable", "to come", "12 samples before"] {
             assert!(html.contains(expected), "{expected}");
         }
         // The only address allowed is the name of the SVG language.
         let addresses = html.matches("http").count();
-        assert_eq!(
-            addresses,
-            html.matches("xmlns=\"http://www.w3.org/2000/svg\"").count()
-        );
+        assert_eq!(addresses, html.matches("xmlns=\"http://www.w3.org/2000/svg\"").count());
         assert!(!html.contains(" src=") && !html.contains("@import") && !html.contains("url("));
         assert!(html.contains("50 mm &lt;5 Hz&gt;") && !html.contains("<5 Hz>"));
         assert!(!html.replace("isNaN", "").contains("NaN"));
@@ -176,17 +144,10 @@ mod tests {
     fn links_inside_the_page_lead_somewhere_and_ids_are_unique() {
         let html = with_input(&records(), render);
         let after = |mark: &str| -> Vec<String> {
-            html.split(mark)
-                .skip(1)
-                .map(|rest| rest.split('"').next().unwrap().to_owned())
-                .collect()
+            html.split(mark).skip(1).map(|rest| rest.split('"').next().unwrap().to_owned()).collect()
         };
         let ids = after(" id=\"");
-        assert_eq!(
-            ids.iter().collect::<BTreeSet<_>>().len(),
-            ids.len(),
-            "{ids:?}"
-        );
+        assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "{ids:?}");
         for link in after("href=\"#") {
             assert!(ids.contains(&link), "{link}");
         }
@@ -195,22 +156,15 @@ mod tests {
     #[test]
     fn tags_are_balanced() {
         let html = with_input(&records(), render);
-        for tag in [
-            "section", "table", "thead", "tbody", "tr", "figure", "svg", "ul", "li", "p", "div",
-            "h2", "h3",
-        ] {
-            let open = html.matches(&format!("<{tag}>")).count()
-                + html.matches(&format!("<{tag} ")).count();
+        for tag in ["section", "table", "thead", "tbody", "tr", "figure", "svg", "ul", "li", "p", "div", "h2", "h3"] {
+            let open = html.matches(&format!("<{tag}>")).count() + html.matches(&format!("<{tag} ")).count();
             assert_eq!(open, html.matches(&format!("</{tag}>")).count(), "{tag}");
         }
     }
 
     #[test]
     fn the_same_input_gives_the_same_bytes() {
-        assert_eq!(
-            with_input(&records(), render),
-            with_input(&records(), render)
-        );
+        assert_eq!(with_input(&records(), render), with_input(&records(), render));
     }
 
     #[test]

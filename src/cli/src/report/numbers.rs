@@ -30,11 +30,7 @@ pub fn frequency(hertz: f64) -> String {
 /// A value to so many significant digits; very large and very small ones as a power of ten.
 pub fn digits(value: f64, significant: i32) -> String {
     if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 {
-            "0".into()
-        } else {
-            "–".into()
-        };
+        return if value == 0.0 { "0".into() } else { "–".into() };
     }
     // Rounding may reach the next power of ten (999.6 is 1000), so read the exponent of the rounded value.
     let rounded = format!("{value:.*e}", (significant - 1).max(0) as usize);
@@ -43,21 +39,13 @@ pub fn digits(value: f64, significant: i32) -> String {
     if (-4..6).contains(&exponent) {
         return number(value, (significant - 1 - exponent).max(0) as usize);
     }
-    format!(
-        "{}\u{b7}10{}",
-        mantissa.replace('-', "\u{2212}"),
-        superscript(exponent)
-    )
+    format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
 }
 
 /// A value with as many decimals as give `reference` three digits: figures compared with each other end at the same
 /// place, and what is nothing beside the reference reads as nothing.
 pub fn beside(value: f64, reference: f64) -> String {
-    let exponent = if reference == 0.0 {
-        0.0
-    } else {
-        reference.abs().log10().floor()
-    };
+    let exponent = if reference == 0.0 { 0.0 } else { reference.abs().log10().floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
@@ -65,14 +53,8 @@ pub fn beside(value: f64, reference: f64) -> String {
 fn superscript(value: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = value.unsigned_abs().to_string();
-    let raised = digits
-        .bytes()
-        .map(|digit| RAISED[usize::from(digit - b'0')]);
-    if value < 0 {
-        std::iter::once('⁻').chain(raised).collect()
-    } else {
-        raised.collect()
-    }
+    let raised = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]);
+    if value < 0 { std::iter::once('⁻').chain(raised).collect() } else { raised.collect() }
 }
 
 #[cfg(test)]
@@ -96,14 +78,7 @@ mod tests {
             assert_eq!(digits(value, 3), text);
         }
         assert_eq!(milli(0.05), "50.0");
-        assert_eq!(
-            [
-                beside(-12.94, -12.94),
-                beside(6.6e-13, -12.94),
-                beside(1102.4, 999.0)
-            ],
-            ["−12.9", "0.0", "1102"]
-        );
+        assert_eq!([beside(-12.94, -12.94), beside(6.6e-13, -12.94), beside(1102.4, 999.0)], ["−12.9", "0.0", "1102"]);
         assert_eq!(error(-0.04), "0.0");
     }
 }

@@ -19,32 +19,18 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section]) -> String {
         escape(subtitle),
     );
     for part in sections {
-        let _ = write!(
-            html,
-            "<a href=\"#{}\">{}</a> ",
-            escape(&part.id),
-            escape(&part.title)
-        );
+        let _ = write!(html, "<a href=\"#{}\">{}</a> ", escape(&part.id), escape(&part.title));
     }
     html.push_str("</nav>\n</header>\n<main>\n");
     for part in sections {
         section(&mut html, part);
     }
-    let _ = write!(
-        html,
-        "</main>\n<script>\n{}</script>\n</body>\n</html>\n",
-        include_str!("page.js")
-    );
+    let _ = write!(html, "</main>\n<script>\n{}</script>\n</body>\n</html>\n", include_str!("page.js"));
     html
 }
 
 fn section(html: &mut String, section: &Section) {
-    let _ = writeln!(
-        html,
-        "<section id=\"{}\">\n<h2>{}</h2>",
-        escape(&section.id),
-        escape(&section.title)
-    );
+    let _ = writeln!(html, "<section id=\"{}\">\n<h2>{}</h2>", escape(&section.id), escape(&section.title));
     section.blocks.iter().for_each(|part| block(html, part));
     if !section.choices.is_empty() {
         html.push_str("<div class=\"choices\">\n");
@@ -67,16 +53,9 @@ fn block(html: &mut String, block: &Block) {
     let _ = match block {
         Block::Lead(text) => writeln!(html, "<p class=\"lead\">{}</p>", escape(text)),
         Block::Paragraph(text) => writeln!(html, "<p>{}</p>", escape(text)),
-        Block::Warning(text) => writeln!(
-            html,
-            "<p class=\"warning\"><strong>Note.</strong> {}</p>",
-            escape(text)
-        ),
+        Block::Warning(text) => writeln!(html, "<p class=\"warning\"><strong>Note.</strong> {}</p>", escape(text)),
         Block::List(items) => {
-            let items: String = items
-                .iter()
-                .map(|item| format!("<li>{}</li>", escape(item)))
-                .collect();
+            let items: String = items.iter().map(|item| format!("<li>{}</li>", escape(item))).collect();
             writeln!(html, "<ul>{items}</ul>")
         }
         Block::Table(part) => {
@@ -104,11 +83,7 @@ fn figure(html: &mut String, figure: &Figure, class: &str) {
 }
 
 fn table(html: &mut String, table: &Table) {
-    let class = if table.sortable {
-        " class=\"sortable\""
-    } else {
-        ""
-    };
+    let class = if table.sortable { " class=\"sortable\"" } else { "" };
     if !table.caption.is_empty() {
         // Not a <caption>: that would be as wide as the table and scroll away with it.
         let _ = writeln!(html, "<p class=\"caption\">{}</p>", escape(&table.caption));
@@ -118,23 +93,13 @@ fn table(html: &mut String, table: &Table) {
     groups(html, &table.columns);
     html.push_str("<tr class=\"headings\">");
     for (i, column) in table.columns.iter().enumerate() {
-        let _ = write!(
-            html,
-            "<th{}>{}</th>",
-            class_of(&table.columns, i),
-            escape(column.heading)
-        );
+        let _ = write!(html, "<th{}>{}</th>", class_of(&table.columns, i), escape(column.heading));
     }
     html.push_str("</tr>\n</thead>\n<tbody>\n");
     for row in &table.rows {
         html.push_str("<tr>");
         for (i, cell) in row.iter().enumerate() {
-            let _ = write!(
-                html,
-                "<td{}>{}</td>",
-                class_of(&table.columns, i),
-                escape(cell)
-            );
+            let _ = write!(html, "<td{}>{}</td>", class_of(&table.columns, i), escape(cell));
         }
         html.push_str("</tr>\n");
     }
@@ -149,11 +114,7 @@ fn groups(html: &mut String, columns: &[Column]) {
     html.push_str("<tr>");
     for group in columns.chunk_by(|a, b| a.group == b.group) {
         let (name, span) = (group[0].group, group.len());
-        let class = if name.is_empty() {
-            ""
-        } else {
-            " class=\"group\""
-        };
+        let class = if name.is_empty() { "" } else { " class=\"group\"" };
         let _ = write!(html, "<th{class} colspan=\"{span}\">{}</th>", escape(name));
     }
     html.push_str("</tr>\n");

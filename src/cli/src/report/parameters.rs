@@ -51,15 +51,6 @@ pub fn section(parameters: &[ParameterRow], range: &str) -> Option<Section> {
         Column::words("source"),
         Column::words("note"),
     ];
-    let table = Table {
-        caption: range.to_owned(),
-        columns,
-        rows,
-        sortable: false,
-    };
-    Some(Section::new(
-        "parameters",
-        "Model parameters",
-        vec![Block::Table(table)],
-    ))
+    let table = Table { caption: range.to_owned(), columns, rows, sortable: false };
+    Some(Section::new("parameters", "Model parameters", vec![Block::Table(table)]))
 }

@@ -8,10 +8,7 @@ use std::path::Path;
 /// # Errors
 /// When the folder is missing or full, or the file cannot be replaced; the older file then stays as it was.
 pub fn replace_file(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     // Temporary files are private by default; a report is meant to be passed on. The user's mask still applies.
     #[cfg(unix)]

@@ -12,35 +12,21 @@ pub fn section(validation: &Validation) -> Section {
     blocks.extend(worst(validation).map(Block::Paragraph));
     blocks.extend(noise(validation).map(Block::Paragraph));
     blocks.push(Block::Table(key_table(validation)));
-    blocks.push(Block::Wide(Figure::new(
-        "overview-tests",
-        overview::error_of_tests(validation),
-    )));
+    blocks.push(Block::Wide(Figure::new("overview-tests", overview::error_of_tests(validation))));
     Section::new("summary", "Summary", blocks)
 }
 
 /// The result beside that of the force–velocity curve alone.
 fn headline(validation: &Validation) -> String {
     let Errors { model, fv_only } = validation.overall.errors;
-    let closer = validation
-        .tests
-        .iter()
-        .filter(|test| is_closer(test))
-        .count();
+    let closer = validation.tests.iter().filter(|test| is_closer(test)).count();
     let tests = validation.tests.len();
-    let over = if tests == 1 {
-        "In the one test".into()
-    } else {
-        format!("Over {tests} tests")
-    };
+    let over = if tests == 1 { "In the one test".into() } else { format!("Over {tests} tests") };
     let ratio = fv_only.mean_error_n / model.mean_error_n;
     let verdict = if !ratio.is_finite() {
         "the model follows the measurement exactly".to_owned()
     } else if ratio >= 1.05 {
-        format!(
-            "the model's mean error is smaller by a factor of {}",
-            digits(ratio, 2)
-        )
+        format!("the model's mean error is smaller by a factor of {}", digits(ratio, 2))
     } else if ratio > 0.95 {
         "the model gains nothing worth having over the curve".to_owned()
     } else {
@@ -94,16 +80,9 @@ fn left_out(validation: &Validation) -> Option<String> {
 /// The test with the largest error percent.
 fn worst(validation: &Validation) -> Option<String> {
     let by_percent = |a: &&TestValidation, b: &&TestValidation| {
-        a.errors
-            .model
-            .error_percent
-            .total_cmp(&b.errors.model.error_percent)
+        a.errors.model.error_percent.total_cmp(&b.errors.model.error_percent)
     };
-    let test = validation
-        .tests
-        .iter()
-        .max_by(by_percent)
-        .filter(|_| validation.tests.len() > 1)?;
+    let test = validation.tests.iter().max_by(by_percent).filter(|_| validation.tests.len() > 1)?;
     Some(format!(
         "The largest error in percent is that of test “{}”: {} %, which is {} N of {} N.",
         test.name,
@@ -115,12 +94,7 @@ fn worst(validation: &Validation) -> Option<String> {
 
 /// What no model can do better than.
 fn noise(validation: &Validation) -> Option<String> {
-    let known: Vec<f64> = validation
-        .tests
-        .iter()
-        .map(|test| test.noise_rms_n)
-        .filter(|rms| *rms > 0.0)
-        .collect();
+    let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {
         return None;
     }
@@ -140,14 +114,8 @@ fn key_table(validation: &Validation) -> Table {
         ("used in the fit", validation.used_in_fit.as_ref()),
         ("left out of the fit", validation.left_out.as_ref()),
     ];
-    for (name, summary) in groups
-        .into_iter()
-        .filter_map(|(name, summary)| Some((name, summary?)))
-    {
-        for (what, figures) in [
-            ("model", summary.errors.model),
-            ("FV curve alone", summary.errors.fv_only),
-        ] {
+    for (name, summary) in groups.into_iter().filter_map(|(name, summary)| Some((name, summary?))) {
+        for (what, figures) in [("model", summary.errors.model), ("FV curve alone", summary.errors.fv_only)] {
             rows.push(vec![
                 name.to_owned(),
                 summary.tests.to_string(),
@@ -176,12 +144,7 @@ fn key_table(validation: &Validation) -> Table {
          they add up to it. All are means over tests, each test with equal weight.",
         digits(1e3 * validation.region_boundary_m_s, 3),
     );
-    Table {
-        caption,
-        columns,
-        rows,
-        sortable: false,
-    }
+    Table { caption, columns, rows, sortable: false }
 }
 
 fn is_closer(test: &TestValidation) -> bool {
@@ -199,17 +162,9 @@ mod tests {
         let record = record(2, true);
         let mut test = compared(&record);
         let text = |test: &_| headline(&validate(std::slice::from_ref(test)).unwrap());
-        assert!(
-            text(&test).contains("smaller by a factor of"),
-            "{}",
-            text(&test)
-        );
+        assert!(text(&test).contains("smaller by a factor of"), "{}", text(&test));
         std::mem::swap(&mut test.model, &mut test.fv_only);
-        assert!(
-            text(&test).contains("does worse than the curve"),
-            "{}",
-            text(&test)
-        );
+        assert!(text(&test).contains("does worse than the curve"), "{}", text(&test));
         test.model = test.fv_only.clone();
         assert!(text(&test).contains("gains nothing"), "{}", text(&test));
     }

@@ -114,7 +114,15 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 fn table(rows: &[Row]) -> String {
     let mut out = format!(
         "{:<8} {:<13} {:>8} {:>12} {:>12} {:>14} {:>14} {:>13} {:>8}\n",
-        "model", "method", "substeps", "rms % 1 ms", "max % 1 ms", "rms % 0.25 ms", "rms % v alone", "instructions", "ns"
+        "model",
+        "method",
+        "substeps",
+        "rms % 1 ms",
+        "max % 1 ms",
+        "rms % 0.25 ms",
+        "rms % v alone",
+        "instructions",
+        "ns"
     );
     for r in rows {
         let substeps = if r.automatic { format!("auto ({})", r.substeps) } else { r.substeps.to_string() };

@@ -45,11 +45,7 @@ pub fn step_forces(
     (1..=steps)
         .map(|i| {
             let (x, v) = motion(i as f64 * dt);
-            let input = if velocity_only {
-                Input::velocity(v)
-            } else {
-                Input::motion(x, v)
-            };
+            let input = if velocity_only { Input::velocity(v) } else { Input::motion(x, v) };
             let (next, output) = step(model, &state, &input, dt);
             state = next;
             output.force
@@ -90,12 +86,7 @@ pub fn reference_forces(
                 let k2 = rate(&moved(&state, &k1, 0.5 * h), t + 0.5 * h);
                 let k3 = rate(&moved(&state, &k2, 0.5 * h), t + 0.5 * h);
                 let k4 = rate(&moved(&state, &k3, h), t + h);
-                for (k, share) in [
-                    (k1, 1.0 / 6.0),
-                    (k2, 1.0 / 3.0),
-                    (k3, 1.0 / 3.0),
-                    (k4, 1.0 / 6.0),
-                ] {
+                for (k, share) in [(k1, 1.0 / 6.0), (k2, 1.0 / 3.0), (k3, 1.0 / 3.0), (k4, 1.0 / 6.0)] {
                     state = moved(&state, &k, share * h);
                 }
             }
@@ -107,15 +98,8 @@ pub fn reference_forces(
 /// Root-mean-square and largest difference as shares of the largest reference force.
 pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-    let square: f64 = forces
-        .iter()
-        .zip(exact)
-        .map(|(f, e)| (f - e) * (f - e))
-        .sum();
-    let largest = forces
-        .iter()
-        .zip(exact)
-        .fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
+    let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
+    let largest = forces.iter().zip(exact).fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
     ((square / exact.len() as f64).sqrt() / top, largest / top)
 }
 
@@ -133,12 +117,8 @@ pub fn any_params() -> impl Strategy<Value = Params> {
             for (row, share) in table().zip(&shares) {
                 let p = row.parameter;
                 match p.shape {
-                    Shape::Choice(words) => params
-                        .set(p.name, (share * words.len() as f64).floor())
-                        .ok()?,
-                    Shape::Scalar if p.name == "substeps" => {
-                        params.set(p.name, (share * 8.0).floor()).ok()?
-                    }
+                    Shape::Choice(words) => params.set(p.name, (share * words.len() as f64).floor()).ok()?,
+                    Shape::Scalar if p.name == "substeps" => params.set(p.name, (share * 8.0).floor()).ok()?,
                     Shape::Scalar => {
                         let low = if p.low > 0.0 { p.low } else { 1e-9 * p.high };
                         let by_decade = low * (p.high / low).powf(*share);

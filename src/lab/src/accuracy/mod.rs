@@ -116,5 +116,7 @@ impl References {
 
 /// The worst of several tests.
 pub fn worst(errors: &[(Sine, Errors)]) -> Errors {
-    errors.iter().fold(Errors::default(), |w, (_, e)| Errors { rms: w.rms.max(e.rms), largest: w.largest.max(e.largest) })
+    errors
+        .iter()
+        .fold(Errors::default(), |w, (_, e)| Errors { rms: w.rms.max(e.rms), largest: w.largest.max(e.largest) })
 }

@@ -55,8 +55,7 @@ pub fn dry(segments: &[Segment]) -> Dry {
 /// Velocities for the FV table: zero, and on each side points in geometric progression up to the fastest test, denser
 /// where curves bend. Points that the records do not reach are left out.
 pub fn velocities(segments: &[Segment]) -> Vec<f64> {
-    let all: Vec<f64> =
-        segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
+    let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
     let side = |sign: f64| {
         let mut speeds: Vec<f64> = all.iter().map(|v| sign * v).filter(|v| *v > 0.0).collect();
         speeds.sort_by(f64::total_cmp);
@@ -136,8 +135,8 @@ pub fn guess(segments: &[Segment]) -> Params {
     let mut p = Params::new();
     p.disable_all();
     let set = |p: &mut Params, name: &str, value: f64| {
-        let bounded = dashpot_core::parameter::find(name)
-            .map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
+        let bounded =
+            dashpot_core::parameter::find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
         let _ = p.set(name, bounded);
     };
     let _ = p.set_list("fv_velocity", &v);

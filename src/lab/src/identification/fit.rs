@@ -8,9 +8,9 @@ use super::sensitivity::Accuracy;
 use super::unknowns::{CurveName, Unknown, Unknowns};
 use super::variants::{Candidate, Choice, FRICTION, SPRING, Structure, choose, with_slow_points};
 use crate::records::Record;
+use dashpot_core::Params;
 use dashpot_core::elements;
 use dashpot_core::parameter::find;
-use dashpot_core::Params;
 use nalgebra::{DMatrix, DVector};
 
 /// Which kind of model is fitted.
@@ -195,8 +195,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let mut structure = start;
     progress(Stage { done: 0.3, text: "choosing the friction" });
     let with = |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, from: *from };
-    let list: Vec<_> =
-        frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
+    let list: Vec<_> = frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
     let (k, choice, found) = choose("friction", &list, segments);
     (structure.friction, from) = (frictions[k], found);
     choices.push(choice);
@@ -228,14 +227,8 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     found
 }
 
-
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
-fn finish(
-    segments: &[Segment],
-    mut unknowns: Unknowns,
-    fv_only: Params,
-    choices: Vec<Choice>,
-) -> Fit {
+fn finish(segments: &[Segment], mut unknowns: Unknowns, fv_only: Params, choices: Vec<Choice>) -> Fit {
     let mut notes = Vec::new();
     let refs: Vec<&Segment> = segments.iter().collect();
     // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
@@ -284,15 +277,7 @@ fn finish(
         ));
     }
     estimates.extend(left_out);
-    Fit {
-        params,
-        estimates,
-        choices,
-        notes,
-        tests: segments.iter().map(|s| s.name.clone()).collect(),
-        fv_only,
-        misfit,
-    }
+    Fit { params, estimates, choices, notes, tests: segments.iter().map(|s| s.name.clone()).collect(), fv_only, misfit }
 }
 
 /// Relative width of an interval.
@@ -356,8 +341,10 @@ fn coverage_notes(segments: &[Segment]) -> Vec<String> {
     let amplitudes: Vec<f64> = segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude).collect();
     let (low, high) = amplitudes.iter().fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
     if high < 2.0 * low {
-        notes.push("all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone".to_owned());
+        notes.push(
+            "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone"
+                .to_owned(),
+        );
     }
     notes
 }
-

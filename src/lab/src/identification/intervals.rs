@@ -69,7 +69,8 @@ pub fn estimates(
     let mut list = Vec::new();
     for (i, unknown) in unknowns.list.iter().enumerate() {
         let sd = cov[(i, i)].max(0.0).sqrt();
-        let at_bound = theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
+        let at_bound =
+            theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
         match unknown {
             Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => {
                 let value = params.scalar(name);
@@ -80,9 +81,8 @@ pub fn estimates(
                         let level = params.scalar(below);
                         let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(below));
                         let factor = 1.0 + theta[i];
-                        let more = k.map_or(0.0, |k| {
-                            factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]
-                        });
+                        let more =
+                            k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
                         let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
                         (value - Z * sd, value + Z * sd)
                     }
@@ -105,8 +105,7 @@ pub fn estimates(
                     loose.push(i);
                 }
                 let row = find(name);
-                let (bound_low, bound_high) =
-                    row.map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
+                let (bound_low, bound_high) = row.map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
                 list.push(Estimate {
                     name,
                     index: None,
@@ -132,7 +131,11 @@ pub fn estimates(
                     .enumerate()
                     .filter(|(_, other)| match other {
                         Unknown::Rise { curve: c, point: p } if c == curve => {
-                            if *point > zero { *p > zero && p <= point } else { *p < zero && p >= point }
+                            if *point > zero {
+                                *p > zero && p <= point
+                            } else {
+                                *p < zero && p >= point
+                            }
                         }
                         _ => false,
                     })
@@ -196,7 +199,8 @@ fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<Stri
             if sum <= 0.0 {
                 return "no test shows it".to_owned();
             }
-            let mut parts: Vec<(f64, &str)> = by_kind.iter().map(|i| i / sum).zip(kinds).filter(|p| p.0 >= 0.1).collect();
+            let mut parts: Vec<(f64, &str)> =
+                by_kind.iter().map(|i| i / sum).zip(kinds).filter(|p| p.0 >= 0.1).collect();
             parts.sort_by(|a, b| b.0.total_cmp(&a.0));
             parts.iter().map(|(share, kind)| format!("{kind} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
         })

@@ -114,8 +114,8 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
     for _ in 0..effort.steps {
         let free: Vec<usize> = (0..n)
             .filter(|i| {
-                let held = (theta[*i] <= low[*i] && at.gradient[*i] > 0.0)
-                    || (theta[*i] >= high[*i] && at.gradient[*i] < 0.0);
+                let held =
+                    (theta[*i] <= low[*i] && at.gradient[*i] > 0.0) || (theta[*i] >= high[*i] && at.gradient[*i] < 0.0);
                 !held && at.hessian[(*i, *i)] > 0.0
             })
             .collect();
@@ -178,8 +178,9 @@ pub fn left_out_errors(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]
             let (forces, rows) = run.jacobian(segment, unknowns, theta);
             let count = segment.force.len() - segment.from;
             let rows = rows.columns(segment.from, count) / segment.scale;
-            let residual =
-                DVector::from_fn(count, |k, _| (forces[segment.from + k] - segment.force[segment.from + k]) / segment.scale);
+            let residual = DVector::from_fn(count, |k, _| {
+                (forces[segment.from + k] - segment.force[segment.from + k]) / segment.scale
+            });
             (rows, residual)
         })
         .collect();

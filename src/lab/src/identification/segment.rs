@@ -84,9 +84,8 @@ fn segment(record: &Record) -> Segment {
     let at = |channel: &Option<Vec<f64>>, i: usize, or: f64| channel.as_ref().map_or(or, |c| c[i]);
     let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let noise = record.noise.force_rms / (window as f64).sqrt();
-    let dt: Vec<f64> = std::iter::once(0.0)
-        .chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]]))
-        .collect();
+    let dt: Vec<f64> =
+        std::iter::once(0.0).chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]])).collect();
     Segment {
         name: record.name.clone(),
         input: picks

@@ -277,7 +277,6 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
             "the simplest within one standard error of the best"
         }
     );
-    let scores =
-        places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
+    let scores = places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
     (kept, Choice { of, chosen: candidates[kept].name, scores, why }, judged[kept].params)
 }

@@ -26,10 +26,7 @@ const REACH: usize = 250;
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
-    let reach = ((0.5 * window / step).round() as usize)
-        .clamp(2, REACH)
-        .min(n.saturating_sub(1) / 2)
-        .max(1);
+    let reach = ((0.5 * window / step).round() as usize).clamp(2, REACH).min(n.saturating_sub(1) / 2).max(1);
     let uniform = (0..=2 * reach).map(|i| i as f64 * step).collect::<Vec<_>>();
     let weights = slope_weights(&uniform, reach);
     let mut velocity = vec![0.0; n];
@@ -43,24 +40,14 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
             (from..=to).all(|k| (time[k] - start - (k - from) as f64 * step).abs() < 0.02 * step)
         };
         velocity[i] = if even {
-            weights
-                .iter()
-                .zip(&displacement[from..=to])
-                .map(|(w, x)| w * (x - displacement[i]))
-                .sum()
+            weights.iter().zip(&displacement[from..=to]).map(|(w, x)| w * (x - displacement[i])).sum()
         } else {
             let own = slope_weights(&time[from..=to], i - from);
-            own.iter()
-                .zip(&displacement[from..=to])
-                .map(|(w, x)| w * (x - displacement[i]))
-                .sum()
+            own.iter().zip(&displacement[from..=to]).map(|(w, x)| w * (x - displacement[i])).sum()
         };
     }
-    let filter = Filter {
-        points: 2 * reach + 1,
-        window: 2.0 * reach as f64 * step,
-        bandwidth: bandwidth(&weights, step),
-    };
+    let filter =
+        Filter { points: 2 * reach + 1, window: 2.0 * reach as f64 * step, bandwidth: bandwidth(&weights, step) };
     (velocity, filter)
 }
 
@@ -87,10 +74,7 @@ fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     }
     let slope = Vector4::new(0.0, 1.0, 0.0, 0.0);
     match normal.lu().solve(&slope) {
-        Some(coefficients) => time
-            .iter()
-            .map(|&t| powers(t).dot(&coefficients) / scale)
-            .collect(),
+        Some(coefficients) => time.iter().map(|&t| powers(t).dot(&coefficients) / scale).collect(),
         None => vec![0.0; time.len()],
     }
 }
@@ -101,11 +85,7 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
     let nyquist = 0.5 / step;
     let gain = |f: f64| {
         let omega = std::f64::consts::TAU * f;
-        weights
-            .iter()
-            .enumerate()
-            .map(|(k, w)| w * (omega * (k as f64 - reach as f64) * step).sin())
-            .sum::<f64>()
+        weights.iter().enumerate().map(|(k, w)| w * (omega * (k as f64 - reach as f64) * step).sin()).sum::<f64>()
             / omega
     };
     let count = 400;
@@ -129,8 +109,7 @@ pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64
             let (before, after) = (time[i - 1] - time[i - 2], time[i + 1] - time[i]);
             if (before - step).abs() < 0.05 * step && (after - step).abs() < 0.05 * step {
                 // (13 (v1 + v2) − v0 − v3) / 24
-                mean = (13.0 * (velocity[i] + velocity[i - 1]) - velocity[i - 2] - velocity[i + 1])
-                    / 24.0;
+                mean = (13.0 * (velocity[i] + velocity[i - 1]) - velocity[i - 2] - velocity[i + 1]) / 24.0;
             }
         }
         x += mean * step;
@@ -149,14 +128,8 @@ mod tests {
 
     fn sine(frequency: f64, rate: f64, n: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let time: Vec<f64> = (0..n).map(|i| i as f64 / rate).collect();
-        let x = time
-            .iter()
-            .map(|t| 0.05 * (TAU * frequency * t).sin())
-            .collect();
-        let v = time
-            .iter()
-            .map(|t| 0.05 * TAU * frequency * (TAU * frequency * t).cos())
-            .collect();
+        let x = time.iter().map(|t| 0.05 * (TAU * frequency * t).sin()).collect();
+        let v = time.iter().map(|t| 0.05 * TAU * frequency * (TAU * frequency * t).cos()).collect();
         (time, x, v)
     }
 
@@ -167,20 +140,10 @@ mod tests {
             let (derived, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
             let peak = 0.05 * TAU * frequency;
             for i in filter.points..time.len() - filter.points {
-                assert!(
-                    (derived[i] - v[i]).abs() < 2e-4 * peak,
-                    "{frequency} Hz at {i}: {} {}",
-                    derived[i],
-                    v[i]
-                );
+                assert!((derived[i] - v[i]).abs() < 2e-4 * peak, "{frequency} Hz at {i}: {} {}", derived[i], v[i]);
             }
             // Even at the ends, with one-sided windows.
-            assert!(
-                derived
-                    .iter()
-                    .zip(&v)
-                    .all(|(a, b)| (a - b).abs() < 1e-2 * peak)
-            );
+            assert!(derived.iter().zip(&v).all(|(a, b)| (a - b).abs() < 1e-2 * peak));
             assert!(filter.bandwidth > 5.0 * frequency, "{filter:?}");
         }
     }
@@ -191,16 +154,9 @@ mod tests {
         let (_, filter) = differentiate(&time, &x, 0.1);
         let (time, x, v) = sine(filter.bandwidth, 200.0, 400);
         let (derived, _) = differentiate(&time, &x, 0.1);
-        let gain = derived[30..370]
-            .iter()
-            .zip(&v[30..370])
-            .map(|(a, b)| a * b)
-            .sum::<f64>()
+        let gain = derived[30..370].iter().zip(&v[30..370]).map(|(a, b)| a * b).sum::<f64>()
             / v[30..370].iter().map(|b| b * b).sum::<f64>();
-        assert!(
-            (gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02,
-            "{gain}"
-        );
+        assert!((gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02, "{gain}");
     }
 
     proptest! {
@@ -223,16 +179,8 @@ mod tests {
     fn integration_gives_the_sine_back() {
         let (time, x, v) = sine(1.0, 20.0, 81);
         let integrated = integrate(&time, &v, 0.0);
-        assert!(
-            integrated
-                .iter()
-                .zip(&x)
-                .all(|(a, b)| (a - b).abs() < 5e-3 * 0.05)
-        );
-        assert_eq!(
-            integrate(&[0.0, 1.0, 3.0], &[1.0, 1.0, 1.0], 2.0),
-            [2.0, 3.0, 5.0]
-        );
+        assert!(integrated.iter().zip(&x).all(|(a, b)| (a - b).abs() < 5e-3 * 0.05));
+        assert_eq!(integrate(&[0.0, 1.0, 3.0], &[1.0, 1.0, 1.0], 2.0), [2.0, 3.0, 5.0]);
         assert!(integrate(&[], &[], 0.0).is_empty());
     }
 }

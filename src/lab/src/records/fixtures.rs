@@ -90,17 +90,12 @@ impl SineTest {
             let phase = (i as f64 + 0.37) / self.per_cycle as f64 - self.rest;
             let envelope = phase.min(self.cycles as f64 + 2.0 - phase).clamp(0.0, 1.0);
             let slope = if envelope > 0.0 && envelope < 1.0 {
-                if phase < 1.0 {
-                    self.frequency
-                } else {
-                    -self.frequency
-                }
+                if phase < 1.0 { self.frequency } else { -self.frequency }
             } else {
                 0.0
             };
             let displacement = self.mean + self.amplitude * envelope * (TAU * phase).sin();
-            let velocity = self.amplitude
-                * (envelope * omega * (TAU * phase).cos() + slope * (TAU * phase).sin());
+            let velocity = self.amplitude * (envelope * omega * (TAU * phase).cos() + slope * (TAU * phase).sin());
             noise = self.lag1 * noise + (1.0 - self.lag1 * self.lag1).sqrt() * random.normal();
             time.push(i as f64 / self.per_cycle as f64 * self.period());
             x.push(displacement);

@@ -14,38 +14,19 @@ use super::table::{Layout, Rows, is_header, no_header};
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// Reads the test of one MAT file.
-pub(crate) fn read(
-    file: &Path,
-    name: &str,
-    options: &Options,
-) -> Result<Vec<Samples>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read {
-        file: file.into(),
-        source,
-    })?;
-    if bytes.starts_with(HDF5)
-        || bytes.get(512..520) == Some(HDF5)
-        || bytes.starts_with(b"MATLAB 7.3")
-    {
+pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
+    if bytes.starts_with(HDF5) || bytes.get(512..520) == Some(HDF5) || bytes.starts_with(b"MATLAB 7.3") {
         return Err(RecordError::Hdf5 { file: file.into() });
     }
     if let Some(cause) = damage(&bytes) {
-        return Err(RecordError::Mat {
-            file: file.into(),
-            cause: cause.into(),
-        });
+        return Err(RecordError::Mat { file: file.into(), cause: cause.into() });
     }
-    let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| RecordError::Mat {
-        file: file.into(),
-        cause: cause.to_string(),
-    })?;
+    let mat = MatFile::parse(bytes.as_slice())
+        .map_err(|cause| RecordError::Mat { file: file.into(), cause: cause.to_string() })?;
     let at = Place::file(file);
-    let vectors: Vec<(&str, Vec<f64>)> = mat
-        .arrays()
-        .iter()
-        .filter(|a| is_vector(a))
-        .map(|a| (a.name(), values(a.data())))
-        .collect();
+    let vectors: Vec<(&str, Vec<f64>)> =
+        mat.arrays().iter().filter(|a| is_vector(a)).map(|a| (a.name(), values(a.data()))).collect();
     let scalars: Vec<(&str, f64)> = mat
         .arrays()
         .iter()
@@ -53,33 +34,23 @@ pub(crate) fn read(
         .filter_map(|a| Some((a.name(), *values(a.data()).first()?)))
         .collect();
     let header: Vec<&str> = vectors.iter().map(|(name, _)| *name).collect();
-    let sample_time = scalars
-        .iter()
-        .find_map(|(name, value)| match heading(name) {
-            Heading::SampleTime(unit) => Some((*name, unit, *value)),
-            _ => None,
-        });
+    let sample_time = scalars.iter().find_map(|(name, value)| match heading(name) {
+        Heading::SampleTime(unit) => Some((*name, unit, *value)),
+        _ => None,
+    });
     if !is_header(&header, options) {
         let all: Vec<&str> = mat.arrays().iter().map(Array::name).collect();
         return Err(no_header(&at, &all.join(", ")));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
     // Vectors of one length belong together; another length would be another recording.
-    let length = layout
-        .columns
-        .iter()
-        .map(|c| vectors[c.index].1.len())
-        .max()
-        .unwrap_or(0);
+    let length = layout.columns.iter().map(|c| vectors[c.index].1.len()).max().unwrap_or(0);
     for column in &layout.columns {
         let found = vectors[column.index].1.len();
         if found != length {
             return Err(RecordError::Mat {
                 file: file.into(),
-                cause: format!(
-                    "'{}' has {found} values where another channel has {length}",
-                    column.heading
-                ),
+                cause: format!("'{}' has {found} values where another channel has {length}", column.heading),
             });
         }
     }
@@ -87,11 +58,7 @@ pub(crate) fn read(
         None => None,
         Some((name, unit, value)) => {
             // A bare `Ts` is in seconds by the custom of the tool that writes these files.
-            let given = options
-                .units
-                .get(&Channel::Time)
-                .copied()
-                .filter(|u| u.dimension() == Dimension::Time);
+            let given = options.units.get(&Channel::Time).copied().filter(|u| u.dimension() == Dimension::Time);
             let unit = match unit {
                 HeadingUnit::Known(unit) => unit,
                 _ => given.unwrap_or(Unit::Second),
@@ -99,29 +66,15 @@ pub(crate) fn read(
             let step = unit.to_si(value);
             if !(step.is_finite() && step > 0.0) {
                 let cause = format!("the sample time '{name}' is {value}, which is no time step");
-                return Err(RecordError::Mat {
-                    file: file.into(),
-                    cause,
-                });
+                return Err(RecordError::Mat { file: file.into(), cause });
             }
             Some(step)
         }
     };
     let mut rows = Rows::new(at, name.to_string(), layout);
     for i in 0..length {
-        let row: Vec<f64> = rows
-            .layout()
-            .columns
-            .iter()
-            .map(|c| vectors[c.index].1[i])
-            .collect();
-        let test = rows.layout().test.map(|index| {
-            vectors[index]
-                .1
-                .get(i)
-                .map(f64::to_string)
-                .unwrap_or_default()
-        });
+        let row: Vec<f64> = rows.layout().columns.iter().map(|c| vectors[c.index].1[i]).collect();
+        let test = rows.layout().test.map(|index| vectors[index].1.get(i).map(f64::to_string).unwrap_or_default());
         rows.push(i + 1, row.into_iter(), test.as_deref());
     }
     rows.finish(sample_time)
@@ -134,11 +87,7 @@ fn damage(bytes: &[u8]) -> Option<&'static str> {
     let little = bytes.get(126..128) == Some(b"IM");
     let word = |at: usize| {
         let word: [u8; 4] = bytes.get(at..at.checked_add(4)?)?.try_into().ok()?;
-        Some(if little {
-            u32::from_le_bytes(word)
-        } else {
-            u32::from_be_bytes(word)
-        })
+        Some(if little { u32::from_le_bytes(word) } else { u32::from_be_bytes(word) })
     };
     let mut at = 128;
     while let (Some(kind), Some(size)) = (word(at), word(at + 4)) {
@@ -176,16 +125,8 @@ fn values(data: &NumericData) -> Vec<f64> {
         NumericData::UInt32 { real, .. } => convert(real, f64::from),
         NumericData::Int64 { real, .. } => convert(real, |v| v as f64),
         NumericData::UInt64 { real, .. } => convert(real, |v| v as f64),
-        NumericData::Single { real, .. } => convert(real, |v| {
-            if v.is_finite() {
-                f64::from(v)
-            } else {
-                f64::NAN
-            }
-        }),
-        NumericData::Double { real, .. } => {
-            convert(real, |v| if v.is_finite() { v } else { f64::NAN })
-        }
+        NumericData::Single { real, .. } => convert(real, |v| if v.is_finite() { f64::from(v) } else { f64::NAN }),
+        NumericData::Double { real, .. } => convert(real, |v| if v.is_finite() { v } else { f64::NAN }),
     }
 }
 
@@ -210,18 +151,9 @@ mod tests {
         out.extend([0x00, 0x01, b'I', b'M']);
         for (name, values) in variables {
             let mut matrix = element(6, &[6, 0, 0, 0, 0, 0, 0, 0]); // class double
-            matrix.extend(element(
-                5,
-                &[(values.len() as i32).to_le_bytes(), 1_i32.to_le_bytes()].concat(),
-            ));
+            matrix.extend(element(5, &[(values.len() as i32).to_le_bytes(), 1_i32.to_le_bytes()].concat()));
             matrix.extend(element(1, name.as_bytes()));
-            matrix.extend(element(
-                9,
-                &values
-                    .iter()
-                    .flat_map(|v| v.to_le_bytes())
-                    .collect::<Vec<_>>(),
-            ));
+            matrix.extend(element(9, &values.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<_>>()));
             out.extend(element(14, &matrix));
         }
         out
@@ -235,11 +167,7 @@ mod tests {
 
     #[test]
     fn vectors_are_read_by_name_with_a_scalar_sample_time() {
-        let bytes = mat(&[
-            ("displacement_mm", &[1.0, 2.0, f64::NAN]),
-            ("F_kN", &[0.1, 0.2, 0.3]),
-            ("Ts", &[0.01]),
-        ]);
+        let bytes = mat(&[("displacement_mm", &[1.0, 2.0, f64::NAN]), ("F_kN", &[0.1, 0.2, 0.3]), ("Ts", &[0.01])]);
         let samples = read_bytes(&bytes, &Options::default()).unwrap().remove(0);
         assert_eq!(samples.name, "rig");
         assert_eq!(samples.time, [0.0, 0.01, 0.02]);
@@ -250,16 +178,11 @@ mod tests {
 
     #[test]
     fn units_may_come_from_the_options() {
-        let bytes = mat(&[
-            ("dist", &[1.0, 2.0]),
-            ("forc", &[3.0, 4.0]),
-            ("time_s", &[0.0, 1.0]),
-        ]);
+        let bytes = mat(&[("dist", &[1.0, 2.0]), ("forc", &[3.0, 4.0]), ("time_s", &[0.0, 1.0])]);
         let mut options = Options::default();
-        for (channel, name, unit) in [
-            (Channel::Displacement, "dist", Unit::Millimetre),
-            (Channel::Force, "forc", Unit::Newton),
-        ] {
+        for (channel, name, unit) in
+            [(Channel::Displacement, "dist", Unit::Millimetre), (Channel::Force, "forc", Unit::Newton)]
+        {
             options.columns.insert(channel, name.into());
             options.units.insert(channel, unit);
         }
@@ -269,35 +192,19 @@ mod tests {
 
     #[test]
     fn other_files_are_refused_in_words() {
-        let message = |bytes: &[u8]| {
-            read_bytes(bytes, &Options::default())
-                .unwrap_err()
-                .to_string()
-        };
+        let message = |bytes: &[u8]| read_bytes(bytes, &Options::default()).unwrap_err().to_string();
         let mut new = vec![0; 600];
         new[512..520].copy_from_slice(HDF5);
         assert!(message(&new).contains("'-v7'"));
         assert!(message(b"MATLAB 7.3 MAT-file, Platform: GLNXA64").contains("7.3"));
         assert!(message(b"no mat file at all").contains("cannot be read as a MAT file"));
-        let whole = mat(&[
-            ("time_s", &[0.0, 1.0]),
-            ("x_mm", &[0.0, 1.0]),
-            ("F_N", &[0.0, 1.0]),
-        ]);
+        let whole = mat(&[("time_s", &[0.0, 1.0]), ("x_mm", &[0.0, 1.0]), ("F_N", &[0.0, 1.0])]);
         assert!(message(&whole[..whole.len() - 9]).contains("middle of a variable"));
         assert!(
-            message(&mat(&[
-                ("time_s", &[0.0, 1.0]),
-                ("x_mm", &[0.0]),
-                ("F_N", &[0.0, 1.0])
-            ]))
-            .contains("no column for displ")
+            message(&mat(&[("time_s", &[0.0, 1.0]), ("x_mm", &[0.0]), ("F_N", &[0.0, 1.0])]))
+                .contains("no column for displ")
         );
-        let uneven = mat(&[
-            ("time_s", &[0.0, 1.0]),
-            ("x_mm", &[0.0, 1.0, 2.0]),
-            ("F_N", &[0.0, 1.0]),
-        ]);
+        let uneven = mat(&[("time_s", &[0.0, 1.0]), ("x_mm", &[0.0, 1.0, 2.0]), ("F_N", &[0.0, 1.0])]);
         assert!(message(&uneven).contains("has 2 values where another channel has 3"));
         assert!(message(&mat(&[("a", &[0.0, 1.0])])).contains("no header"));
     }

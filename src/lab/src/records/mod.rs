@@ -24,8 +24,8 @@ mod xlsx;
 
 pub use campaign::{Campaign, Progress, load};
 pub use channel::{Channel, Dimension, Unit, assignment};
-pub use motion::{MotionRecord, read_motion};
 pub use error::{Place, RecordError};
+pub use motion::{MotionRecord, read_motion};
 pub use options::{Options, Positive};
 pub use record::{Noise, NoiseSource, Note, Record};
 pub use sign::SignFinding;

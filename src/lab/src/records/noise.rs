@@ -21,20 +21,13 @@ pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
     if force.len() < FEWEST {
         return Noise::default();
     }
-    Noise {
-        force_rms: difference_noise(force),
-        lag1: 0.0,
-        from: NoiseSource::SampleDifferences,
-    }
+    Noise { force_rms: difference_noise(force), lag1: 0.0, from: NoiseSource::SampleDifferences }
 }
 
 /// Standard deviation of white noise on a smooth signal, from third differences of neighbouring samples (which a
 /// parabola does not reach), by their median so that edges do no harm.
 pub(crate) fn difference_noise(values: &[f64]) -> f64 {
-    let mut third: Vec<f64> = values
-        .windows(4)
-        .map(|w| (w[0] - 3.0 * w[1] + 3.0 * w[2] - w[3]).abs())
-        .collect();
+    let mut third: Vec<f64> = values.windows(4).map(|w| (w[0] - 3.0 * w[1] + 3.0 * w[2] - w[3]).abs()).collect();
     // Variance of a third difference: 1 + 9 + 9 + 1; median of |normal| is 0.6745 standard deviations.
     median(&mut third) / (0.6745 * 20.0_f64.sqrt())
 }
@@ -59,9 +52,7 @@ fn remove_shift(run: &mut [Deviation]) {
     if run.len() < 8 * reach {
         return;
     }
-    let slope = |i: usize| {
-        run[(i + reach).min(run.len() - 1)].partner - run[i.saturating_sub(reach)].partner
-    };
+    let slope = |i: usize| run[(i + reach).min(run.len() - 1)].partner - run[i.saturating_sub(reach)].partner;
     let slopes: Vec<f64> = (0..run.len()).map(slope).collect();
     let (mut along, mut square) = (0.0, 0.0);
     for (deviation, slope) in run.iter().zip(&slopes) {
@@ -90,10 +81,7 @@ fn partner(time: &[f64], force: &[f64], from: &Cycle, to: &Cycle, t: f64) -> Opt
         return None;
     }
     let weight = (at - a) / (b - a);
-    Some(Partner {
-        value: force[after - 1] + weight * (force[after] - force[after - 1]),
-        weight,
-    })
+    Some(Partner { value: force[after - 1] + weight * (force[after] - force[after - 1]), weight })
 }
 
 fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> {
@@ -110,20 +98,12 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
         for i in this.start..this.end {
             let before = partner(time, force, this, &cycles[k - 1], time[i]);
             let entry = if one_sided {
-                before.map(|b| Deviation {
-                    value: force[i] - b.value,
-                    partner: b.value,
-                    weights: [b.weight, f64::NAN],
-                })
+                before.map(|b| Deviation { value: force[i] - b.value, partner: b.value, weights: [b.weight, f64::NAN] })
             } else {
                 let after = partner(time, force, this, &cycles[k + 1], time[i]);
                 before.zip(after).map(|(b, a)| {
                     let partner = 0.5 * (b.value + a.value);
-                    Deviation {
-                        value: force[i] - partner,
-                        partner,
-                        weights: [b.weight, a.weight],
-                    }
+                    Deviation { value: force[i] - partner, partner, weights: [b.weight, a.weight] }
                 })
             };
             match entry {
@@ -150,13 +130,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     // Sums over the partners of (1−w)² + w² and of w(1−w).
     let (mut same, mut cross) = (0.0, 0.0);
     for run in &runs {
-        for (
-            i,
-            Deviation {
-                value: d, weights, ..
-            },
-        ) in run.iter().enumerate()
-        {
+        for (i, Deviation { value: d, weights, .. }) in run.iter().enumerate() {
             if !near(*d) {
                 continue;
             }
@@ -177,11 +151,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     }
     let (d0, d1, same, cross) = (d0 / n0, d1 / n1, same / n0, cross / n0);
     if d0 == 0.0 {
-        return Some(Noise {
-            force_rms: 0.0,
-            lag1: 0.0,
-            from: NoiseSource::CycleRepeat,
-        });
+        return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
     // With r the autocorrelation of the noise from sample to sample (r² from sample to next but one):
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
@@ -199,11 +169,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     }
     let lag1 = 0.5 * (low + high);
     let variance = d0 / (1.0 + same + 2.0 * cross * lag1);
-    Some(Noise {
-        force_rms: variance.sqrt(),
-        lag1,
-        from: NoiseSource::CycleRepeat,
-    })
+    Some(Noise { force_rms: variance.sqrt(), lag1, from: NoiseSource::CycleRepeat })
 }
 
 /// Root mean square deviation of each cycle's force from the other cycles' median at equal phase, N.
@@ -212,31 +178,19 @@ pub(crate) fn cycle_deviations(time: &[f64], force: &[f64], cycles: &[Cycle]) ->
         .iter()
         .enumerate()
         .map(|(k, this)| {
-            let others: Vec<&Cycle> = cycles
-                .iter()
-                .enumerate()
-                .filter(|(j, _)| *j != k)
-                .map(|(_, c)| c)
-                .take(8)
-                .collect();
+            let others: Vec<&Cycle> =
+                cycles.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, c)| c).take(8).collect();
             let (mut sum, mut count) = (0.0, 0);
             // A few hundred phases tell enough.
             for i in (this.start..this.end).step_by(((this.end - this.start) / 400).max(1)) {
-                let mut values: Vec<f64> = others
-                    .iter()
-                    .filter_map(|c| partner(time, force, this, c, time[i]))
-                    .map(|p| p.value)
-                    .collect();
+                let mut values: Vec<f64> =
+                    others.iter().filter_map(|c| partner(time, force, this, c, time[i])).map(|p| p.value).collect();
                 if !values.is_empty() {
                     sum += (force[i] - median(&mut values)).powi(2);
                     count += 1;
                 }
             }
-            if count == 0 {
-                0.0
-            } else {
-                (sum / f64::from(count)).sqrt()
-            }
+            if count == 0 { 0.0 } else { (sum / f64::from(count)).sqrt() }
         })
         .collect()
 }
@@ -256,23 +210,11 @@ mod tests {
     #[test]
     fn cycle_repeat_finds_level_and_correlation_of_the_noise() {
         for (noise, lag1) in [(4.0, 0.0), (4.0, 0.6), (25.0, -0.3), (1.0, 0.3)] {
-            for (cycles, per_cycle, frequency) in [(3, 1000, 0.01), (12, 300, 1.6), (2, 2000, 5.0)]
-            {
-                let test = SineTest {
-                    noise,
-                    lag1,
-                    cycles,
-                    per_cycle,
-                    frequency,
-                    seed: 7,
-                    ..SineTest::default()
-                };
+            for (cycles, per_cycle, frequency) in [(3, 1000, 0.01), (12, 300, 1.6), (2, 2000, 5.0)] {
+                let test = SineTest { noise, lag1, cycles, per_cycle, frequency, seed: 7, ..SineTest::default() };
                 let found = estimate(&test);
                 assert_eq!(found.from, NoiseSource::CycleRepeat);
-                assert!(
-                    (found.force_rms / noise - 1.0).abs() < 0.10,
-                    "{found:?} for {test:?}"
-                );
+                assert!((found.force_rms / noise - 1.0).abs() < 0.10, "{found:?} for {test:?}");
                 assert!((found.lag1 - lag1).abs() < 0.12, "{found:?} for {test:?}");
             }
         }
@@ -280,11 +222,7 @@ mod tests {
 
     #[test]
     fn a_slow_trend_is_no_noise() {
-        let mut samples = SineTest {
-            cycles: 8,
-            ..SineTest::default()
-        }
-        .samples();
+        let mut samples = SineTest { cycles: 8, ..SineTest::default() }.samples();
         for (force, t) in samples.force.iter_mut().zip(&samples.time) {
             *force *= 1.0 - 0.02 * t; // fade by heating
         }
@@ -297,16 +235,10 @@ mod tests {
     fn without_cycles_differences_of_samples_serve() {
         let mut random = Random::new(3);
         let time: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-3).collect();
-        let force: Vec<f64> = time
-            .iter()
-            .map(|t| 800.0 * (9.0 * t).sin() + 6.0 * random.normal())
-            .collect();
+        let force: Vec<f64> = time.iter().map(|t| 800.0 * (9.0 * t).sin() + 6.0 * random.normal()).collect();
         let found = floor(&time, &force, &[]);
         assert_eq!(found.from, NoiseSource::SampleDifferences);
         assert!((found.force_rms / 6.0 - 1.0).abs() < 0.08, "{found:?}");
-        assert_eq!(
-            floor(&time[..5], &force[..5], &[]).from,
-            NoiseSource::Unknown
-        );
+        assert_eq!(floor(&time[..5], &force[..5], &[]).from, NoiseSource::Unknown);
     }
 }

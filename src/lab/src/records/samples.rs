@@ -90,11 +90,8 @@ pub(crate) fn quantile(values: &mut [f64], q: f64) -> f64 {
 
 /// Difference of the largest and the smallest value; 0 of nothing.
 pub(crate) fn range(values: &[f64]) -> f64 {
-    let (low, high) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| {
-            (low.min(v), high.max(v))
-        });
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     (high - low).max(0.0)
 }
 

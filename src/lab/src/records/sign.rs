@@ -59,18 +59,14 @@ pub(crate) fn settle(
     for motion in motions.iter_mut() {
         if options.flip_force {
             flip(&mut motion.force);
-            motion.notes.push(Note {
-                kind: "flipped",
-                text: "sign of force turned, as asked".into(),
-            });
+            motion.notes.push(Note { kind: "flipped", text: "sign of force turned, as asked".into() });
         }
         if options.flip_motion {
             flip(&mut motion.displacement);
             flip(&mut motion.velocity);
-            motion.notes.push(Note {
-                kind: "flipped",
-                text: "sign of displacement and velocity turned, as asked".into(),
-            });
+            motion
+                .notes
+                .push(Note { kind: "flipped", text: "sign of displacement and velocity turned, as asked".into() });
         }
     }
     let mut evidence: Vec<Evidence> = motions.iter().map(gather).collect();
@@ -118,35 +114,19 @@ fn gather(motion: &Motion) -> Evidence {
         ff += f * f * dt;
         vv += w * w * dt;
     }
-    let power = if ff > 0.0 && vv > 0.0 {
-        power / (ff * vv).sqrt()
-    } else {
-        0.0
-    };
+    let power = if ff > 0.0 && vv > 0.0 { power / (ff * vv).sqrt() } else { 0.0 };
 
     let peak_velocity = super::cleaning::robust_peak(v, &[]);
     // Both turning points weigh alike, so that friction and hysteresis cancel.
     let at_rest = |top: bool| -> Vec<f64> {
-        (0..x.len())
-            .filter(|&i| v[i].abs() < 0.05 * peak_velocity && (x[i] > mx) == top)
-            .map(|i| force[i])
-            .collect()
+        (0..x.len()).filter(|&i| v[i].abs() < 0.05 * peak_velocity && (x[i] > mx) == top).map(|i| force[i]).collect()
     };
     let (mut top, mut bottom) = (at_rest(true), at_rest(false));
     let standstill = (top.len() >= 2 && bottom.len() >= 2).then(|| {
         let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
-        (
-            0.5 * (median(&mut top) + median(&mut bottom)),
-            (HYSTERESIS * 0.5 * force_range).hypot(CELL_OFFSET),
-        )
+        (0.5 * (median(&mut top) + median(&mut bottom)), (HYSTERESIS * 0.5 * force_range).hypot(CELL_OFFSET))
     });
-    Evidence {
-        name: motion.name.clone(),
-        power,
-        standstill,
-        asymmetry: None,
-        peak_velocity,
-    }
+    Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, peak_velocity }
 }
 
 /// Weighted force at standstill of the campaign and its uncertainty. The uncertainties are of one kind in all tests, so
@@ -178,12 +158,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
 }
 
 fn list(names: &[&Evidence]) -> String {
-    let mut text = names
-        .iter()
-        .take(8)
-        .map(|e| format!("'{}'", e.name))
-        .collect::<Vec<_>>()
-        .join(", ");
+    let mut text = names.iter().take(8).map(|e| format!("'{}'", e.name)).collect::<Vec<_>>().join(", ");
     if names.len() > 8 {
         text.push_str(&format!(" and {} more", names.len() - 8));
     }
@@ -214,9 +189,8 @@ fn refuse_energy(evidence: &[Evidence], standstill: Option<(f64, f64)>) -> Resul
         return Err(RecordError::FeedsEnergy { cause, tests });
     }
     // All feed: force and motion are counted in opposite directions. Which is which?
-    let tension = standstill
-        .filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty)
-        .map(|(force, _)| force < 0.0);
+    let tension =
+        standstill.filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty).map(|(force, _)| force < 0.0);
     let culprit = match tension {
         Some(true) => {
             "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and \
@@ -249,9 +223,7 @@ fn direction(
 ) -> SignFinding {
     let mut reasons = Vec::new();
     // Log odds for rebound positive.
-    let gas = standstill.map_or(0.0, |(force, uncertainty)| {
-        (-2.0 * force / uncertainty).clamp(-6.0, 6.0)
-    });
+    let gas = standstill.map_or(0.0, |(force, uncertainty)| (-2.0 * force / uncertainty).clamp(-6.0, 6.0));
     match standstill {
         Some((force, uncertainty)) => reasons.push(format!(
             "force at standstill is {force:+.0} N ± {uncertainty:.0} N as counted in the files; gas pushes the rod out, so that \
@@ -265,11 +237,8 @@ fn direction(
         None => reasons.push("no turning points at standstill, so the gas force cannot be told".into()),
     }
     let fastest = evidence.iter().map(|e| e.peak_velocity).fold(0.0, f64::max);
-    let mut ratios: Vec<f64> = evidence
-        .iter()
-        .filter(|e| e.peak_velocity >= 0.5 * fastest)
-        .filter_map(|e| e.asymmetry)
-        .collect();
+    let mut ratios: Vec<f64> =
+        evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     // Dampers scatter: ln(rebound/compression) of 0.6 ± 0.5 gives odds of 4.8 per unit; half of that, and never more
     // than seven to one, since some dampers are symmetric or the other way round.
@@ -287,20 +256,14 @@ fn direction(
         ));
     }
     if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {
-        reasons.push(
-            "gas force and asymmetry contradict each other; the stronger of the two was followed"
-                .into(),
-        );
+        reasons.push("gas force and asymmetry contradict each other; the stronger of the two was followed".into());
     }
     if !evidence.iter().any(|e| e.power > UNCLEAR) {
-        reasons.push("no test dissipates energy clearly, so it is not certain that force and motion go together".into());
+        reasons
+            .push("no test dissipates energy clearly, so it is not certain that force and motion go together".into());
     }
     let odds = gas + shape;
-    let found = if odds < 0.0 {
-        Positive::Compression
-    } else {
-        Positive::Rebound
-    };
+    let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
     let sure = (0.5 * odds.abs()).tanh();
     if options.positive.is_none() && sure < 0.6 {
         reasons.push("the evidence is weak; say which it is with --positive rebound or --positive compression".into());
@@ -308,17 +271,16 @@ fn direction(
     // Tests whose own gas force says the opposite of the campaign's.
     let odd: Vec<&Evidence> = evidence
         .iter()
-        .filter(|e| {
-            e.standstill.is_some_and(|(f, u)| {
-                f.abs() > 4.0 * u && (f < 0.0) != (found == Positive::Rebound)
-            })
-        })
+        .filter(|e| e.standstill.is_some_and(|(f, u)| f.abs() > 4.0 * u && (f < 0.0) != (found == Positive::Rebound)))
         .collect();
     if !odd.is_empty() && gas.abs() > 1.0 {
         notes.push(Note {
             kind: "sign",
-            text: format!("the force at standstill of {} has the opposite sign of the other tests'; check whether these files \
-                           count in another direction", list(&odd)),
+            text: format!(
+                "the force at standstill of {} has the opposite sign of the other tests'; check whether these files \
+                           count in another direction",
+                list(&odd)
+            ),
         });
     }
     let (positive, given, confidence) = match options.positive {
@@ -338,11 +300,7 @@ fn direction(
         }
         None => (found, false, sure),
     };
-    let turn = if positive == Positive::Compression {
-        -1.0
-    } else {
-        1.0
-    };
+    let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
     SignFinding {
         positive,
         given,
@@ -372,19 +330,10 @@ mod tests {
             .iter()
             .enumerate()
             .map(|(k, &frequency)| {
-                let mut samples = SineTest {
-                    frequency,
-                    preload,
-                    seed: k as u64,
-                    ..SineTest::default()
-                }
-                .samples();
+                let mut samples = SineTest { frequency, preload, seed: k as u64, ..SineTest::default() }.samples();
                 samples.name = format!("test{k}");
                 samples.force.iter_mut().for_each(|f| *f *= force);
-                for channel in [&mut samples.displacement, &mut samples.velocity]
-                    .into_iter()
-                    .flatten()
-                {
+                for channel in [&mut samples.displacement, &mut samples.velocity].into_iter().flatten() {
                     channel.iter_mut().for_each(|x| *x *= motion);
                 }
                 cleaning::repair(samples, &Options::default()).unwrap()
@@ -402,25 +351,17 @@ mod tests {
 
     #[test]
     fn both_conventions_end_rebound_positive_and_dissipate() {
-        let (rebound, reference, _) =
-            settled(campaign(1.0, 1.0, -150.0), &Options::default()).unwrap();
+        let (rebound, reference, _) = settled(campaign(1.0, 1.0, -150.0), &Options::default()).unwrap();
         assert_eq!(rebound.positive, Positive::Rebound);
-        let (compression, turned, _) =
-            settled(campaign(-1.0, -1.0, -150.0), &Options::default()).unwrap();
+        let (compression, turned, _) = settled(campaign(-1.0, -1.0, -150.0), &Options::default()).unwrap();
         assert_eq!(compression.positive, Positive::Compression);
         for finding in [&rebound, &compression] {
             assert!(finding.confidence > 0.95 && !finding.given, "{finding:?}");
-            assert!(
-                (finding.standstill_force + 150.0).abs() < 15.0,
-                "{finding:?}"
-            );
+            assert!((finding.standstill_force + 150.0).abs() < 15.0, "{finding:?}");
             assert!(finding.asymmetry.unwrap() > 1.2, "{finding:?}");
         }
         for (a, b) in reference.iter().zip(&turned) {
-            assert_eq!(
-                (&a.force, &a.velocity, &a.displacement),
-                (&b.force, &b.velocity, &b.displacement)
-            );
+            assert_eq!((&a.force, &a.velocity, &a.displacement), (&b.force, &b.velocity, &b.displacement));
             let power: f64 = a.force.iter().zip(&a.velocity).map(|(f, v)| f * v).sum();
             assert!(power > 0.0);
         }
@@ -429,46 +370,14 @@ mod tests {
     #[test]
     fn a_damper_that_feeds_energy_is_refused_with_the_likely_cause() {
         let cases = [
-            (
-                -1.0,
-                1.0,
-                "--flip force",
-                Options {
-                    flip_force: true,
-                    ..Options::default()
-                },
-                Positive::Rebound,
-            ),
-            (
-                1.0,
-                -1.0,
-                "--flip motion",
-                Options {
-                    flip_motion: true,
-                    ..Options::default()
-                },
-                Positive::Rebound,
-            ),
+            (-1.0, 1.0, "--flip force", Options { flip_force: true, ..Options::default() }, Positive::Rebound),
+            (1.0, -1.0, "--flip motion", Options { flip_motion: true, ..Options::default() }, Positive::Rebound),
             // The other flip makes them go together too: both are then counted in compression.
-            (
-                -1.0,
-                1.0,
-                "--flip force",
-                Options {
-                    flip_motion: true,
-                    ..Options::default()
-                },
-                Positive::Compression,
-            ),
+            (-1.0, 1.0, "--flip force", Options { flip_motion: true, ..Options::default() }, Positive::Compression),
         ];
         for (force, motion, advice, cure, positive) in cases {
-            let error = settled(campaign(force, motion, -150.0), &Options::default())
-                .unwrap_err()
-                .to_string();
-            assert!(
-                error.contains("feed energy") && error.contains("all 3 tests"),
-                "{error}"
-            );
+            let error = settled(campaign(force, motion, -150.0), &Options::default()).unwrap_err().to_string();
+            assert!(error.contains("feed energy") && error.contains("all 3 tests"), "{error}");
             assert!(error.contains(&format!("Give {advice} (or")), "{error}");
             let (finding, motions, _) = settled(campaign(force, motion, -150.0), &cure).unwrap();
             assert_eq!(finding.positive, positive);
@@ -476,9 +385,7 @@ mod tests {
             assert_eq!(motions[1].force, reference[1].force);
             assert_eq!(motions[1].velocity, reference[1].velocity);
         }
-        let error = settled(campaign(-1.0, 1.0, 0.0), &Options::default())
-            .unwrap_err()
-            .to_string();
+        let error = settled(campaign(-1.0, 1.0, 0.0), &Options::default()).unwrap_err().to_string();
         assert!(error.contains("too small to tell"), "{error}");
     }
 
@@ -489,10 +396,7 @@ mod tests {
         match settled(motions, &Options::default()).unwrap_err() {
             RecordError::FeedsEnergy { cause, tests } => {
                 assert_eq!(tests, ["test1"]);
-                assert!(
-                    cause.contains("'test1'") && cause.contains("1 of 3"),
-                    "{cause}"
-                );
+                assert!(cause.contains("'test1'") && cause.contains("1 of 3"), "{cause}");
             }
             other => panic!("{other}"),
         }
@@ -500,30 +404,17 @@ mod tests {
 
     #[test]
     fn what_the_user_says_counts_and_doubt_is_told() {
-        let options = Options {
-            positive: Some(Positive::Compression),
-            ..Options::default()
-        };
+        let options = Options { positive: Some(Positive::Compression), ..Options::default() };
         let (finding, motions, notes) = settled(campaign(1.0, 1.0, -150.0), &options).unwrap();
         assert!(finding.given && finding.confidence == 1.0);
-        assert!(
-            notes
-                .iter()
-                .any(|n| n.kind == "sign" && n.text.contains("speak for the opposite"))
-        );
+        assert!(notes.iter().any(|n| n.kind == "sign" && n.text.contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 
         // No gas force: only the asymmetry is left, and that is no certainty.
         let (weak, ..) = settled(campaign(1.0, 1.0, 0.0), &Options::default()).unwrap();
-        assert!(
-            weak.confidence < 0.85 && weak.positive == Positive::Rebound,
-            "{weak:?}"
-        );
+        assert!(weak.confidence < 0.85 && weak.positive == Positive::Rebound, "{weak:?}");
         // Gas pulls the other way than the asymmetry says.
         let (torn, ..) = settled(campaign(1.0, 1.0, 60.0), &Options::default()).unwrap();
-        assert!(
-            torn.reasons.iter().any(|r| r.contains("contradict")),
-            "{torn:?}"
-        );
+        assert!(torn.reasons.iter().any(|r| r.contains("contradict")), "{torn:?}");
     }
 }

@@ -10,34 +10,17 @@ use super::samples::Samples;
 use super::table::{HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
 
 /// Reads the tests of all sheets of a workbook.
-pub(crate) fn read(
-    file: &Path,
-    name: &str,
-    options: &Options,
-) -> Result<Vec<Samples>, RecordError> {
-    let broken = |cause: String| RecordError::Workbook {
-        file: file.into(),
-        cause,
-    };
-    let mut workbook: Xlsx<_> =
-        open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
+pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let broken = |cause: String| RecordError::Workbook { file: file.into(), cause };
+    let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
     let mut first_line = None;
     for sheet in &sheets {
-        let range = workbook
-            .worksheet_range(sheet)
-            .map_err(|e| broken(format!("sheet '{sheet}': {e}")))?;
-        let at = Place {
-            file: file.into(),
-            part: Some(format!("sheet '{sheet}'")),
-        };
+        let range = workbook.worksheet_range(sheet).map_err(|e| broken(format!("sheet '{sheet}': {e}")))?;
+        let at = Place { file: file.into(), part: Some(format!("sheet '{sheet}'")) };
         let top = range.start().map_or(0, |(row, _)| row as usize);
-        let text = |row: &[Data]| {
-            row.iter()
-                .map(|cell| cell.to_string())
-                .collect::<Vec<String>>()
-        };
+        let text = |row: &[Data]| row.iter().map(|cell| cell.to_string()).collect::<Vec<String>>();
         let found = range.rows().take(HEADER_WITHIN).position(|row| {
             let cells = text(row);
             if cells.iter().any(|c| !c.is_empty()) {
@@ -48,33 +31,17 @@ pub(crate) fn read(
         let Some(header_index) = found else { continue };
         let mut rows = range.rows().enumerate().skip(header_index);
         let header = rows.next().map(|(_, row)| text(row)).unwrap_or_default();
-        let units = rows
-            .clone()
-            .next()
-            .map(|(_, row)| text(row))
-            .filter(|cells| is_units_row(cells));
+        let units = rows.clone().next().map(|(_, row)| text(row)).filter(|cells| is_units_row(cells));
         if units.is_some() {
             rows.next();
         }
-        let layout = Layout::new(
-            &at,
-            top + header_index + 1,
-            &header,
-            units.as_deref(),
-            options,
-            false,
-        )?;
-        let test_name = if sheets.len() > 1 {
-            format!("{name} {sheet}")
-        } else {
-            name.to_string()
-        };
+        let layout = Layout::new(&at, top + header_index + 1, &header, units.as_deref(), options, false)?;
+        let test_name = if sheets.len() > 1 { format!("{name} {sheet}") } else { name.to_string() };
         let mut collected = Rows::new(at.clone(), test_name, layout);
         let mut values = vec![f64::NAN; collected.layout().columns.len()];
         for (index, row) in rows {
             let line = top + index + 1;
-            let empty =
-                |cell: &Data| matches!(cell, Data::Empty) || cell.to_string().trim().is_empty();
+            let empty = |cell: &Data| matches!(cell, Data::Empty) || cell.to_string().trim().is_empty();
             let used = |index: usize| row.get(index).is_some_and(|cell| !empty(cell));
             if !collected.layout().columns.iter().any(|c| used(c.index)) {
                 continue;
@@ -84,30 +51,22 @@ pub(crate) fn read(
                     Some(Data::Float(v)) if v.is_finite() => *v,
                     Some(Data::Int(v)) => *v as f64,
                     None | Some(Data::Empty | Data::Float(_) | Data::Error(_)) => f64::NAN,
-                    Some(other) => {
-                        number(&other.to_string(), true).ok_or_else(|| RecordError::Cell {
-                            at: at.clone(),
-                            line,
-                            column: column.heading.clone(),
-                            text: other.to_string().chars().take(40).collect(),
-                            hint: "; format the cells as numbers",
-                        })?
-                    }
+                    Some(other) => number(&other.to_string(), true).ok_or_else(|| RecordError::Cell {
+                        at: at.clone(),
+                        line,
+                        column: column.heading.clone(),
+                        text: other.to_string().chars().take(40).collect(),
+                        hint: "; format the cells as numbers",
+                    })?,
                 };
             }
-            let test = collected
-                .layout()
-                .test
-                .map(|i| row.get(i).map(|cell| cell.to_string()).unwrap_or_default());
+            let test = collected.layout().test.map(|i| row.get(i).map(|cell| cell.to_string()).unwrap_or_default());
             collected.push(line, values.iter().copied(), test.as_deref());
         }
         tests.extend(collected.finish(None)?);
     }
     if tests.is_empty() {
-        return Err(no_header(
-            &Place::file(file),
-            &first_line.unwrap_or_default(),
-        ));
+        return Err(no_header(&Place::file(file), &first_line.unwrap_or_default()));
     }
     Ok(tests)
 }
@@ -121,13 +80,7 @@ mod tests {
     /// CRC-32 as zip archives use it.
     fn crc32(data: &[u8]) -> u32 {
         !data.iter().fold(!0_u32, |crc, &byte| {
-            (0..8).fold(crc ^ u32::from(byte), |c, _| {
-                if c & 1 == 1 {
-                    (c >> 1) ^ 0xEDB8_8320
-                } else {
-                    c >> 1
-                }
-            })
+            (0..8).fold(crc ^ u32::from(byte), |c, _| if c & 1 == 1 { (c >> 1) ^ 0xEDB8_8320 } else { c >> 1 })
         })
     }
 
@@ -178,13 +131,9 @@ mod tests {
         ];
         let (mut list, mut relations) = (String::new(), String::new());
         for (k, (name, rows)) in sheets.iter().enumerate() {
-            list += &format!(
-                "<sheet name=\"{name}\" sheetId=\"{}\" r:id=\"s{k}\"/>",
-                k + 1
-            );
-            relations += &format!(
-                "<Relationship Id=\"s{k}\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet{k}.xml\"/>"
-            );
+            list += &format!("<sheet name=\"{name}\" sheetId=\"{}\" r:id=\"s{k}\"/>", k + 1);
+            relations +=
+                &format!("<Relationship Id=\"s{k}\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet{k}.xml\"/>");
             let mut data = String::new();
             for (r, row) in rows.iter().enumerate() {
                 data += &format!("<row r=\"{}\">", r + 1);
@@ -207,9 +156,7 @@ mod tests {
         }
         files.push((
             "xl/workbook.xml".to_string(),
-            format!(
-                "<workbook xmlns=\"{MAIN}\" xmlns:r=\"{OFFICE}\"><sheets>{list}</sheets></workbook>"
-            ),
+            format!("<workbook xmlns=\"{MAIN}\" xmlns:r=\"{OFFICE}\"><sheets>{list}</sheets></workbook>"),
         ));
         files.push((
             "xl/_rels/workbook.xml.rels".to_string(),
@@ -239,20 +186,10 @@ mod tests {
                     &["0.5", "", "0,2"],
                 ],
             ),
-            (
-                "fast",
-                &[
-                    &["t [s]", "v [m/s]", "F [N]", "Test"],
-                    &["0", "1", "2", "a"],
-                    &["1", "1", "3", "b"],
-                ],
-            ),
+            ("fast", &[&["t [s]", "v [m/s]", "F [N]", "Test"], &["0", "1", "2", "a"], &["1", "1", "3", "b"]]),
         ]);
         let tests = read_bytes(&book).unwrap();
-        assert_eq!(
-            tests.iter().map(|t| t.name.as_str()).collect::<Vec<_>>(),
-            ["rig slow", "a", "b"]
-        );
+        assert_eq!(tests.iter().map(|t| t.name.as_str()).collect::<Vec<_>>(), ["rig slow", "a", "b"]);
         assert_eq!(tests[0].force, [100.0, 200.0]);
         assert_eq!(tests[0].lines, [5, 6]);
         let x = tests[0].displacement.as_ref().unwrap();
@@ -262,28 +199,12 @@ mod tests {
 
     #[test]
     fn faults_are_named_by_sheet_and_row() {
-        let error = read_bytes(&workbook(&[(
-            "one",
-            &[&["time_s", "x_mm", "F_N"], &["0", "zero", "1"]],
-        )]))
-        .unwrap_err()
-        .to_string();
-        assert!(
-            error.contains("sheet 'one'") && error.contains("line 2") && error.contains("'zero'"),
-            "{error}"
-        );
-        let error = read_bytes(&workbook(&[("one", &[&["alpha", "beta"]])]))
+        let error = read_bytes(&workbook(&[("one", &[&["time_s", "x_mm", "F_N"], &["0", "zero", "1"]])]))
             .unwrap_err()
             .to_string();
-        assert!(
-            error.contains("alpha, beta") && error.contains("Understood"),
-            "{error}"
-        );
-        assert!(
-            read_bytes(b"no workbook")
-                .unwrap_err()
-                .to_string()
-                .contains("workbook")
-        );
+        assert!(error.contains("sheet 'one'") && error.contains("line 2") && error.contains("'zero'"), "{error}");
+        let error = read_bytes(&workbook(&[("one", &[&["alpha", "beta"]])])).unwrap_err().to_string();
+        assert!(error.contains("alpha, beta") && error.contains("Understood"), "{error}");
+        assert!(read_bytes(b"no workbook").unwrap_err().to_string().contains("workbook"));
     }
 }

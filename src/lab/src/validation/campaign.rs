@@ -70,15 +70,8 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
     compared.iter().try_for_each(Compared::check)?;
     let tests: Vec<TestValidation> = compared.iter().map(TestValidation::of).collect();
     let summary = |wanted: &dyn Fn(&TestValidation) -> bool| {
-        let errors: Vec<Errors> = tests
-            .iter()
-            .filter(|test| wanted(test))
-            .map(|test| test.errors)
-            .collect();
-        Errors::mean(&errors).map(|mean| Summary {
-            tests: errors.len(),
-            errors: mean,
-        })
+        let errors: Vec<Errors> = tests.iter().filter(|test| wanted(test)).map(|test| test.errors).collect();
+        Errors::mean(&errors).map(|mean| Summary { tests: errors.len(), errors: mean })
     };
     Ok(Validation {
         overall: summary(&|_| true).ok_or(ValidationError::NoTests)?,
@@ -94,22 +87,15 @@ impl TestValidation {
     /// Measures a checked test.
     fn of(compared: &Compared<'_>) -> Self {
         let record = compared.record;
-        let max_force_n = record
-            .force
-            .iter()
-            .fold(0.0_f64, |largest, force| largest.max(force.abs()));
-        let deviation =
-            |simulated| Deviation::of_test(simulated, &record.force, &record.velocity, max_force_n);
+        let max_force_n = record.force.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
+        let deviation = |simulated| Deviation::of_test(simulated, &record.force, &record.velocity, max_force_n);
         Self {
             name: record.name.clone(),
             amplitude_m: record.amplitude,
             frequency_hz: record.frequency,
             peak_velocity_m_s: record.peak_velocity,
             max_force_n,
-            errors: Errors {
-                model: deviation(&compared.model),
-                fv_only: deviation(&compared.fv_only),
-            },
+            errors: Errors { model: deviation(&compared.model), fv_only: deviation(&compared.fv_only) },
             used_in_fit: compared.used_in_fit,
             samples: record.force.len(),
             cycles: record.cycles.len(),
@@ -137,71 +123,33 @@ mod tests {
         }
     }
 
-    fn shifted<'a>(
-        record: &'a Record,
-        model: f64,
-        fv_only: f64,
-        used_in_fit: bool,
-    ) -> Compared<'a> {
+    fn shifted<'a>(record: &'a Record, model: f64, fv_only: f64, used_in_fit: bool) -> Compared<'a> {
         let by = |offset: f64| record.force.iter().map(|force| force + offset).collect();
-        Compared {
-            record,
-            model: by(model),
-            fv_only: by(fv_only),
-            used_in_fit,
-        }
+        Compared { record, model: by(model), fv_only: by(fv_only), used_in_fit }
     }
 
     #[test]
     fn fitted_and_left_out_tests_are_told_apart() {
         let (a, b) = (record("a", 1000.0), record("b", 2000.0));
-        let got = validate(&[
-            shifted(&a, 9.0, 18.0, true),
-            shifted(&b, -36.0, 54.0, false),
-        ])
-        .unwrap();
-        let figures =
-            |summary: &Summary| (summary.tests, summary.errors.model.mean_error_n.round());
+        let got = validate(&[shifted(&a, 9.0, 18.0, true), shifted(&b, -36.0, 54.0, false)]).unwrap();
+        let figures = |summary: &Summary| (summary.tests, summary.errors.model.mean_error_n.round());
         assert_eq!(figures(&got.overall), (2, 23.0));
         assert_eq!(figures(got.used_in_fit.as_ref().unwrap()), (1, 9.0));
         assert_eq!(figures(got.left_out.as_ref().unwrap()), (1, 36.0));
-        assert!(
-            (got.overall.errors.model.error_percent - 1.5).abs() < 1e-12,
-            "mean of 1 % and 2 %"
-        );
-        assert!(
-            (got.overall.errors.fv_only.error_percent - 2.5).abs() < 1e-12,
-            "mean of 2 % and 3 %"
-        );
-        assert!(
-            validate(&[shifted(&a, 1.0, 1.0, true)])
-                .unwrap()
-                .left_out
-                .is_none()
-        );
+        assert!((got.overall.errors.model.error_percent - 1.5).abs() < 1e-12, "mean of 1 % and 2 %");
+        assert!((got.overall.errors.fv_only.error_percent - 2.5).abs() < 1e-12, "mean of 2 % and 3 %");
+        assert!(validate(&[shifted(&a, 1.0, 1.0, true)]).unwrap().left_out.is_none());
     }
 
     #[test]
     fn the_written_keys_are_the_promised_ones() {
         // Scripts read these names; changing one breaks them.
-        const ERRORS: [&str; 5] = [
-            "mean_error_n",
-            "error_percent",
-            "region1_n",
-            "region2_n",
-            "rmse_n",
-        ];
+        const ERRORS: [&str; 5] = ["mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"];
         let a = record("a", 1000.0);
         let validation = validate(&[shifted(&a, 9.0, 18.0, true)]).unwrap();
         let written = toml::Value::try_from(&validation).unwrap();
         let (test, overall) = (&written["tests"][0], &written["overall"]);
-        for key in [
-            "name",
-            "amplitude_m",
-            "frequency_hz",
-            "peak_velocity_m_s",
-            "max_force_n",
-        ] {
+        for key in ["name", "amplitude_m", "frequency_hz", "peak_velocity_m_s", "max_force_n"] {
             assert!(test.get(key).is_some(), "{key}");
         }
         for key in ERRORS {

@@ -54,9 +54,7 @@ pub enum ValidationError {
         advice: &'static str,
     },
     /// A cycle that points outside its record.
-    #[error(
-        "test '{test}': cycle {cycle} reaches beyond the last sample: derive the cycles again after cleaning"
-    )]
+    #[error("test '{test}': cycle {cycle} reaches beyond the last sample: derive the cycles again after cleaning")]
     Cycle {
         /// Name of the test.
         test: String,
@@ -88,39 +86,18 @@ impl Compared<'_> {
             ("the displacement", &record.displacement, RECORD),
             ("the velocity", &record.velocity, RECORD),
             ("the model's force", &self.model, SIMULATED),
-            (
-                "the force of the force–velocity curve",
-                &self.fv_only,
-                SIMULATED,
-            ),
+            ("the force of the force–velocity curve", &self.fv_only, SIMULATED),
         ];
         for (series, values, advice) in series {
             if values.len() != expected {
-                return Err(ValidationError::Length {
-                    test: test(),
-                    series,
-                    expected,
-                    got: values.len(),
-                });
+                return Err(ValidationError::Length { test: test(), series, expected, got: values.len() });
             }
             if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-                return Err(ValidationError::NotFinite {
-                    test: test(),
-                    series,
-                    sample: at + 1,
-                    advice,
-                });
+                return Err(ValidationError::NotFinite { test: test(), series, sample: at + 1, advice });
             }
         }
-        if let Some(at) = record
-            .cycles
-            .iter()
-            .position(|cycle| cycle.start > cycle.end || cycle.end > expected)
-        {
-            return Err(ValidationError::Cycle {
-                test: test(),
-                cycle: at + 1,
-            });
+        if let Some(at) = record.cycles.iter().position(|cycle| cycle.start > cycle.end || cycle.end > expected) {
+            return Err(ValidationError::Cycle { test: test(), cycle: at + 1 });
         }
         if record.force.iter().all(|force| *force == 0.0) {
             return Err(ValidationError::NoForce { test: test() });
@@ -146,66 +123,31 @@ mod tests {
 
     fn refusal(record: &Record, model: Vec<f64>) -> ValidationError {
         let fv_only = vec![0.0; record.force.len()];
-        Compared {
-            record,
-            model,
-            fv_only,
-            used_in_fit: false,
-        }
-        .check()
-        .unwrap_err()
+        Compared { record, model, fv_only, used_in_fit: false }.check().unwrap_err()
     }
 
     #[test]
     fn a_diverged_model_is_named_with_its_test_and_sample() {
         let text = refusal(&record(), vec![1.0, f64::NAN]).to_string();
-        assert!(
-            text.contains("'a'") && text.contains("model") && text.contains("sample 2"),
-            "{text}"
-        );
+        assert!(text.contains("'a'") && text.contains("model") && text.contains("sample 2"), "{text}");
     }
 
     #[test]
     fn series_of_another_length_are_refused() {
         let error = refusal(&record(), vec![1.0]);
-        assert!(
-            matches!(
-                error,
-                ValidationError::Length {
-                    expected: 2,
-                    got: 1,
-                    ..
-                }
-            ),
-            "{error}"
-        );
+        assert!(matches!(error, ValidationError::Length { expected: 2, got: 1, .. }), "{error}");
     }
 
     #[test]
     fn a_dead_load_cell_is_refused() {
-        let dead = Record {
-            force: vec![0.0, 0.0],
-            ..record()
-        };
-        assert_eq!(
-            refusal(&dead, vec![1.0, 1.0]),
-            ValidationError::NoForce { test: "a".into() }
-        );
+        let dead = Record { force: vec![0.0, 0.0], ..record() };
+        assert_eq!(refusal(&dead, vec![1.0, 1.0]), ValidationError::NoForce { test: "a".into() });
     }
 
     #[test]
     #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
     fn a_cycle_beyond_the_record_is_refused() {
-        let torn = Record {
-            cycles: vec![0..3],
-            ..record()
-        };
-        assert_eq!(
-            refusal(&torn, vec![1.0, 1.0]),
-            ValidationError::Cycle {
-                test: "a".into(),
-                cycle: 1
-            }
-        );
+        let torn = Record { cycles: vec![0..3], ..record() };
+        assert_eq!(refusal(&torn, vec![1.0, 1.0]), ValidationError::Cycle { test: "a".into(), cycle: 1 });
     }
 }

@@ -37,12 +37,7 @@ pub struct Errors {
 impl Deviation {
     /// Measures one test. The slices have equal lengths and finite values; `max_force` is the largest |measured
     /// force|, N, and not zero.
-    pub(super) fn of_test(
-        simulated: &[f64],
-        measured: &[f64],
-        velocity: &[f64],
-        max_force: f64,
-    ) -> Self {
+    pub(super) fn of_test(simulated: &[f64], measured: &[f64], velocity: &[f64], max_force: f64) -> Self {
         let (mut region1, mut region2, mut squares) = (0.0, 0.0, 0.0);
         for ((simulated, measured), velocity) in simulated.iter().zip(measured).zip(velocity) {
             let error = simulated - measured;
@@ -85,10 +80,7 @@ impl Errors {
         }
         let model: Vec<Deviation> = of.iter().map(|errors| errors.model).collect();
         let fv_only: Vec<Deviation> = of.iter().map(|errors| errors.fv_only).collect();
-        Some(Self {
-            model: Deviation::mean(&model),
-            fv_only: Deviation::mean(&fv_only),
-        })
+        Some(Self { model: Deviation::mean(&model), fv_only: Deviation::mean(&fv_only) })
     }
 
     /// The same figures with the percent taken of another largest force, N: that of a whole row of tests.
@@ -116,28 +108,16 @@ mod tests {
         let simulated = measured.map(|force| force - 148.1041);
         let got = Deviation::of_test(&simulated, &measured, &[1.0, -1.0, 0.0, 0.1], 3466.0);
         assert!((got.mean_error_n - 148.1041).abs() < 1e-9);
-        assert!(
-            (got.error_percent - 4.2731).abs() < 1e-4,
-            "{}",
-            got.error_percent
-        );
+        assert!((got.error_percent - 4.2731).abs() < 1e-4, "{}", got.error_percent);
     }
 
     #[test]
     fn a_constant_offset_has_equal_mean_and_root_mean_square() {
         let measured = [100.0, -40.0, 7.0];
-        let got = Deviation::of_test(
-            &measured.map(|f| f + 20.0),
-            &measured,
-            &[0.0, 0.5, -0.5],
-            100.0,
-        );
+        let got = Deviation::of_test(&measured.map(|f| f + 20.0), &measured, &[0.0, 0.5, -0.5], 100.0);
         assert!((got.mean_error_n - 20.0).abs() < 1e-12 && (got.rmse_n - 20.0).abs() < 1e-12);
         assert!((got.error_percent - 20.0).abs() < 1e-12);
-        assert!(
-            (got.region1_n - 20.0 / 3.0).abs() < 1e-12
-                && (got.region2_n - 40.0 / 3.0).abs() < 1e-12
-        );
+        assert!((got.region1_n - 20.0 / 3.0).abs() < 1e-12 && (got.region2_n - 40.0 / 3.0).abs() < 1e-12);
     }
 
     #[test]
@@ -149,21 +129,11 @@ mod tests {
     #[test]
     fn every_test_counts_once() {
         let test = |error: f64| {
-            let deviation = Deviation {
-                mean_error_n: error,
-                error_percent: error / 10.0,
-                ..Deviation::default()
-            };
-            Errors {
-                model: deviation,
-                fv_only: deviation,
-            }
+            let deviation = Deviation { mean_error_n: error, error_percent: error / 10.0, ..Deviation::default() };
+            Errors { model: deviation, fv_only: deviation }
         };
         let mean = Errors::mean(&[test(10.0), test(30.0)]).unwrap();
-        assert_eq!(
-            (mean.model.mean_error_n, mean.fv_only.error_percent),
-            (20.0, 2.0)
-        );
+        assert_eq!((mean.model.mean_error_n, mean.fv_only.error_percent), (20.0, 2.0));
         assert_eq!(mean.in_percent_of(400.0).model.error_percent, 5.0);
         assert_eq!(Errors::mean(&[]), None);
     }

@@ -84,20 +84,13 @@ impl Hysteresis {
     /// Measures a checked test; `None` where it holds no whole cycle or no motion.
     pub(super) fn of_test(compared: &Compared<'_>) -> Option<Self> {
         let record = compared.record;
-        let cycles: Vec<_> = record
-            .cycles
-            .iter()
-            .filter(|cycle| cycle.len() >= MIN_CYCLE_SAMPLES)
-            .cloned()
-            .collect();
+        let cycles: Vec<_> = record.cycles.iter().filter(|cycle| cycle.len() >= MIN_CYCLE_SAMPLES).cloned().collect();
         let peak = record.peak_velocity;
         if cycles.is_empty() || !(peak.is_finite() && peak > 0.0) {
             return None;
         }
         let per_cycle = |force: &[f64], over: &[f64]| {
-            let loops = cycles
-                .iter()
-                .map(|cycle| loop_integral(&force[cycle.clone()], &over[cycle.clone()]));
+            let loops = cycles.iter().map(|cycle| loop_integral(&force[cycle.clone()], &over[cycle.clone()]));
             loops.sum::<f64>() / cycles.len() as f64
         };
         let bins = Bins::sort(&record.velocity, &record.displacement, &cycles, peak);
@@ -126,9 +119,7 @@ impl Hysteresis {
 /// ∮F dq of one cycle by trapezoids, closed from its last sample back to its first.
 fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
     let next = |i: usize| (i + 1) % force.len();
-    (0..force.len())
-        .map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i]))
-        .sum()
+    (0..force.len()).map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i])).sum()
 }
 
 /// Samples of whole cycles sorted by velocity bin and by branch.
@@ -144,18 +135,11 @@ struct Bins {
 impl Bins {
     /// Velocity rises while the damper is below the middle of its stroke and falls above it. That side is read from
     /// the displacement, since differentiating a measured velocity would only sort the noise.
-    fn sort(
-        velocity: &[f64],
-        displacement: &[f64],
-        cycles: &[std::ops::Range<usize>],
-        peak: f64,
-    ) -> Self {
+    fn sort(velocity: &[f64], displacement: &[f64], cycles: &[std::ops::Range<usize>], peak: f64) -> Self {
         let mut samples = vec![[Vec::new(), Vec::new()]; BINS];
         for cycle in cycles {
             let stroke = &displacement[cycle.clone()];
-            let (low, high) = stroke
-                .iter()
-                .fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
+            let (low, high) = stroke.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
             let middle = 0.5 * (low + high);
             for i in cycle.clone() {
                 let place = (velocity[i] / peak + 1.0) * 0.5 * BINS as f64;
@@ -164,15 +148,9 @@ impl Bins {
                 }
             }
         }
-        let mut bins = Self {
-            peak,
-            samples,
-            usable: vec![false; BINS],
-        };
+        let mut bins = Self { peak, samples, usable: vec![false; BINS] };
         for bin in 0..BINS {
-            let enough = bins.samples[bin]
-                .iter()
-                .all(|branch| branch.len() >= MIN_SAMPLES);
+            let enough = bins.samples[bin].iter().all(|branch| branch.len() >= MIN_SAMPLES);
             bins.usable[bin] = enough && bins.spread(bin, velocity) > 0.0;
         }
         bins
@@ -189,20 +167,14 @@ impl Bins {
 
     /// Sum of squared velocity deviations from the branch means.
     fn spread(&self, bin: usize, velocity: &[f64]) -> f64 {
-        self.samples[bin]
-            .iter()
-            .map(|branch| co_deviation(branch, velocity, velocity))
-            .sum()
+        self.samples[bin].iter().map(|branch| co_deviation(branch, velocity, velocity)).sum()
     }
 
     /// Gap of a usable bin: the distance of two parallel lines through the branches. The shared slope keeps a
     /// difference in where the samples of either branch happen to lie from posing as hysteresis.
     fn gap(&self, bin: usize, velocity: &[f64], force: &[f64]) -> f64 {
         let [rising, falling] = &self.samples[bin];
-        let along: f64 = [rising, falling]
-            .map(|branch| co_deviation(branch, velocity, force))
-            .iter()
-            .sum();
+        let along: f64 = [rising, falling].map(|branch| co_deviation(branch, velocity, force)).iter().sum();
         let slope = along / self.spread(bin, velocity);
         let offset = mean(rising, velocity) - mean(falling, velocity);
         mean(rising, force) - mean(falling, force) - slope * offset
@@ -217,10 +189,7 @@ fn mean(samples: &[usize], of: &[f64]) -> f64 {
 /// Sum over the chosen samples of the product of two channels' deviations from their means.
 fn co_deviation(samples: &[usize], a: &[f64], b: &[f64]) -> f64 {
     let (mean_a, mean_b) = (mean(samples, a), mean(samples, b));
-    samples
-        .iter()
-        .map(|i| (a[*i] - mean_a) * (b[*i] - mean_b))
-        .sum()
+    samples.iter().map(|i| (a[*i] - mean_a) * (b[*i] - mean_b)).sum()
 }
 
 #[cfg(test)]
@@ -237,9 +206,7 @@ mod tests {
     fn sine(cycles: usize, per_cycle: usize, force: impl Fn(f64, f64, f64) -> f64) -> Record {
         let omega = 2.0 * PI * FREQUENCY;
         let mut record = Record {
-            cycles: (0..cycles)
-                .map(|c| c * per_cycle..(c + 1) * per_cycle)
-                .collect(),
+            cycles: (0..cycles).map(|c| c * per_cycle..(c + 1) * per_cycle).collect(),
             amplitude: AMPLITUDE,
             frequency: FREQUENCY,
             peak_velocity: AMPLITUDE * omega,
@@ -258,12 +225,7 @@ mod tests {
 
     fn measured(record: &Record) -> Hysteresis {
         let zero = vec![0.0; record.force.len()];
-        let compared = Compared {
-            record,
-            model: record.force.clone(),
-            fv_only: zero,
-            used_in_fit: false,
-        };
+        let compared = Compared { record, model: record.force.clone(), fv_only: zero, used_in_fit: false };
         Hysteresis::of_test(&compared).unwrap()
     }
 
@@ -274,29 +236,17 @@ mod tests {
         let got = measured(&sine(3, 2000, |x, v, _| k * x + c * v + 200.0));
         let area = -k * PI * AMPLITUDE * AMPLITUDE * omega;
         let energy = c * PI * AMPLITUDE * AMPLITUDE * omega;
-        assert!(
-            (got.area_n_m_s.measured / area - 1.0).abs() < 1e-4,
-            "{} {area}",
-            got.area_n_m_s.measured
-        );
+        assert!((got.area_n_m_s.measured / area - 1.0).abs() < 1e-4, "{} {area}", got.area_n_m_s.measured);
         assert!((got.energy_j.measured / energy - 1.0).abs() < 1e-4);
         assert_eq!((got.gap.len(), got.cycles), (20, 3));
         for bin in &got.gap {
             let part: f64 = bin.velocity_m_s / (AMPLITUDE * omega);
             let gap = |part: f64| -2.0 * k * AMPLITUDE * (1.0 - part * part).max(0.0).sqrt();
             if part.abs() < 0.9 {
-                assert!(
-                    (bin.gap_n.measured / gap(part) - 1.0).abs() < 0.02,
-                    "{part} {}",
-                    bin.gap_n.measured
-                );
+                assert!((bin.gap_n.measured / gap(part) - 1.0).abs() < 0.02, "{part} {}", bin.gap_n.measured);
             } else {
                 // The outermost bins average over the closing end of the loop.
-                assert!(
-                    (gap(0.9)..0.0).contains(&bin.gap_n.measured),
-                    "{part} {}",
-                    bin.gap_n.measured
-                );
+                assert!((gap(0.9)..0.0).contains(&bin.gap_n.measured), "{part} {}", bin.gap_n.measured);
             }
         }
         assert!((got.max_gap_n.measured / (2.0 * k * AMPLITUDE) - 1.0).abs() < 0.01);
@@ -304,45 +254,23 @@ mod tests {
 
     #[test]
     fn a_function_of_velocity_alone_has_no_hysteresis() {
-        let got = measured(&sine(2, 1777, |_, v, _| {
-            900.0 * v * v.abs() + 80.0 * (50.0 * v).tanh()
-        }));
+        let got = measured(&sine(2, 1777, |_, v, _| 900.0 * v * v.abs() + 80.0 * (50.0 * v).tanh()));
         assert!(got.max_gap_n.measured < 1.0, "{:?}", got.max_gap_n);
-        assert!(
-            got.area_n_m_s.measured.abs() < 1e-6,
-            "{}",
-            got.area_n_m_s.measured
-        );
+        assert!(got.area_n_m_s.measured.abs() < 1e-6, "{}", got.area_n_m_s.measured);
     }
 
     #[test]
     fn mass_leads_and_spring_lags() {
-        assert!(
-            measured(&sine(1, 400, |_, _, a| 2.0 * a))
-                .area_n_m_s
-                .measured
-                > 0.0
-        );
-        assert!(
-            measured(&sine(1, 400, |x, _, _| 2000.0 * x))
-                .area_n_m_s
-                .measured
-                < 0.0
-        );
+        assert!(measured(&sine(1, 400, |_, _, a| 2.0 * a)).area_n_m_s.measured > 0.0);
+        assert!(measured(&sine(1, 400, |x, _, _| 2000.0 * x)).area_n_m_s.measured < 0.0);
     }
 
     #[test]
     fn the_gap_integrates_to_the_area() {
-        let got = measured(&sine(2, 3000, |x, v, _| {
-            9e5 * x * x.abs() + 1000.0 * v - 4e4 * x * v.abs()
-        }));
+        let got = measured(&sine(2, 3000, |x, v, _| 9e5 * x * x.abs() + 1000.0 * v - 4e4 * x * v.abs()));
         let width = 2.0 * AMPLITUDE * 2.0 * PI * FREQUENCY / BINS as f64;
         let integral: f64 = got.gap.iter().map(|bin| bin.gap_n.measured * width).sum();
-        assert!(
-            (integral / got.area_n_m_s.measured - 1.0).abs() < 0.01,
-            "{integral} {}",
-            got.area_n_m_s.measured
-        );
+        assert!((integral / got.area_n_m_s.measured - 1.0).abs() < 0.01, "{integral} {}", got.area_n_m_s.measured);
     }
 
     #[test]
@@ -356,11 +284,7 @@ mod tests {
     fn sparse_cycles_leave_bins_out_and_stay_finite() {
         let got = measured(&sine(1, 12, |x, v, _| 5000.0 * x + 1000.0 * v));
         assert!(got.gap.len() < BINS);
-        assert!(
-            got.mean_gap_n.measured.is_finite()
-                && got.gap_error_n == 0.0
-                && got.area_n_m_s.measured < 0.0
-        );
+        assert!(got.mean_gap_n.measured.is_finite() && got.gap_error_n == 0.0 && got.area_n_m_s.measured < 0.0);
     }
 
     #[test]
@@ -368,12 +292,7 @@ mod tests {
         let mut record = sine(1, 100, |x, _, _| x);
         let none = |record: &Record| {
             let zero = vec![0.0; record.force.len()];
-            let compared = Compared {
-                record,
-                model: zero.clone(),
-                fv_only: zero,
-                used_in_fit: false,
-            };
+            let compared = Compared { record, model: zero.clone(), fv_only: zero, used_in_fit: false };
             Hysteresis::of_test(&compared).is_none()
         };
         record.peak_velocity = 0.0;

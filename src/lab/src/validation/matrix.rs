@@ -71,11 +71,9 @@ pub struct ErrorMatrix {
 impl ErrorMatrix {
     /// Groups measured tests.
     pub(super) fn of(tests: &[TestValidation]) -> Self {
-        let (slow, rest): (Vec<_>, Vec<_>) = tests
-            .iter()
-            .partition(|test| test.cycles > 0 && test.peak_velocity_m_s < SLOW_PEAK_VELOCITY);
-        let (periodic, not_periodic): (Vec<_>, Vec<_>) =
-            rest.into_iter().partition(|test| test.cycles > 0);
+        let (slow, rest): (Vec<_>, Vec<_>) =
+            tests.iter().partition(|test| test.cycles > 0 && test.peak_velocity_m_s < SLOW_PEAK_VELOCITY);
+        let (periodic, not_periodic): (Vec<_>, Vec<_>) = rest.into_iter().partition(|test| test.cycles > 0);
 
         let amplitudes: Vec<f64> = periodic.iter().map(|test| test.amplitude_m).collect();
         let velocities: Vec<f64> = periodic.iter().map(|test| test.peak_velocity_m_s).collect();
@@ -87,19 +85,10 @@ impl ErrorMatrix {
         let mut cells = Vec::new();
         for (amplitude_row, amplitude) in amplitude_groups.iter().enumerate() {
             for (peak_velocity_row, velocity) in velocity_groups.iter().enumerate() {
-                let both: Vec<usize> = amplitude
-                    .iter()
-                    .filter(|i| velocity.contains(i))
-                    .copied()
-                    .collect();
+                let both: Vec<usize> = amplitude.iter().filter(|i| velocity.contains(i)).copied().collect();
                 let errors: Vec<Errors> = pick(&both).iter().map(|test| test.errors).collect();
                 if let Some(errors) = Errors::mean(&errors) {
-                    cells.push(MatrixCell {
-                        amplitude_row,
-                        peak_velocity_row,
-                        tests: both.len(),
-                        errors,
-                    });
+                    cells.push(MatrixCell { amplitude_row, peak_velocity_row, tests: both.len(), errors });
                 }
             }
         }
@@ -108,38 +97,23 @@ impl ErrorMatrix {
                 .iter()
                 .filter_map(|group| {
                     let value = mean(group, &amplitudes);
-                    row(
-                        format!("{} mm amplitude", three_digits(1e3 * value)),
-                        value,
-                        &pick(group),
-                    )
+                    row(format!("{} mm amplitude", three_digits(1e3 * value)), value, &pick(group))
                 })
                 .collect(),
             by_peak_velocity: velocity_groups
                 .iter()
                 .filter_map(|group| {
                     let value = mean(group, &velocities);
-                    row(
-                        format!("{} mm/s peak velocity", three_digits(1e3 * value)),
-                        value,
-                        &pick(group),
-                    )
+                    row(format!("{} mm/s peak velocity", three_digits(1e3 * value)), value, &pick(group))
                 })
                 .collect(),
             cells,
             slow: row(
-                format!(
-                    "slow friction tests, below {} mm/s",
-                    1e3 * SLOW_PEAK_VELOCITY
-                ),
+                format!("slow friction tests, below {} mm/s", 1e3 * SLOW_PEAK_VELOCITY),
                 mean_peak_velocity(&slow),
                 &slow,
             ),
-            not_periodic: row(
-                "tests without whole cycles".into(),
-                mean_peak_velocity(&not_periodic),
-                &not_periodic,
-            ),
+            not_periodic: row("tests without whole cycles".into(), mean_peak_velocity(&not_periodic), &not_periodic),
         }
     }
 }
@@ -147,10 +121,7 @@ impl ErrorMatrix {
 /// A row over tests; `None` without tests.
 fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow> {
     let errors: Vec<Errors> = tests.iter().map(|test| test.errors).collect();
-    let max_force_n = tests
-        .iter()
-        .map(|test| test.max_force_n)
-        .fold(0.0, f64::max);
+    let max_force_n = tests.iter().map(|test| test.max_force_n).fold(0.0, f64::max);
     Some(MatrixRow {
         label,
         value,
@@ -169,9 +140,7 @@ fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for i in order {
         match groups.last_mut() {
-            Some(group) if values[i] - mean(group, values) <= (SAME * values[i]).max(floor) => {
-                group.push(i)
-            }
+            Some(group) if values[i] - mean(group, values) <= (SAME * values[i]).max(floor) => group.push(i),
             _ => groups.push(vec![i]),
         }
     }
@@ -193,11 +162,7 @@ fn mean_peak_velocity(tests: &[&TestValidation]) -> f64 {
 fn three_digits(value: f64) -> String {
     let decimals = (2.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 #[cfg(test)]
@@ -205,12 +170,7 @@ mod tests {
     use super::super::Deviation;
     use super::*;
 
-    fn test(
-        amplitude_mm: f64,
-        peak_mm_s: f64,
-        mean_error_n: f64,
-        max_force_n: f64,
-    ) -> TestValidation {
+    fn test(amplitude_mm: f64, peak_mm_s: f64, mean_error_n: f64, max_force_n: f64) -> TestValidation {
         let deviation = Deviation {
             mean_error_n,
             error_percent: 100.0 * mean_error_n / max_force_n,
@@ -223,10 +183,7 @@ mod tests {
             frequency_hz: peak_mm_s / amplitude_mm / std::f64::consts::TAU,
             peak_velocity_m_s: 1e-3 * peak_mm_s,
             max_force_n,
-            errors: Errors {
-                model: deviation,
-                fv_only: deviation,
-            },
+            errors: Errors { model: deviation, fv_only: deviation },
             used_in_fit: false,
             samples: 100,
             cycles: 3,
@@ -246,37 +203,19 @@ mod tests {
             test(25.0, 530.0, 11.0, 1500.0),
         ];
         let matrix = ErrorMatrix::of(&tests);
-        let amplitudes: Vec<_> = matrix
-            .by_amplitude
-            .iter()
-            .map(|row| (row.label.as_str(), row.tests))
-            .collect();
-        let expected = [
-            ("49.6 mm amplitude", 2),
-            ("30 mm amplitude", 1),
-            ("25 mm amplitude", 1),
-            ("1 mm amplitude", 2),
-        ];
+        let amplitudes: Vec<_> = matrix.by_amplitude.iter().map(|row| (row.label.as_str(), row.tests)).collect();
+        let expected =
+            [("49.6 mm amplitude", 2), ("30 mm amplitude", 1), ("25 mm amplitude", 1), ("1 mm amplitude", 2)];
         assert_eq!(amplitudes, expected);
-        let velocities: Vec<_> = matrix
-            .by_peak_velocity
-            .iter()
-            .map(|row| row.tests)
-            .collect();
+        let velocities: Vec<_> = matrix.by_peak_velocity.iter().map(|row| row.tests).collect();
         assert_eq!(velocities, [1, 2, 2, 1]);
-        assert_eq!(
-            matrix.cells.iter().map(|cell| cell.tests).sum::<usize>(),
-            tests.len()
-        );
+        assert_eq!(matrix.cells.iter().map(|cell| cell.tests).sum::<usize>(), tests.len());
         assert!(matrix.slow.is_none() && matrix.not_periodic.is_none());
     }
 
     #[test]
     fn a_row_is_in_percent_of_its_own_largest_force() {
-        let matrix = ErrorMatrix::of(&[
-            test(50.0, 1571.0, 200.0, 3466.0),
-            test(50.0, 524.0, 96.2082, 1500.0),
-        ]);
+        let matrix = ErrorMatrix::of(&[test(50.0, 1571.0, 200.0, 3466.0), test(50.0, 524.0, 96.2082, 1500.0)]);
         let row = &matrix.by_amplitude[0];
         assert!((row.errors.model.mean_error_n - 148.1041).abs() < 1e-9);
         assert!((row.errors.model.error_percent - 4.2731).abs() < 1e-4);
@@ -287,11 +226,7 @@ mod tests {
     fn slow_and_aperiodic_tests_stand_apart() {
         let mut road = test(20.0, 800.0, 50.0, 2000.0);
         road.cycles = 0;
-        let matrix = ErrorMatrix::of(&[
-            test(10.0, 2.58, 10.0, 140.0),
-            test(10.0, 52.0, 20.0, 300.0),
-            road,
-        ]);
+        let matrix = ErrorMatrix::of(&[test(10.0, 2.58, 10.0, 140.0), test(10.0, 52.0, 20.0, 300.0), road]);
         assert_eq!(matrix.slow.unwrap().test_names, ["10/2.58"]);
         assert_eq!(matrix.not_periodic.unwrap().tests, 1);
         assert_eq!(matrix.by_amplitude.len(), 1);
@@ -300,13 +235,7 @@ mod tests {
 
     #[test]
     fn labels_keep_three_digits() {
-        let cases = [
-            (1571.2, "1571"),
-            (52.36, "52.4"),
-            (50.0, "50"),
-            (0.4004, "0.4"),
-            (12.5, "12.5"),
-        ];
+        let cases = [(1571.2, "1571"), (52.36, "52.4"), (50.0, "50"), (0.4004, "0.4"), (12.5, "12.5")];
         for (value, label) in cases {
             assert_eq!(three_digits(value), label);
         }

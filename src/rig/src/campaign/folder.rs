@@ -63,12 +63,7 @@ impl Campaign {
         outcome.and(cleared)
     }
 
-    fn write_by_way_of(
-        &self,
-        folder: &Path,
-        aside: &Path,
-        earlier: &BTreeSet<String>,
-    ) -> Result<(), RigError> {
+    fn write_by_way_of(&self, folder: &Path, aside: &Path, earlier: &BTreeSet<String>) -> Result<(), RigError> {
         let files: Vec<String> = self.records.iter().map(Record::file_name).collect();
         let written: Vec<Result<(), RigError>> = self
             .records
@@ -89,13 +84,9 @@ impl Campaign {
             }
         }
         let description = toml::to_string(&self.description()).map_err(|error| {
-            RigError::io("describe the campaign in", &folder.join(CAMPAIGN_FILE))(io::Error::other(
-                error,
-            ))
+            RigError::io("describe the campaign in", &folder.join(CAMPAIGN_FILE))(io::Error::other(error))
         })?;
-        replace_file(&folder.join(CAMPAIGN_FILE), |out| {
-            out.write_all(description.as_bytes())
-        })?;
+        replace_file(&folder.join(CAMPAIGN_FILE), |out| out.write_all(description.as_bytes()))?;
         for file in &files {
             let place = folder.join(file);
             fs::rename(aside.join(file), &place).map_err(RigError::io("write", &place))?;
@@ -105,11 +96,7 @@ impl Campaign {
 
     fn description(&self) -> Description {
         let mut channels = vec!["time_s", "displacement_m", "velocity_m_s", "force_N"];
-        if self
-            .records
-            .iter()
-            .any(|record| record.side_force_n.is_some())
-        {
+        if self.records.iter().any(|record| record.side_force_n.is_some()) {
             channels.push("side_force_N");
         }
         // Six decimals are a nanometre; more would only show the binary representation.
@@ -119,8 +106,7 @@ impl Campaign {
             seed: self.options.seed,
             noise_percent: self.options.noise_percent,
             channels: channels.into_iter().map(str::to_owned).collect(),
-            signs: "extension (rebound) displacement and velocity positive, tension force positive"
-                .into(),
+            signs: "extension (rebound) displacement and velocity positive, tension force positive".into(),
             test: self
                 .records
                 .iter()
@@ -149,17 +135,9 @@ impl Record {
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
         out.write_all(b"time_s,displacement_m,velocity_m_s,force_N")?;
-        out.write_all(if side.is_some() {
-            b",side_force_N\n"
-        } else {
-            b"\n"
-        })?;
+        out.write_all(if side.is_some() { b",side_force_N\n" } else { b"\n" })?;
         for (i, time) in self.time_s.iter().enumerate() {
-            write!(
-                out,
-                "{time:.6},{:.7},{:.7},{:.3}",
-                self.displacement_m[i], self.velocity_m_s[i], self.force_n[i]
-            )?;
+            write!(out, "{time:.6},{:.7},{:.7},{:.3}", self.displacement_m[i], self.velocity_m_s[i], self.force_n[i])?;
             if let Some(side) = side {
                 write!(out, ",{:.2}", side[i])?;
             }
@@ -185,12 +163,7 @@ fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     if present.is_empty() {
         return Ok(BTreeSet::new());
     }
-    let refuse = |problem: String| {
-        Err(RigError::Folder {
-            folder: folder.to_owned(),
-            problem,
-        })
-    };
+    let refuse = |problem: String| Err(RigError::Folder { folder: folder.to_owned(), problem });
     let description = folder.join(CAMPAIGN_FILE);
     let listed = if present.contains(CAMPAIGN_FILE) {
         let text = fs::read_to_string(&description).map_err(RigError::io("read", &description))?;
@@ -208,9 +181,7 @@ fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
         ));
     };
     // Any other CSV would be taken for a record of the campaign, or be overwritten by one.
-    let foreign = present
-        .iter()
-        .find(|name| name.to_lowercase().ends_with(".csv") && !listed.contains(*name));
+    let foreign = present.iter().find(|name| name.to_lowercase().ends_with(".csv") && !listed.contains(*name));
     if let Some(name) = foreign {
         return refuse(format!(
             "'{name}' does not belong to the earlier campaign in this folder; move it away or choose another folder"
@@ -221,9 +192,7 @@ fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
 
 fn remove_folder(folder: &Path) -> Result<(), RigError> {
     match fs::remove_dir_all(folder) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => {
-            Err(RigError::io("remove the folder", folder)(error))
-        }
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(RigError::io("remove the folder", folder)(error)),
         _ => Ok(()),
     }
 }
@@ -245,11 +214,7 @@ mod tests {
     }
 
     fn campaign(matrix: &Matrix, threads: usize) -> Campaign {
-        let options = Options {
-            seed: 3,
-            threads: Some(threads),
-            ..Options::default()
-        };
+        let options = Options { seed: 3, threads: Some(threads), ..Options::default() };
         Campaign::run(matrix, &options, |_, _| {}).unwrap()
     }
 
@@ -258,10 +223,7 @@ mod tests {
             .unwrap()
             .map(|entry| {
                 let entry = entry.unwrap();
-                (
-                    entry.file_name().into_string().unwrap(),
-                    fs::read(entry.path()).unwrap(),
-                )
+                (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())
             })
             .collect()
     }
@@ -287,24 +249,9 @@ mod tests {
         let campaign = campaign(&Matrix::new(points).unwrap(), 2);
         campaign.write(folder.path()).unwrap();
         for record in &campaign.records {
-            let mut reader =
-                csv::Reader::from_path(folder.path().join(record.file_name())).unwrap();
-            let header: Vec<String> = reader
-                .headers()
-                .unwrap()
-                .iter()
-                .map(str::to_owned)
-                .collect();
-            assert_eq!(
-                header,
-                [
-                    "time_s",
-                    "displacement_m",
-                    "velocity_m_s",
-                    "force_N",
-                    "side_force_N"
-                ]
-            );
+            let mut reader = csv::Reader::from_path(folder.path().join(record.file_name())).unwrap();
+            let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+            assert_eq!(header, ["time_s", "displacement_m", "velocity_m_s", "force_N", "side_force_N"]);
             let rows: Vec<[f64; 5]> = reader.deserialize().map(Result::unwrap).collect();
             assert_eq!(rows.len(), record.time_s.len());
             let side = record.side_force_n.as_ref().unwrap();
@@ -321,26 +268,14 @@ mod tests {
     #[test]
     fn earlier_campaign_is_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
-        campaign(&matrix(vec![0.01, 0.02]), 2)
-            .write(folder.path())
-            .unwrap();
+        campaign(&matrix(vec![0.01, 0.02]), 2).write(folder.path()).unwrap();
         // Remains of an interrupted run, and a user's notes.
         fs::create_dir(folder.path().join(UNFINISHED)).unwrap();
         fs::write(folder.path().join(UNFINISHED).join("x.csv"), "half").unwrap();
         fs::write(folder.path().join("notes.txt"), "kept").unwrap();
-        campaign(&matrix(vec![0.02]), 2)
-            .write(folder.path())
-            .unwrap();
+        campaign(&matrix(vec![0.02]), 2).write(folder.path()).unwrap();
         let names: Vec<String> = contents(folder.path()).into_keys().collect();
-        assert_eq!(
-            names,
-            [
-                "a20mm_v0250mm_s.csv",
-                "a20mm_v0500mm_s.csv",
-                "campaign.toml",
-                "notes.txt"
-            ]
-        );
+        assert_eq!(names, ["a20mm_v0250mm_s.csv", "a20mm_v0500mm_s.csv", "campaign.toml", "notes.txt"]);
     }
 
     #[test]
@@ -355,13 +290,8 @@ mod tests {
             message
         };
         let message = refused(&|folder| fs::write(folder.join("thesis.csv"), "mine").unwrap());
-        assert!(
-            message.contains("no earlier campaign")
-                && message.contains("choose a new or empty folder")
-        );
-        let message = refused(&|folder| {
-            fs::write(folder.join(CAMPAIGN_FILE), "format = \"other\"\n").unwrap()
-        });
+        assert!(message.contains("no earlier campaign") && message.contains("choose a new or empty folder"));
+        let message = refused(&|folder| fs::write(folder.join(CAMPAIGN_FILE), "format = \"other\"\n").unwrap());
         assert!(message.contains("no earlier campaign"));
         let message = refused(&|folder| {
             campaign.write(folder).unwrap();
@@ -384,10 +314,7 @@ mod tests {
         let description: Description = toml::from_str(&text).unwrap();
         assert_eq!((description.seed, description.noise_percent), (3, 1.0));
         assert_eq!(description.test.len(), 2);
-        assert_eq!(
-            description.test[1].samples as usize,
-            campaign.records[1].time_s.len()
-        );
+        assert_eq!(description.test[1].samples as usize, campaign.records[1].time_s.len());
         for word in ["bulk", "preload", "seal", "friction", "gas", "valve"] {
             assert!(!text.contains(word), "{text}");
         }

@@ -4,9 +4,7 @@ mod folder;
 mod run;
 
 pub use folder::CAMPAIGN_FILE;
-pub use run::{
-    HIGHEST_DEFAULT_RATE_HZ, LOWEST_DEFAULT_RATE_HZ, SAMPLES_PER_CYCLE, default_sample_rate_hz,
-};
+pub use run::{HIGHEST_DEFAULT_RATE_HZ, LOWEST_DEFAULT_RATE_HZ, SAMPLES_PER_CYCLE, default_sample_rate_hz};
 
 use crate::TestPoint;
 
@@ -27,12 +25,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            seed: 0,
-            noise_percent: 1.0,
-            sample_rate_hz: None,
-            threads: None,
-        }
+        Self { seed: 0, noise_percent: 1.0, sample_rate_hz: None, threads: None }
     }
 }
 

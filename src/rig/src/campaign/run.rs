@@ -19,9 +19,7 @@ pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;
 pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
 
 /// Rates whose sample times are whole microseconds, so that they are exact in a file with six decimals, Hz.
-const RATES_HZ: [f64; 13] = [
-    20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0,
-];
+const RATES_HZ: [f64; 13] = [20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0];
 /// Sample rates the data logger allows, Hz.
 const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
 /// Most samples of one record; a longer one is a mistake in the options.
@@ -35,10 +33,7 @@ const NOISE_LIMIT_PERCENT: f64 = 100.0;
 /// 1000 Hz. A slow test is thus sampled finely enough for its break-away, and a fast one as a usual logger does.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
-    RATES_HZ
-        .into_iter()
-        .find(|rate| *rate >= wanted)
-        .unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
+    RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
 }
 
 impl Campaign {
@@ -49,11 +44,7 @@ impl Campaign {
     ///
     /// # Errors
     /// [`RigError::Option`] when an option is out of range, [`RigError::Motion`] when a test cannot be simulated.
-    pub fn run(
-        matrix: &Matrix,
-        options: &Options,
-        progress: impl Fn(usize, usize) + Sync,
-    ) -> Result<Self, RigError> {
+    pub fn run(matrix: &Matrix, options: &Options, progress: impl Fn(usize, usize) + Sync) -> Result<Self, RigError> {
         Self::run_on(&Damper::seeded(options.seed), matrix, options, progress)
     }
 
@@ -68,12 +59,12 @@ impl Campaign {
         progress: impl Fn(usize, usize) + Sync,
     ) -> Result<Self, RigError> {
         check(matrix, options)?;
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(options.threads.unwrap_or(0))
-            .build()
-            .map_err(|error| RigError::Option {
-                option: "threads",
-                problem: format!("the worker threads could not be started: {error}"),
+        let pool =
+            rayon::ThreadPoolBuilder::new().num_threads(options.threads.unwrap_or(0)).build().map_err(|error| {
+                RigError::Option {
+                    option: "threads",
+                    problem: format!("the worker threads could not be started: {error}"),
+                }
             })?;
         let total = matrix.points().len();
         let done = AtomicUsize::new(0);
@@ -103,10 +94,7 @@ fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
     let fail = |option, problem| Err(RigError::Option { option, problem });
     let noise = options.noise_percent;
     if !(0.0..=NOISE_LIMIT_PERCENT).contains(&noise) {
-        return fail(
-            "noise",
-            format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"),
-        );
+        return fail("noise", format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"));
     }
     if i64::try_from(options.seed).is_err() {
         // The description is TOML, whose integers end there.
@@ -147,24 +135,13 @@ fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
 }
 
 /// One test, from rest to rest.
-fn measure(
-    damper: &Damper,
-    point: &TestPoint,
-    options: &Options,
-    with_side_force: bool,
-) -> Result<Record, RigError> {
+fn measure(damper: &Damper, point: &TestPoint, options: &Options, with_side_force: bool) -> Result<Record, RigError> {
     let drive = Drive::new(point);
     let excitation = |time: f64| {
         let (displacement_m, velocity_m_s) = drive.motion(time);
-        Excitation {
-            displacement_m,
-            velocity_m_s,
-            side_force_n: point.side_force_n,
-        }
+        Excitation { displacement_m, velocity_m_s, side_force_n: point.side_force_n }
     };
-    let sample_rate_hz = options
-        .sample_rate_hz
-        .unwrap_or_else(|| default_sample_rate_hz(point.frequency_hz));
+    let sample_rate_hz = options.sample_rate_hz.unwrap_or_else(|| default_sample_rate_hz(point.frequency_hz));
     let count = (drive.duration_s() * sample_rate_hz).floor() as usize + 1;
     let mut record = Record {
         point: point.clone(),
@@ -216,11 +193,7 @@ fn rms_of_full_cycles(record: &Record, (start, end): (f64, f64)) -> f64 {
             count += 1.0;
         }
     }
-    if count > 0.0 {
-        f64::sqrt(sum / count)
-    } else {
-        0.0
-    }
+    if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -239,10 +212,7 @@ mod tests {
     }
 
     fn ideal() -> Options {
-        Options {
-            noise_percent: 0.0,
-            ..Options::default()
-        }
+        Options { noise_percent: 0.0, ..Options::default() }
     }
 
     #[test]
@@ -250,9 +220,7 @@ mod tests {
         for point in Matrix::default().points() {
             let rate = default_sample_rate_hz(point.frequency_hz);
             assert!((LOWEST_DEFAULT_RATE_HZ..=HIGHEST_DEFAULT_RATE_HZ).contains(&rate));
-            assert!(
-                rate >= SAMPLES_PER_CYCLE * point.frequency_hz || rate == HIGHEST_DEFAULT_RATE_HZ
-            );
+            assert!(rate >= SAMPLES_PER_CYCLE * point.frequency_hz || rate == HIGHEST_DEFAULT_RATE_HZ);
             assert_eq!((1e6 / rate).fract(), 0.0);
         }
     }
@@ -261,16 +229,8 @@ mod tests {
     fn noise_has_the_stated_size_on_every_channel() {
         let matrix = small_matrix();
         let clean = Campaign::run(&matrix, &ideal(), |_, _| {}).unwrap();
-        let noisy = Campaign::run(
-            &matrix,
-            &Options {
-                noise_percent: 2.0,
-                sample_rate_hz: None,
-                ..ideal()
-            },
-            |_, _| {},
-        )
-        .unwrap();
+        let noisy = Campaign::run(&matrix, &Options { noise_percent: 2.0, sample_rate_hz: None, ..ideal() }, |_, _| {})
+            .unwrap();
         for (clean, noisy) in clean.records.iter().zip(&noisy.records) {
             let deviation = |a: &[f64], b: &[f64]| {
                 (a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64).sqrt()
@@ -278,20 +238,11 @@ mod tests {
             let rms = rms_of_full_cycles(clean, Drive::new(&clean.point).full_cycles_s());
             for (measured, stated) in [
                 (deviation(&clean.force_n, &noisy.force_n), 0.02 * rms + 0.5),
-                (
-                    deviation(&clean.displacement_m, &noisy.displacement_m),
-                    2e-6,
-                ),
-                (
-                    deviation(&clean.velocity_m_s, &noisy.velocity_m_s),
-                    1e-3 * clean.point.peak_velocity_m_s,
-                ),
+                (deviation(&clean.displacement_m, &noisy.displacement_m), 2e-6),
+                (deviation(&clean.velocity_m_s, &noisy.velocity_m_s), 1e-3 * clean.point.peak_velocity_m_s),
             ] {
                 let error = 4.0 / (2.0 * clean.time_s.len() as f64).sqrt();
-                assert!(
-                    (measured / stated - 1.0).abs() < error,
-                    "{measured} against {stated}"
-                );
+                assert!((measured / stated - 1.0).abs() < error, "{measured} against {stated}");
             }
         }
     }
@@ -301,15 +252,7 @@ mod tests {
         let matrix = small_matrix();
         let both = Campaign::run(&matrix, &Options::default(), |_, _| {}).unwrap();
         let reversed = Matrix::new(matrix.points().iter().rev().cloned().collect()).unwrap();
-        let other = Campaign::run(
-            &reversed,
-            &Options {
-                threads: Some(1),
-                ..Options::default()
-            },
-            |_, _| {},
-        )
-        .unwrap();
+        let other = Campaign::run(&reversed, &Options { threads: Some(1), ..Options::default() }, |_, _| {}).unwrap();
         assert_eq!(both.records[0], other.records[1]);
         assert_eq!(both.records[1], other.records[0]);
     }
@@ -328,65 +271,20 @@ mod tests {
     #[test]
     fn options_out_of_range_are_named() {
         for (options, words) in [
-            (
-                Options {
-                    noise_percent: -1.0,
-                    ..ideal()
-                },
-                "option noise",
-            ),
-            (
-                Options {
-                    noise_percent: f64::NAN,
-                    ..ideal()
-                },
-                "option noise",
-            ),
-            (
-                Options {
-                    sample_rate_hz: Some(0.0),
-                    ..ideal()
-                },
-                "option sample rate: 0 Hz",
-            ),
-            (
-                Options {
-                    sample_rate_hz: Some(20.0),
-                    ..ideal()
-                },
-                "fewer than 8 samples per cycle",
-            ),
-            (
-                Options {
-                    threads: Some(0),
-                    ..ideal()
-                },
-                "option threads",
-            ),
-            (
-                Options {
-                    seed: u64::MAX,
-                    ..ideal()
-                },
-                "option seed",
-            ),
+            (Options { noise_percent: -1.0, ..ideal() }, "option noise"),
+            (Options { noise_percent: f64::NAN, ..ideal() }, "option noise"),
+            (Options { sample_rate_hz: Some(0.0), ..ideal() }, "option sample rate: 0 Hz"),
+            (Options { sample_rate_hz: Some(20.0), ..ideal() }, "fewer than 8 samples per cycle"),
+            (Options { threads: Some(0), ..ideal() }, "option threads"),
+            (Options { seed: u64::MAX, ..ideal() }, "option seed"),
         ] {
-            let message = Campaign::run(&small_matrix(), &options, |_, _| {})
-                .unwrap_err()
-                .to_string();
+            let message = Campaign::run(&small_matrix(), &options, |_, _| {}).unwrap_err().to_string();
             assert!(message.contains(words), "{message}");
         }
         let slow = Matrix::default();
-        let message = Campaign::run(
-            &slow,
-            &Options {
-                sample_rate_hz: Some(20e3),
-                ..ideal()
-            },
-            |_, _| {},
-        )
-        .unwrap_err()
-        .to_string();
+        let message = Campaign::run(&slow, &Options { sample_rate_hz: Some(20e3), ..ideal() }, |_, _| {})
+            .unwrap_err()
+            .to_string();
         assert!(message.contains("lower the rate"), "{message}");
     }
 }

@@ -73,10 +73,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
 fn is_plausible(damper: &Damper) -> bool {
     let gas = (damper.gas.pressure_pa - ATMOSPHERE_PA) * damper.tube.rod_area_m2();
     let flow = damper.tube.annulus_m2() * TOP_VELOCITY_M_S;
-    let drop = damper
-        .valves
-        .pressure_drop_pa(-flow, damper.oil.density_kg_m3)
-        .abs();
+    let drop = damper.valves.pressure_drop_pa(-flow, damper.oil.density_kg_m3).abs();
     let rebound = damper.steady_force_n(TOP_VELOCITY_M_S);
     let compression = -damper.steady_force_n(-TOP_VELOCITY_M_S);
     (60.0..=220.0).contains(&gas)
@@ -102,15 +99,10 @@ mod tests {
 
     #[test]
     fn draws_spread_around_the_default() {
-        let forces: Vec<f64> = (1..=200)
-            .map(|seed| Damper::seeded(seed).steady_force_n(0.5))
-            .collect();
+        let forces: Vec<f64> = (1..=200).map(|seed| Damper::seeded(seed).steady_force_n(0.5)).collect();
         let default = Damper::default().steady_force_n(0.5);
         let below = forces.iter().filter(|force| **force < default).count();
-        assert!(
-            (60..=140).contains(&below),
-            "{below} of 200 below the default"
-        );
+        assert!((60..=140).contains(&below), "{below} of 200 below the default");
         let mean = forces.iter().sum::<f64>() / 200.0;
         let spread = (forces.iter().map(|f| (f - mean).powi(2)).sum::<f64>() / 199.0).sqrt() / mean;
         assert!((0.05..0.35).contains(&spread), "{spread}");

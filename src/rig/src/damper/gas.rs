@@ -13,11 +13,7 @@ pub struct GasChamber {
 
 impl Default for GasChamber {
     fn default() -> Self {
-        Self {
-            pressure_pa: 1.7e6,
-            volume_m3: 8.0e-5,
-            exponent: 1.25,
-        }
+        Self { pressure_pa: 1.7e6, volume_m3: 8.0e-5, exponent: 1.25 }
     }
 }
 

@@ -78,9 +78,7 @@ impl Damper {
     /// What the force-velocity points of a long, slow stroke tend to.
     pub fn steady_force_n(&self, velocity_m_s: f64) -> f64 {
         let area = self.tube.annulus_m2();
-        let drop = self
-            .valves
-            .pressure_drop_pa(area * velocity_m_s, self.oil.density_kg_m3);
+        let drop = self.valves.pressure_drop_pa(area * velocity_m_s, self.oil.density_kg_m3);
         let gas = (self.gas.pressure_pa - ATMOSPHERE_PA) * self.tube.rod_area_m2();
         drop * area - gas + self.seal.sliding_force_n(velocity_m_s, 0.0)
     }

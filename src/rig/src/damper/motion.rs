@@ -33,48 +33,28 @@ pub struct Excitation {
 impl Damper {
     /// Error allowed per step: 2e-7 of each state, and absolutely what makes a thousandth of a newton.
     pub(crate) fn tolerance() -> Tolerance<STATES> {
-        Tolerance {
-            absolute: [1.0, 1.0, 2e-9, 1e-10, 5e-7],
-            relative: 2e-7,
-        }
+        Tolerance { absolute: [1.0, 1.0, 2e-9, 1e-10, 5e-7], relative: 2e-7 }
     }
 
     /// Rates of all states.
     pub(crate) fn rates(&self, state: &State, input: &Excitation) -> State {
-        let Chambers {
-            rebound,
-            compression,
-            velocity,
-        } = self.chambers(state, input);
-        let flow = self
-            .valves
-            .flow_m3_s(state[REBOUND] - state[COMPRESSION], self.oil.density_kg_m3);
+        let Chambers { rebound, compression, velocity } = self.chambers(state, input);
+        let flow = self.valves.flow_m3_s(state[REBOUND] - state[COMPRESSION], self.oil.density_kg_m3);
         // The valve passes its volume at the density of the chamber it comes from; mass, not volume, is what arrives.
         let (out_of_rebound, into_compression) = if flow > 0.0 {
-            (
-                flow,
-                flow * compression.specific_volume / rebound.specific_volume,
-            )
+            (flow, flow * compression.specific_volume / rebound.specific_volume)
         } else {
-            (
-                flow * rebound.specific_volume / compression.specific_volume,
-                flow,
-            )
+            (flow * rebound.specific_volume / compression.specific_volume, flow)
         };
         let mut rates = [0.0; STATES];
-        rates[REBOUND] = (self.tube.annulus_m2() * velocity * rebound.dilation - out_of_rebound)
-            / rebound.compliance;
-        rates[COMPRESSION] = (into_compression
-            - self.tube.piston_m2() * velocity * compression.dilation)
-            / compression.compliance;
-        rates[BRISTLE] = self
-            .seal
-            .deflection_rate(state[BRISTLE], velocity, input.side_force_n);
+        rates[REBOUND] = (self.tube.annulus_m2() * velocity * rebound.dilation - out_of_rebound) / rebound.compliance;
+        rates[COMPRESSION] =
+            (into_compression - self.tube.piston_m2() * velocity * compression.dilation) / compression.compliance;
+        rates[BRISTLE] = self.seal.deflection_rate(state[BRISTLE], velocity, input.side_force_n);
         if let Some(mount) = &self.mount {
             rates[MOUNT] = state[MOUNT_RATE];
-            rates[MOUNT_RATE] = (self.rod_force_n(state)
-                - mount.force_n(state[MOUNT], state[MOUNT_RATE]))
-                / mount.rod_mass_kg;
+            rates[MOUNT_RATE] =
+                (self.rod_force_n(state) - mount.force_n(state[MOUNT], state[MOUNT_RATE])) / mount.rod_mass_kg;
         }
         rates
     }
@@ -121,18 +101,8 @@ impl Damper {
 
     /// Volume the oil of both chambers would have at atmospheric pressure, m³: constant, as its mass is.
     fn oil_volume(&self, state: &State, displacement_m: f64) -> f64 {
-        let chambers = self.chambers(
-            state,
-            &Excitation {
-                displacement_m,
-                velocity_m_s: 0.0,
-                side_force_n: 0.0,
-            },
-        );
-        [chambers.rebound, chambers.compression]
-            .iter()
-            .map(|chamber| chamber.volume / chamber.specific_volume)
-            .sum()
+        let chambers = self.chambers(state, &Excitation { displacement_m, velocity_m_s: 0.0, side_force_n: 0.0 });
+        [chambers.rebound, chambers.compression].iter().map(|chamber| chamber.volume / chamber.specific_volume).sum()
     }
 
     fn chambers(&self, state: &State, input: &Excitation) -> Chambers {
@@ -143,8 +113,7 @@ impl Damper {
 
         let rebound_space = tube.annulus_m2() * (tube.rebound_length_m - position);
         let gas = self.gas.volume_at(state[COMPRESSION]);
-        let compression_space =
-            tube.piston_m2() * (tube.compression_length_m + position) + self.gas.volume_m3 - gas;
+        let compression_space = tube.piston_m2() * (tube.compression_length_m + position) + self.gas.volume_m3 - gas;
 
         let chamber = |pressure: f64, space: f64, gas_compliance: f64| {
             let oil = self.oil.at(pressure);
@@ -159,11 +128,7 @@ impl Damper {
         };
         Chambers {
             rebound: chamber(state[REBOUND], rebound_space, 0.0),
-            compression: chamber(
-                state[COMPRESSION],
-                compression_space,
-                self.gas.compliance(state[COMPRESSION], gas),
-            ),
+            compression: chamber(state[COMPRESSION], compression_space, self.gas.compliance(state[COMPRESSION], gas)),
             velocity,
         }
     }
@@ -211,20 +176,11 @@ mod tests {
     }
 
     /// Time, input and state over the whole cycles, `per_cycle` samples each.
-    fn simulate(
-        damper: &Damper,
-        point: &TestPoint,
-        sharpen: f64,
-        per_cycle: u32,
-    ) -> Vec<(f64, Excitation, State)> {
+    fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {
             let (displacement_m, velocity_m_s) = drive.motion(time);
-            Excitation {
-                displacement_m,
-                velocity_m_s,
-                side_force_n: point.side_force_n,
-            }
+            Excitation { displacement_m, velocity_m_s, side_force_n: point.side_force_n }
         };
         let mut tolerance = Damper::tolerance();
         tolerance.relative /= sharpen;
@@ -232,12 +188,7 @@ mod tests {
             *absolute /= sharpen;
         }
         let rest = damper.at_rest(point.mean_displacement_m);
-        let mut motion = Integrator::new(
-            |t, y: &State| damper.rates(y, &input(t)),
-            0.0,
-            rest,
-            tolerance,
-        );
+        let mut motion = Integrator::new(|t, y: &State| damper.rates(y, &input(t)), 0.0, rest, tolerance);
         let (start, end) = drive.full_cycles_s();
         let count = point.cycles * per_cycle;
         (0..=count)
@@ -254,16 +205,8 @@ mod tests {
         let damper = Damper::default();
         for displacement_m in [-0.05, 0.0, 0.05] {
             let state = damper.at_rest(displacement_m);
-            let input = Excitation {
-                displacement_m,
-                velocity_m_s: 0.0,
-                side_force_n: 0.0,
-            };
-            for (rate, allowed) in damper
-                .rates(&state, &input)
-                .iter()
-                .zip(Damper::tolerance().absolute)
-            {
+            let input = Excitation { displacement_m, velocity_m_s: 0.0, side_force_n: 0.0 };
+            for (rate, allowed) in damper.rates(&state, &input).iter().zip(Damper::tolerance().absolute) {
                 assert!(rate.abs() < allowed, "{rate}");
             }
             let expected = (state[COMPRESSION] - ATMOSPHERE_PA) * damper.tube.rod_area_m2();
@@ -287,47 +230,30 @@ mod tests {
         };
         // At mid-stroke: gas force of rest, and sliding friction plus what the bleed takes at 0.4 mm/s.
         let (gas, friction) = mean_and_half(0.0);
-        assert!(
-            (gas - damper.force_n(&damper.at_rest(0.0))).abs() < 1.0,
-            "{gas}"
-        );
+        assert!((gas - damper.force_n(&damper.at_rest(0.0))).abs() < 1.0, "{gas}");
         let expected = damper.seal.sliding_force_n(4e-4, 0.0);
-        let bleed = damper
-            .valves
-            .pressure_drop_pa(4e-4 * damper.tube.annulus_m2(), damper.oil.density_kg_m3)
+        let bleed = damper.valves.pressure_drop_pa(4e-4 * damper.tube.annulus_m2(), damper.oil.density_kg_m3)
             * damper.tube.annulus_m2();
         assert!(bleed < 3.0);
-        assert!(
-            (friction - expected - bleed).abs() < 0.5,
-            "{friction} against {expected} + {bleed}"
-        );
+        assert!((friction - expected - bleed).abs() < 0.5, "{friction} against {expected} + {bleed}");
     }
 
     #[test]
     fn side_force_raises_friction_by_its_share() {
         let damper = Damper::default();
         let loop_area = |side_force_n| {
-            let point = TestPoint {
-                side_force_n,
-                ..point(0.01, 0.02)
-            };
+            let point = TestPoint { side_force_n, ..point(0.01, 0.02) };
             let samples = simulate(&damper, &point, 1.0, 400);
             work(&damper, &samples[400..=800])
         };
         let added = loop_area(300.0) - loop_area(0.0);
         let expected = damper.seal.side_force_share * 300.0 * 0.04;
-        assert!(
-            (added / expected - 1.0).abs() < 0.03,
-            "{added} against {expected}"
-        );
+        assert!((added / expected - 1.0).abs() < 0.03, "{added} against {expected}");
     }
 
     #[test]
     fn long_stroke_peaks_agree_with_steady_flow() {
-        let damper = Damper {
-            mount: None,
-            ..Damper::default()
-        };
+        let damper = Damper { mount: None, ..Damper::default() };
         for (amplitude, frequency) in [(0.05, 5.0 / 12.0), (0.05, 5.0)] {
             let samples = simulate(&damper, &point(amplitude, frequency), 1.0, 400);
             let first = samples.len() - 401;
@@ -335,10 +261,7 @@ mod tests {
                 let steady = damper.steady_force_n(sign * TAU * amplitude * frequency);
                 let force = damper.force_n(&sample.2);
                 // Heating of the gas and compressibility separate the two a little.
-                assert!(
-                    (force / steady - 1.0).abs() < 0.03,
-                    "{force} against {steady}"
-                );
+                assert!((force / steady - 1.0).abs() < 0.03, "{force} against {steady}");
             }
         }
     }
@@ -362,11 +285,7 @@ mod tests {
     #[test]
     fn oil_column_and_mount_are_as_stiff_as_in_a_car_damper() {
         let damper = Damper::default();
-        let input = Excitation {
-            displacement_m: 0.0,
-            velocity_m_s: 0.0,
-            side_force_n: 0.0,
-        };
+        let input = Excitation { displacement_m: 0.0, velocity_m_s: 0.0, side_force_n: 0.0 };
         let chambers = damper.chambers(&damper.at_rest(0.0), &input);
         let oil = damper.tube.annulus_m2().powi(2) / chambers.rebound.compliance;
         let series = 1.0 / (1.0 / oil + 1.0 / damper.mount.unwrap().stiffness_n_m);
@@ -391,21 +310,13 @@ mod tests {
 
     /// Work done on the damper over the samples (one cycle), J; periodic data, so the trapezoid is exact enough.
     fn work(damper: &Damper, cycle: &[(f64, Excitation, State)]) -> f64 {
-        integral(cycle, |input, state| {
-            damper.force_n(state) * input.velocity_m_s
-        })
+        integral(cycle, |input, state| damper.force_n(state) * input.velocity_m_s)
     }
 
-    fn integral(
-        cycle: &[(f64, Excitation, State)],
-        power: impl Fn(&Excitation, &State) -> f64,
-    ) -> f64 {
+    fn integral(cycle: &[(f64, Excitation, State)], power: impl Fn(&Excitation, &State) -> f64) -> f64 {
         cycle
             .windows(2)
-            .map(|pair| {
-                0.5 * (pair[1].0 - pair[0].0)
-                    * (power(&pair[0].1, &pair[0].2) + power(&pair[1].1, &pair[1].2))
-            })
+            .map(|pair| 0.5 * (pair[1].0 - pair[0].0) * (power(&pair[0].1, &pair[0].2) + power(&pair[1].1, &pair[1].2)))
             .sum()
     }
 
@@ -413,12 +324,9 @@ mod tests {
     fn work_of_a_cycle_is_what_valves_seal_and_mount_dissipate() {
         let damper = Damper::default();
         let mount = damper.mount.clone().unwrap();
-        for (amplitude, frequency, closeness) in [
-            (0.05, 5.0, 0.01),
-            (0.015, 2.0, 0.01),
-            (0.001, 20.0, 0.01),
-            (0.01, 0.01, 0.01),
-        ] {
+        for (amplitude, frequency, closeness) in
+            [(0.05, 5.0, 0.01), (0.015, 2.0, 0.01), (0.001, 20.0, 0.01), (0.01, 0.01, 0.01)]
+        {
             let samples = simulate(&damper, &point(amplitude, frequency), 1.0, 2000);
             let cycle = &samples[samples.len() - 2001..];
             let work = work(&damper, cycle);
@@ -432,10 +340,7 @@ mod tests {
                     + mount.damping_n_s_m * state[MOUNT_RATE].powi(2)
             });
             assert!(work > 0.0);
-            assert!(
-                (lost / work - 1.0).abs() < closeness,
-                "{amplitude} m, {frequency} Hz: {lost} against {work}"
-            );
+            assert!((lost / work - 1.0).abs() < closeness, "{amplitude} m, {frequency} Hz: {lost} against {work}");
         }
     }
 
@@ -445,28 +350,17 @@ mod tests {
         for (amplitude, frequency) in [(0.05, 5.0), (0.002, 20.8333), (0.03, 0.3), (0.01, 0.0064)] {
             let point = point(amplitude, frequency);
             let forces = |sharpen: f64| -> Vec<f64> {
-                simulate(&damper, &point, sharpen, 40)
-                    .iter()
-                    .map(|(_, _, state)| damper.force_n(state))
-                    .collect()
+                simulate(&damper, &point, sharpen, 40).iter().map(|(_, _, state)| damper.force_n(state)).collect()
             };
             let sharp = forces(1e3);
             let worst = |sharpen: f64| {
-                let differences = forces(sharpen)
-                    .into_iter()
-                    .zip(&sharp)
-                    .map(|(a, b)| (a - b).abs());
+                let differences = forces(sharpen).into_iter().zip(&sharp).map(|(a, b)| (a - b).abs());
                 differences.fold(0.0, f64::max)
             };
             let (usual, coarse) = (worst(1.0), worst(1e-3));
-            println!(
-                "{amplitude} m, {frequency} Hz: {usual:.5} N, {coarse:.5} N with the coarse tolerance"
-            );
+            println!("{amplitude} m, {frequency} Hz: {usual:.5} N, {coarse:.5} N with the coarse tolerance");
             assert!(usual < 0.05, "{amplitude} m, {frequency} Hz: {usual} N");
-            assert!(
-                usual <= coarse,
-                "{amplitude} m, {frequency} Hz: {usual} N, coarse {coarse} N"
-            );
+            assert!(usual <= coarse, "{amplitude} m, {frequency} Hz: {usual} N, coarse {coarse} N");
         }
     }
 
@@ -489,10 +383,7 @@ mod tests {
             for point in &corners {
                 for (_, _, state) in simulate(&damper, point, 1.0, 100) {
                     assert!(damper.force_n(&state).is_finite());
-                    assert!(
-                        state[REBOUND] > 0.0 && state[COMPRESSION] > 0.0,
-                        "{seed}, {point:?}: {state:?}"
-                    );
+                    assert!(state[REBOUND] > 0.0 && state[COMPRESSION] > 0.0, "{seed}, {point:?}: {state:?}");
                 }
             }
         }

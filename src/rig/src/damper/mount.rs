@@ -13,11 +13,7 @@ pub struct Mount {
 
 impl Default for Mount {
     fn default() -> Self {
-        Self {
-            stiffness_n_m: 9.0e6,
-            damping_n_s_m: 600.0,
-            rod_mass_kg: 0.5,
-        }
+        Self { stiffness_n_m: 9.0e6, damping_n_s_m: 600.0, rod_mass_kg: 0.5 }
     }
 }
 

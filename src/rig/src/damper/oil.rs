@@ -20,12 +20,7 @@ pub struct Oil {
 
 impl Default for Oil {
     fn default() -> Self {
-        Self {
-            density_kg_m3: 850.0,
-            bulk_modulus_pa: 1.4e9,
-            air_share: 0.015,
-            air_exponent: 1.3,
-        }
+        Self { density_kg_m3: 850.0, bulk_modulus_pa: 1.4e9, air_share: 0.015, air_exponent: 1.3 }
     }
 }
 
@@ -44,15 +39,10 @@ impl Oil {
     pub fn at(&self, pressure_pa: f64) -> Compression {
         // An iteration of the solver may look below zero; rates there only have to lead back.
         let pressure = pressure_pa.max(1.0);
-        let oil =
-            (1.0 - self.air_share) * (-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa).exp();
+        let oil = (1.0 - self.air_share) * (-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa).exp();
         let air = self.air_share * (ATMOSPHERE_PA / pressure).powf(1.0 / self.air_exponent);
         let volume = oil + air;
-        Compression {
-            volume,
-            modulus_pa: volume
-                / (oil / self.bulk_modulus_pa + air / (self.air_exponent * pressure)),
-        }
+        Compression { volume, modulus_pa: volume / (oil / self.bulk_modulus_pa + air / (self.air_exponent * pressure)) }
     }
 }
 
@@ -75,10 +65,7 @@ mod tests {
     #[test]
     fn air_softens_at_low_pressure_only() {
         let oil = Oil::default();
-        let clean = Oil {
-            air_share: 0.0,
-            ..Oil::default()
-        };
+        let clean = Oil { air_share: 0.0, ..Oil::default() };
         assert!((clean.at(1e5).modulus_pa / oil.bulk_modulus_pa - 1.0).abs() < 1e-12);
         assert!(oil.at(1e5).modulus_pa < 0.02 * oil.bulk_modulus_pa);
         assert!(oil.at(1e7).modulus_pa > 0.9 * oil.bulk_modulus_pa);

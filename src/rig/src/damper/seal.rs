@@ -18,21 +18,14 @@ pub struct Seal {
 
 impl Default for Seal {
     fn default() -> Self {
-        Self {
-            sliding_n: 38.0,
-            break_away_n: 44.0,
-            stribeck_m_s: 0.008,
-            bristle_n_m: 5.0e5,
-            side_force_share: 0.05,
-        }
+        Self { sliding_n: 38.0, break_away_n: 44.0, stribeck_m_s: 0.008, bristle_n_m: 5.0e5, side_force_share: 0.05 }
     }
 }
 
 impl Seal {
     /// Friction in steady sliding, N, without sign.
     fn level_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
-        let excess = (self.break_away_n - self.sliding_n)
-            * (-(velocity_m_s / self.stribeck_m_s).powi(2)).exp();
+        let excess = (self.break_away_n - self.sliding_n) * (-(velocity_m_s / self.stribeck_m_s).powi(2)).exp();
         self.sliding_n + excess + self.side_force_share * side_force_n.abs()
     }
 
@@ -41,8 +34,7 @@ impl Seal {
         if velocity_m_s == 0.0 {
             return 0.0;
         }
-        self.level_n(velocity_m_s, side_force_n)
-            .copysign(velocity_m_s)
+        self.level_n(velocity_m_s, side_force_n).copysign(velocity_m_s)
     }
 
     /// Friction from the bristles' deflection, N.
@@ -81,8 +73,7 @@ mod tests {
         for i in -50..=50 {
             let deflection = 1e-6 * f64::from(i);
             for velocity in [-1.0, -1e-3, 1e-3, 1.0] {
-                let stored =
-                    seal.force_n(deflection) * seal.deflection_rate(deflection, velocity, 0.0);
+                let stored = seal.force_n(deflection) * seal.deflection_rate(deflection, velocity, 0.0);
                 assert!(seal.force_n(deflection) * velocity - stored >= -1e-12);
             }
         }

@@ -17,22 +17,9 @@ pub struct PistonValves {
 impl Default for PistonValves {
     fn default() -> Self {
         Self {
-            bleed: Bleed {
-                area_m2: 6.0e-6,
-                laminar_pa_s_m3: 7.0e8,
-            },
-            rebound: BlowOff {
-                preload_pa: 5.0e5,
-                opening_m2_pa: 3.4e-11,
-                port_m2: 6.0e-5,
-                knee_pa: 6.0e4,
-            },
-            compression: BlowOff {
-                preload_pa: 2.6e5,
-                opening_m2_pa: 1.1e-10,
-                port_m2: 1.0e-4,
-                knee_pa: 3.5e4,
-            },
+            bleed: Bleed { area_m2: 6.0e-6, laminar_pa_s_m3: 7.0e8 },
+            rebound: BlowOff { preload_pa: 5.0e5, opening_m2_pa: 3.4e-11, port_m2: 6.0e-5, knee_pa: 6.0e4 },
+            compression: BlowOff { preload_pa: 2.6e5, opening_m2_pa: 1.1e-10, port_m2: 1.0e-4, knee_pa: 3.5e4 },
         }
     }
 }
@@ -40,22 +27,14 @@ impl Default for PistonValves {
 impl PistonValves {
     /// Flow from the rebound into the compression chamber at a pressure drop in the same direction, m³/s.
     pub fn flow_m3_s(&self, drop_pa: f64, density_kg_m3: f64) -> f64 {
-        let blow_off = if drop_pa > 0.0 {
-            &self.rebound
-        } else {
-            &self.compression
-        };
+        let blow_off = if drop_pa > 0.0 { &self.rebound } else { &self.compression };
         let size = drop_pa.abs();
-        (self.bleed.flow(size, density_kg_m3) + blow_off.flow(size, density_kg_m3))
-            .copysign(drop_pa)
+        (self.bleed.flow(size, density_kg_m3) + blow_off.flow(size, density_kg_m3)).copysign(drop_pa)
     }
 
     /// The pressure drop that drives a given flow, Pa: the inverse of [`PistonValves::flow_m3_s`].
     pub fn pressure_drop_pa(&self, flow_m3_s: f64, density_kg_m3: f64) -> f64 {
-        let flow = |size: f64| {
-            self.flow_m3_s(size.copysign(flow_m3_s), density_kg_m3)
-                .abs()
-        };
+        let flow = |size: f64| self.flow_m3_s(size.copysign(flow_m3_s), density_kg_m3).abs();
         let target = flow_m3_s.abs();
         let mut high = 1.0;
         while flow(high) < target {
@@ -110,8 +89,7 @@ impl BlowOff {
     /// Area uncovered by the shim, m²: zero at no pressure, a straight line well above the preload.
     fn shim_area(&self, drop_pa: f64) -> f64 {
         let softplus = |x: f64| if x > 30.0 { x } else { x.exp().ln_1p() };
-        let lift = softplus((drop_pa - self.preload_pa) / self.knee_pa)
-            - softplus(-self.preload_pa / self.knee_pa);
+        let lift = softplus((drop_pa - self.preload_pa) / self.knee_pa) - softplus(-self.preload_pa / self.knee_pa);
         self.opening_m2_pa * self.knee_pa * lift
     }
 
@@ -138,9 +116,7 @@ mod tests {
             let flow = valves.flow_m3_s(drop, DENSITY);
             assert!(flow > last);
             last = flow;
-            assert!(
-                (valves.pressure_drop_pa(flow, DENSITY) - drop).abs() < 1e-6 * drop.abs() + 1e-9
-            );
+            assert!((valves.pressure_drop_pa(flow, DENSITY) - drop).abs() < 1e-6 * drop.abs() + 1e-9);
         }
     }
 
@@ -157,14 +133,8 @@ mod tests {
         let valve = PistonValves::default().rebound;
         let bleed = PistonValves::default().bleed;
         assert_eq!(valve.flow(0.0, DENSITY), 0.0);
-        assert!(
-            valve.flow(0.5 * valve.preload_pa, DENSITY)
-                < 0.02 * bleed.flow(0.5 * valve.preload_pa, DENSITY)
-        );
-        assert!(
-            valve.flow(2.0 * valve.preload_pa, DENSITY)
-                > bleed.flow(2.0 * valve.preload_pa, DENSITY)
-        );
+        assert!(valve.flow(0.5 * valve.preload_pa, DENSITY) < 0.02 * bleed.flow(0.5 * valve.preload_pa, DENSITY));
+        assert!(valve.flow(2.0 * valve.preload_pa, DENSITY) > bleed.flow(2.0 * valve.preload_pa, DENSITY));
         let port = DISCHARGE * valve.port_m2 * (2.0 * 1e8 / DENSITY).sqrt();
         assert!((valve.flow(1e8, DENSITY) / port - 1.0).abs() < 1e-2);
     }

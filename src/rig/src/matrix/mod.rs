@@ -32,10 +32,7 @@ impl Matrix {
         }
         let mut seen = BTreeMap::new();
         for (index, point) in points.iter().enumerate() {
-            point.check().map_err(|fault| RigError::TestPoint {
-                test: point.name.clone(),
-                problem: fault.problem,
-            })?;
+            point.check().map_err(|fault| RigError::TestPoint { test: point.name.clone(), problem: fault.problem })?;
             if let Some(first) = seen.insert(point.name.to_lowercase(), index) {
                 return Err(RigError::TestPoint {
                     test: point.name.clone(),

@@ -85,20 +85,13 @@ impl TestPoint {
         if self.amplitude_m <= 0.0 {
             return fault(
                 "amplitude_mm",
-                format!(
-                    "the amplitude is {} mm; give a positive number",
-                    self.amplitude_m * 1e3
-                ),
+                format!("the amplitude is {} mm; give a positive number", self.amplitude_m * 1e3),
             );
         }
         let travel = self.amplitude_m + self.mean_displacement_m.abs();
         // The small term forgives rounding of a value on the limit.
         if travel > TRAVEL_LIMIT_M * (1.0 + 1e-9) {
-            let column = if self.amplitude_m > TRAVEL_LIMIT_M {
-                "amplitude_mm"
-            } else {
-                "mean_displacement_mm"
-            };
+            let column = if self.amplitude_m > TRAVEL_LIMIT_M { "amplitude_mm" } else { "mean_displacement_mm" };
             return fault(
                 column,
                 format!(
@@ -113,10 +106,7 @@ impl TestPoint {
         if !(self.frequency_hz >= low && self.frequency_hz <= high) {
             return fault(
                 "frequency_hz",
-                format!(
-                    "{} Hz is outside what the rig can run, {low} to {high} Hz",
-                    self.frequency_hz
-                ),
+                format!("{} Hz is outside what the rig can run, {low} to {high} Hz", self.frequency_hz),
             );
         }
         let peak = TAU * self.amplitude_m * self.frequency_hz;
@@ -145,17 +135,11 @@ impl TestPoint {
         if self.side_force_n.abs() > SIDE_FORCE_LIMIT_N {
             return fault(
                 "side_force_n",
-                format!(
-                    "{} N is beyond the loading device's {SIDE_FORCE_LIMIT_N} N",
-                    self.side_force_n
-                ),
+                format!("{} N is beyond the loading device's {SIDE_FORCE_LIMIT_N} N", self.side_force_n),
             );
         }
         if self.cycles == 0 || self.cycles > CYCLES_LIMIT {
-            return fault(
-                "cycles",
-                format!("{} cycles; give 1 to {CYCLES_LIMIT}", self.cycles),
-            );
+            return fault("cycles", format!("{} cycles; give 1 to {CYCLES_LIMIT}", self.cycles));
         }
         Ok(())
     }
@@ -163,11 +147,7 @@ impl TestPoint {
 
 /// Whole cycles measured when a test does not say otherwise.
 pub fn default_cycles(frequency_hz: f64) -> u32 {
-    if frequency_hz > FAST_FREQUENCY_HZ {
-        DEFAULT_CYCLES_FAST
-    } else {
-        DEFAULT_CYCLES_SLOW
-    }
+    if frequency_hz > FAST_FREQUENCY_HZ { DEFAULT_CYCLES_FAST } else { DEFAULT_CYCLES_SLOW }
 }
 
 /// Names become file names on every system, so they are kept to what all of them accept.
@@ -178,9 +158,7 @@ fn name_problem(name: &str) -> Option<String> {
     if name.starts_with(['.', '-']) || name.ends_with('.') {
         return Some("the name must not begin with '.' or '-' nor end with '.'".into());
     }
-    let bad = name
-        .chars()
-        .find(|c| !(c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')))?;
+    let bad = name.chars().find(|c| !(c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')))?;
     Some(format!(
         "the name '{name}' contains '{bad}'; use letters, digits, '_', '-' and '.' only, the name becomes a file name"
     ))
@@ -189,11 +167,7 @@ fn name_problem(name: &str) -> Option<String> {
 /// `a50mm_v0524mm_s`: sorts by amplitude, then by peak velocity. `decimals` tells close neighbours apart.
 pub(crate) fn sine_name(amplitude_m: f64, peak_velocity_m_s: f64, decimals: usize) -> String {
     let width = |digits: usize| {
-        if decimals == 0 {
-            digits
-        } else {
-            digits + 1 + decimals
-        }
+        if decimals == 0 { digits } else { digits + 1 + decimals }
     };
     // Amplitudes such as 2.5 mm keep their decimals whatever the velocities need.
     let amplitude = format!("{:.3}", amplitude_m * 1e3);
@@ -222,30 +196,14 @@ mod tests {
         };
         assert_eq!(refused(|p, x| p.amplitude_m = x), "amplitude_mm");
         assert_eq!(refused(|p, x| p.frequency_hz = x), "frequency_hz");
-        assert_eq!(
-            refused(|p, x| p.peak_velocity_m_s = x),
-            "peak_velocity_mm_s"
-        );
-        assert_eq!(
-            refused(|p, x| p.mean_displacement_m = x),
-            "mean_displacement_mm"
-        );
+        assert_eq!(refused(|p, x| p.peak_velocity_m_s = x), "peak_velocity_mm_s");
+        assert_eq!(refused(|p, x| p.mean_displacement_m = x), "mean_displacement_mm");
         assert_eq!(refused(|p, x| p.side_force_n = x), "side_force_n");
     }
 
     #[test]
     fn names_are_safe_as_file_names() {
-        for name in [
-            "",
-            ".hidden",
-            "-option",
-            "a/b",
-            "a\\b",
-            "a:b",
-            "dot.",
-            "gr\u{fc}n",
-            "a b",
-        ] {
+        for name in ["", ".hidden", "-option", "a/b", "a\\b", "a:b", "dot.", "gr\u{fc}n", "a b"] {
             assert!(name_problem(name).is_some(), "{name}");
         }
         assert_eq!(name_problem("a02.5mm_v0100mm_s"), None);

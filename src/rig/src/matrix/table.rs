@@ -10,15 +10,8 @@ use crate::RigError;
 use crate::files::replace_file;
 
 /// The columns, in the order in which they are written.
-const COLUMNS: [&str; 7] = [
-    "name",
-    "amplitude_mm",
-    "frequency_hz",
-    "peak_velocity_mm_s",
-    "mean_displacement_mm",
-    "side_force_n",
-    "cycles",
-];
+const COLUMNS: [&str; 7] =
+    ["name", "amplitude_mm", "frequency_hz", "peak_velocity_mm_s", "mean_displacement_mm", "side_force_n", "cycles"];
 const NAME: usize = 0;
 const AMPLITUDE: usize = 1;
 const FREQUENCY: usize = 2;
@@ -83,23 +76,12 @@ impl Matrix {
 fn rounded(value: f64) -> String {
     let text = format!("{value:.9}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
+    if text == "-0" { "0".into() } else { text.into() }
 }
 
 fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
-    let file_error = |line, problem: String| RigError::MatrixFile {
-        file: file.to_owned(),
-        line,
-        problem,
-    };
-    let header_text = text
-        .lines()
-        .find(|line| !line.trim().is_empty() && !line.starts_with('#'))
-        .unwrap_or("");
+    let file_error = |line, problem: String| RigError::MatrixFile { file: file.to_owned(), line, problem };
+    let header_text = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
     let semicolons = header_text.contains(';');
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -125,18 +107,9 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
             header = Some(Header::read(&row).map_err(|problem| file_error(line, problem))?);
             continue;
         };
-        let row = Row {
-            file,
-            line,
-            header,
-            cells: &row,
-            decimal_comma: semicolons,
-        };
+        let row = Row { file, line, header, cells: &row, decimal_comma: semicolons };
         let point = row.point()?;
-        if let Some(first) = points
-            .iter()
-            .position(|earlier| earlier.name.eq_ignore_ascii_case(&point.name))
-        {
+        if let Some(first) = points.iter().position(|earlier| earlier.name.eq_ignore_ascii_case(&point.name)) {
             return Err(row.fault(
                 COLUMNS[NAME],
                 format!(
@@ -151,17 +124,11 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
     if header.is_none() {
         return Err(file_error(
             1,
-            format!(
-                "the file is empty; its first line must name the columns, e.g. {}",
-                COLUMNS.join(",")
-            ),
+            format!("the file is empty; its first line must name the columns, e.g. {}", COLUMNS.join(",")),
         ));
     }
     if points.is_empty() {
-        return Err(file_error(
-            2,
-            "the file contains no test below its header; add one line per test".into(),
-        ));
+        return Err(file_error(2, "the file contains no test below its header; add one line per test".into()));
     }
     Matrix::new(points)
 }
@@ -179,10 +146,7 @@ impl Header {
             if cell.is_empty() {
                 continue;
             }
-            let Some(column) = COLUMNS
-                .iter()
-                .position(|known| known.eq_ignore_ascii_case(cell))
-            else {
+            let Some(column) = COLUMNS.iter().position(|known| known.eq_ignore_ascii_case(cell)) else {
                 return Err(format!(
                     "column {} is called '{cell}', which is not known; the columns are {}",
                     place + 1,
@@ -190,26 +154,18 @@ impl Header {
                 ));
             };
             if places[column].replace(place).is_some() {
-                return Err(format!(
-                    "column '{}' appears twice; remove one",
-                    COLUMNS[column]
-                ));
+                return Err(format!("column '{}' appears twice; remove one", COLUMNS[column]));
             }
         }
-        let given = [AMPLITUDE, FREQUENCY, PEAK_VELOCITY]
-            .into_iter()
-            .filter(|column| places[*column].is_some())
-            .count();
+        let given =
+            [AMPLITUDE, FREQUENCY, PEAK_VELOCITY].into_iter().filter(|column| places[*column].is_some()).count();
         if given < 2 {
             return Err(format!(
                 "two of the columns {}, {} and {} are needed; add them",
                 COLUMNS[AMPLITUDE], COLUMNS[FREQUENCY], COLUMNS[PEAK_VELOCITY]
             ));
         }
-        Ok(Self {
-            places,
-            width: cells.len(),
-        })
+        Ok(Self { places, width: cells.len() })
     }
 }
 
@@ -223,12 +179,7 @@ struct Row<'a> {
 
 impl Row<'_> {
     fn fault(&self, column: &str, problem: String) -> RigError {
-        RigError::MatrixCell {
-            file: self.file.to_owned(),
-            line: self.line,
-            column: column.to_owned(),
-            problem,
-        }
+        RigError::MatrixCell { file: self.file.to_owned(), line: self.line, column: column.to_owned(), problem }
     }
 
     fn text(&self, column: usize) -> Option<&str> {
@@ -240,27 +191,19 @@ impl Row<'_> {
         let Some(cell) = self.text(column) else {
             return Ok(None);
         };
-        let parsed = if self.decimal_comma {
-            cell.replace(',', ".").parse::<f64>()
-        } else {
-            cell.parse::<f64>()
-        };
+        let parsed = if self.decimal_comma { cell.replace(',', ".").parse::<f64>() } else { cell.parse::<f64>() };
         match parsed {
             Ok(value) if value.is_finite() => Ok(Some(value)),
-            _ => Err(self.fault(
-                COLUMNS[column],
-                format!("'{cell}' is not a number; write e.g. 12.5"),
-            )),
+            _ => Err(self.fault(COLUMNS[column], format!("'{cell}' is not a number; write e.g. 12.5"))),
         }
     }
 
     /// Like [`Row::number`], for what must be above zero.
     fn positive(&self, column: usize) -> Result<Option<f64>, RigError> {
         match self.number(column)? {
-            Some(value) if value <= 0.0 => Err(self.fault(
-                COLUMNS[column],
-                format!("{value} is not above zero; give a positive number"),
-            )),
+            Some(value) if value <= 0.0 => {
+                Err(self.fault(COLUMNS[column], format!("{value} is not above zero; give a positive number")))
+            }
             value => Ok(value),
         }
     }
@@ -288,29 +231,22 @@ impl Row<'_> {
                 ),
             )
         };
-        let (amplitude_m, frequency_hz, peak_velocity_m_s) =
-            match (amplitude, frequency, peak_velocity) {
-                (Some(a), Some(f), Some(v)) => (a, f, v),
-                (Some(a), Some(f), None) => (a, f, TAU * a * f),
-                (Some(a), None, Some(v)) => (a, v / (TAU * a), v),
-                (None, Some(f), Some(v)) => (v / (TAU * f), f, v),
-                (None, ..) => return Err(missing(AMPLITUDE)),
-                (_, None, None) => return Err(missing(FREQUENCY)),
-            };
+        let (amplitude_m, frequency_hz, peak_velocity_m_s) = match (amplitude, frequency, peak_velocity) {
+            (Some(a), Some(f), Some(v)) => (a, f, v),
+            (Some(a), Some(f), None) => (a, f, TAU * a * f),
+            (Some(a), None, Some(v)) => (a, v / (TAU * a), v),
+            (None, Some(f), Some(v)) => (v / (TAU * f), f, v),
+            (None, ..) => return Err(missing(AMPLITUDE)),
+            (_, None, None) => return Err(missing(FREQUENCY)),
+        };
         let cycles = match self.text(CYCLES) {
             None => default_cycles(frequency_hz),
-            Some(cell) => cell.parse::<u32>().map_err(|_| {
-                self.fault(
-                    COLUMNS[CYCLES],
-                    format!("'{cell}' is not a whole number of cycles"),
-                )
-            })?,
+            Some(cell) => cell
+                .parse::<u32>()
+                .map_err(|_| self.fault(COLUMNS[CYCLES], format!("'{cell}' is not a whole number of cycles")))?,
         };
         let point = TestPoint {
-            name: self.text(NAME).map_or_else(
-                || sine_name(amplitude_m, peak_velocity_m_s, 0),
-                str::to_owned,
-            ),
+            name: self.text(NAME).map_or_else(|| sine_name(amplitude_m, peak_velocity_m_s, 0), str::to_owned),
             amplitude_m,
             frequency_hz,
             peak_velocity_m_s,
@@ -318,14 +254,9 @@ impl Row<'_> {
             side_force_n: self.number(SIDE_FORCE)?.unwrap_or(0.0),
             cycles,
         };
-        point
-            .check()
-            .map_err(|fault| self.fault(fault.column, fault.problem))?;
+        point.check().map_err(|fault| self.fault(fault.column, fault.problem))?;
         // Amplitude and frequency rule; the stated peak velocity may be rounded.
-        Ok(TestPoint {
-            peak_velocity_m_s: TAU * point.amplitude_m * point.frequency_hz,
-            ..point
-        })
+        Ok(TestPoint { peak_velocity_m_s: TAU * point.amplitude_m * point.frequency_hz, ..point })
     }
 }
 
@@ -366,18 +297,12 @@ mod tests {
                 assert!((a - b).abs() <= 1e-6 * b.abs(), "{a} against {b}");
             }
         }
-        assert!(
-            fs::read_to_string(&file)
-                .unwrap()
-                .contains("a50mm_v1571mm_s,50,5,1570.796326795,0,0,5\n")
-        );
+        assert!(fs::read_to_string(&file).unwrap().contains("a50mm_v1571mm_s,50,5,1570.796326795,0,0,5\n"));
     }
 
     #[test]
     fn missing_columns_follow_from_the_others() {
-        let matrix =
-            parsed("amplitude_mm,peak_velocity_mm_s\n50,1570.796\n\n# a remark\n1,52.36\n")
-                .unwrap();
+        let matrix = parsed("amplitude_mm,peak_velocity_mm_s\n50,1570.796\n\n# a remark\n1,52.36\n").unwrap();
         assert!((matrix.points()[0].frequency_hz - 5.0).abs() < 1e-5);
         assert_eq!(matrix.points()[0].name, "a50mm_v1571mm_s");
         assert_eq!(matrix.points()[1].name, "a01mm_v0052mm_s");
@@ -392,62 +317,26 @@ mod tests {
         let header = "name,amplitude_mm,frequency_hz,mean_displacement_mm,side_force_n,cycles\n";
         let row = |row: &str| refusal(&format!("{header}ok,10,1\n{row}\n"));
         for (text, words) in [
-            (
-                row("a,ten,1"),
-                "m.csv, line 3, column amplitude_mm: 'ten' is not a number",
-            ),
-            (
-                row("a,-10,1"),
-                "m.csv, line 3, column amplitude_mm: -10 is not above zero",
-            ),
+            (row("a,ten,1"), "m.csv, line 3, column amplitude_mm: 'ten' is not a number"),
+            (row("a,-10,1"), "m.csv, line 3, column amplitude_mm: -10 is not above zero"),
             (row("a,,1"), "m.csv, line 3, column amplitude_mm: no value"),
             (row("a,10,"), "m.csv, line 3, column frequency_hz: no value"),
             (row("a,10,NaN"), "m.csv, line 3, column frequency_hz: 'NaN'"),
-            (
-                row("a,10,60"),
-                "m.csv, line 3, column frequency_hz: 60 Hz is outside",
-            ),
-            (
-                row("a,50,20"),
-                "m.csv, line 3, column frequency_hz: 50.000 mm at 20.0000 Hz needs 6.28 m/s",
-            ),
-            (
-                row("a,90,0.1"),
-                "m.csv, line 3, column amplitude_mm: amplitude and mean",
-            ),
-            (
-                row("a,50,1,40"),
-                "m.csv, line 3, column mean_displacement_mm: amplitude and mean",
-            ),
+            (row("a,10,60"), "m.csv, line 3, column frequency_hz: 60 Hz is outside"),
+            (row("a,50,20"), "m.csv, line 3, column frequency_hz: 50.000 mm at 20.0000 Hz needs 6.28 m/s"),
+            (row("a,90,0.1"), "m.csv, line 3, column amplitude_mm: amplitude and mean"),
+            (row("a,50,1,40"), "m.csv, line 3, column mean_displacement_mm: amplitude and mean"),
             (row("a,10,1,,1e9"), "m.csv, line 3, column side_force_n"),
             (row("a,10,1,,,2.5"), "m.csv, line 3, column cycles: '2.5'"),
             (row("a,10,1,,,0"), "m.csv, line 3, column cycles: 0 cycles"),
-            (
-                row("a/b,10,1"),
-                "m.csv, line 3, column name: the name 'a/b' contains '/'",
-            ),
-            (
-                row("OK,10,1"),
-                "m.csv, line 3, column name: the name 'OK' is used in line 2",
-            ),
-            (
-                row("a,10,1,0,0,3,9"),
-                "m.csv, line 3, column 7: the line has 7 values",
-            ),
+            (row("a/b,10,1"), "m.csv, line 3, column name: the name 'a/b' contains '/'"),
+            (row("OK,10,1"), "m.csv, line 3, column name: the name 'OK' is used in line 2"),
+            (row("a,10,1,0,0,3,9"), "m.csv, line 3, column 7: the line has 7 values"),
             (refusal(""), "m.csv, line 1: the file is empty"),
             (refusal(header), "m.csv, line 2: the file contains no test"),
-            (
-                refusal("name,amplitude_mm\n"),
-                "m.csv, line 1: two of the columns",
-            ),
-            (
-                refusal("name,amplitude\n"),
-                "m.csv, line 1: column 2 is called 'amplitude'",
-            ),
-            (
-                refusal("amplitude_mm,amplitude_mm\n"),
-                "m.csv, line 1: column 'amplitude_mm' appears twice",
-            ),
+            (refusal("name,amplitude_mm\n"), "m.csv, line 1: two of the columns"),
+            (refusal("name,amplitude\n"), "m.csv, line 1: column 2 is called 'amplitude'"),
+            (refusal("amplitude_mm,amplitude_mm\n"), "m.csv, line 1: column 'amplitude_mm' appears twice"),
             (
                 refusal("amplitude_mm,frequency_hz,peak_velocity_mm_s\n50,5,785\n"),
                 "m.csv, line 2, column peak_velocity_mm_s: 785.000 mm/s contradicts",
@@ -461,17 +350,9 @@ mod tests {
     fn unreadable_files_are_named() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("absent.csv");
-        assert!(
-            Matrix::read(&file)
-                .unwrap_err()
-                .to_string()
-                .contains("absent.csv")
-        );
+        assert!(Matrix::read(&file).unwrap_err().to_string().contains("absent.csv"));
         fs::write(&file, b"name,amplitude_mm\n\xff").unwrap();
         let message = Matrix::read(&file).unwrap_err().to_string();
-        assert!(
-            message.contains("line 2: this is not text in UTF-8"),
-            "{message}"
-        );
+        assert!(message.contains("line 2: this is not text in UTF-8"), "{message}");
     }
 }

@@ -15,15 +15,7 @@ pub const RIG_FREQUENCY_LIMIT_HZ: f64 = 25.03;
 const AMPLITUDES_M: [f64; 8] = [0.050, 0.040, 0.030, 0.025, 0.015, 0.005, 0.002, 0.001];
 
 /// Frequencies of the standard test (50 mm), Hz. They define the peak velocities of all rows.
-const STANDARD_FREQUENCIES_HZ: [f64; 7] = [
-    1.0 / 6.0,
-    5.0 / 12.0,
-    5.0 / 6.0,
-    1.25,
-    5.0 / 3.0,
-    10.0 / 3.0,
-    5.0,
-];
+const STANDARD_FREQUENCIES_HZ: [f64; 7] = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0];
 const STANDARD_AMPLITUDE_M: f64 = 0.050;
 
 /// Test 9: amplitude, first and last frequency, number of points (spaced by equal ratios).
@@ -104,8 +96,7 @@ impl Matrix {
 impl Default for Matrix {
     /// The thesis's matrix: 45 sines and 10 slow cycles.
     fn default() -> Self {
-        Self::thesis(&MatrixOptions::default())
-            .expect("the thesis's matrix is within the rig's limits")
+        Self::thesis(&MatrixOptions::default()).expect("the thesis's matrix is within the rig's limits")
     }
 }
 
@@ -122,11 +113,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
         let velocity = TAU * SLOW_AMPLITUDE_M * frequency;
         TestPoint {
             frequency_hz: frequency,
-            ..TestPoint::at_peak_velocity(
-                format!("slow_{frequency:.4}hz"),
-                SLOW_AMPLITUDE_M,
-                velocity,
-            )
+            ..TestPoint::at_peak_velocity(format!("slow_{frequency:.4}hz"), SLOW_AMPLITUDE_M, velocity)
         }
     })
 }
@@ -151,10 +138,8 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
 fn decimals_needed(velocities: &[f64]) -> usize {
     (0..6)
         .find(|&decimals| {
-            let names: BTreeSet<String> = velocities
-                .iter()
-                .map(|velocity| format!("{:.decimals$}", velocity * 1e3))
-                .collect();
+            let names: BTreeSet<String> =
+                velocities.iter().map(|velocity| format!("{:.decimals$}", velocity * 1e3)).collect();
             names.len() == velocities.len()
         })
         .unwrap_or(6)
@@ -167,20 +152,11 @@ mod tests {
     #[test]
     fn standard_row_has_the_thesis_frequencies() {
         let matrix = Matrix::default();
-        let row: Vec<(f64, f64)> = matrix.points()[..7]
-            .iter()
-            .map(|p| (p.frequency_hz, p.peak_velocity_m_s * 1e3))
-            .collect();
+        let row: Vec<(f64, f64)> =
+            matrix.points()[..7].iter().map(|p| (p.frequency_hz, p.peak_velocity_m_s * 1e3)).collect();
         // The thesis prints frequencies with two decimals and velocities in whole mm/s.
-        let printed = [
-            (0.17, 52.0),
-            (0.42, 131.0),
-            (0.83, 262.0),
-            (1.25, 393.0),
-            (1.67, 524.0),
-            (3.33, 1047.0),
-            (5.00, 1571.0),
-        ];
+        let printed =
+            [(0.17, 52.0), (0.42, 131.0), (0.83, 262.0), (1.25, 393.0), (1.67, 524.0), (3.33, 1047.0), (5.00, 1571.0)];
         for ((f, v), (f_printed, v_printed)) in row.iter().zip(printed) {
             assert!((f - f_printed).abs() <= 0.005, "{f} against {f_printed}");
             assert!((v - v_printed).abs() <= 0.5, "{v} against {v_printed}");
@@ -197,9 +173,7 @@ mod tests {
                 .filter(|p| !p.name.starts_with("slow") && (p.amplitude_m * 1e3 - mm).abs() < 1e-9)
                 .count()
         };
-        let counts: Vec<usize> = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0]
-            .map(in_row)
-            .to_vec();
+        let counts: Vec<usize> = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0].map(in_row).to_vec();
         assert_eq!(counts, [7, 7, 7, 7, 7, 5, 3, 2]);
         assert_eq!(matrix.points().len(), 55);
         for point in matrix.points() {
@@ -212,21 +186,14 @@ mod tests {
     #[test]
     fn slow_cycles_run_from_2_58_to_0_4_mm_s() {
         let matrix = Matrix::default();
-        let slow: Vec<&TestPoint> = matrix
-            .points()
-            .iter()
-            .filter(|p| p.name.starts_with("slow"))
-            .collect();
+        let slow: Vec<&TestPoint> = matrix.points().iter().filter(|p| p.name.starts_with("slow")).collect();
         assert_eq!(slow.len(), 10);
         assert_eq!(slow[0].frequency_hz, 0.041);
         assert_eq!(slow[9].frequency_hz, 0.006369);
         assert_eq!(slow[9].name, "slow_0.0064hz");
         assert!((slow[0].peak_velocity_m_s - 2.58e-3).abs() < 5e-6);
         assert!((slow[9].peak_velocity_m_s - 0.40e-3).abs() < 5e-6);
-        assert!(
-            slow.windows(2)
-                .all(|pair| pair[0].frequency_hz > pair[1].frequency_hz)
-        );
+        assert!(slow.windows(2).all(|pair| pair[0].frequency_hz > pair[1].frequency_hz));
     }
 
     #[test]

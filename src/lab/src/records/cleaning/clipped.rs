@@ -23,10 +23,7 @@ struct FlatTops {
 /// Clipped force samples are dropped by the caller once the motion is complete, since the motion is sound there. A
 /// clipped motion channel is given up if the other can replace it.
 pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
-    for (channel, other) in [
-        (Channel::Velocity, Channel::Displacement),
-        (Channel::Displacement, Channel::Velocity),
-    ] {
+    for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(tops) = samples.channel(channel).and_then(flat_tops) else {
             continue;
         };
@@ -83,16 +80,9 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);
-    let mut tops = FlatTops {
-        clipped: vec![false; n],
-        ..FlatTops::default()
-    };
+    let mut tops = FlatTops { clipped: vec![false; n], ..FlatTops::default() };
     tops.first = n;
-    let (low, high) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
-            (l.min(v), h.max(v))
-        });
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
     if low == high {
         return None;
     }
@@ -127,11 +117,7 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
 
 /// The step of the channel's last digit: the smallest difference of neighbours that is not zero.
 fn quantum(values: &[f64]) -> f64 {
-    let smallest = values
-        .windows(2)
-        .map(|w| (w[1] - w[0]).abs())
-        .filter(|&d| d > 0.0)
-        .fold(f64::INFINITY, f64::min);
+    let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
     if smallest.is_finite() { smallest } else { 0.0 }
 }
 
@@ -142,90 +128,44 @@ mod tests {
 
     #[test]
     fn a_little_clipped_force_is_masked_and_much_is_refused() {
-        let sound = SineTest {
-            noise: 1.0,
-            ..SineTest::default()
-        }
-        .samples();
+        let sound = SineTest { noise: 1.0, ..SineTest::default() }.samples();
         let clip = |limit: f64| {
             let mut samples = sound.clone();
             samples.force.iter_mut().for_each(|f| *f = f.min(limit));
             samples
         };
-        let top = sound
-            .force
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max);
+        let top = sound.force.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mut samples = clip(0.98 * top);
         let expected: Vec<bool> = samples.force.iter().map(|f| *f == 0.98 * top).collect();
         let masked = deal(&mut samples).unwrap();
         // Single noisy samples at the limit are no flat top; all long runs are.
-        let missed = masked
-            .iter()
-            .zip(&expected)
-            .filter(|(m, e)| !**m && **e)
-            .count();
+        let missed = masked.iter().zip(&expected).filter(|(m, e)| !**m && **e).count();
         let hits = masked.iter().filter(|m| **m).count();
-        assert!(
-            hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e),
-            "{hits} {missed}"
-        );
+        assert!(hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e), "{hits} {missed}");
         assert_eq!(samples.notes[0].kind, "clipped");
         let error = deal(&mut clip(0.7 * top)).unwrap_err().to_string();
-        assert!(
-            error.contains("force is clipped") && error.contains("load cell"),
-            "{error}"
-        );
+        assert!(error.contains("force is clipped") && error.contains("load cell"), "{error}");
     }
 
     #[test]
     fn a_clipped_motion_channel_gives_way_to_the_other() {
         let mut samples = SineTest::default().samples();
-        samples
-            .velocity
-            .as_mut()
-            .unwrap()
-            .iter_mut()
-            .for_each(|v| *v = v.clamp(-0.2, 0.2));
+        samples.velocity.as_mut().unwrap().iter_mut().for_each(|v| *v = v.clamp(-0.2, 0.2));
         deal(&mut samples).unwrap();
         assert!(samples.velocity.is_none() && samples.displacement.is_some());
         let mut samples = SineTest::default().samples();
         samples.velocity = None;
-        samples
-            .displacement
-            .as_mut()
-            .unwrap()
-            .iter_mut()
-            .for_each(|x| *x = x.min(0.04));
-        assert!(
-            deal(&mut samples)
-                .unwrap_err()
-                .to_string()
-                .contains("no other motion channel")
-        );
+        samples.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x = x.min(0.04));
+        assert!(deal(&mut samples).unwrap_err().to_string().contains("no other motion channel"));
     }
 
     #[test]
     fn coarse_tops_of_a_sine_are_not_clipped() {
         for quantum in [0.0, 5e-6, 2e-4, 2e-3] {
-            let mut samples = SineTest {
-                noise: 0.0,
-                per_cycle: 2000,
-                ..SineTest::default()
-            }
-            .samples();
+            let mut samples = SineTest { noise: 0.0, per_cycle: 2000, ..SineTest::default() }.samples();
             if quantum > 0.0 {
-                samples
-                    .displacement
-                    .as_mut()
-                    .unwrap()
-                    .iter_mut()
-                    .for_each(|x| *x = (*x / quantum).round() * quantum);
-                samples
-                    .force
-                    .iter_mut()
-                    .for_each(|f| *f = (*f / quantum / 1e4).round() * quantum * 1e4);
+                samples.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x = (*x / quantum).round() * quantum);
+                samples.force.iter_mut().for_each(|f| *f = (*f / quantum / 1e4).round() * quantum * 1e4);
             }
             assert!(!deal(&mut samples).unwrap().contains(&true), "{quantum}");
             assert!(samples.notes.is_empty());

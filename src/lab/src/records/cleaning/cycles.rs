@@ -104,14 +104,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     let shapes: Vec<[f64; PHASES]> = accepted.iter().map(|c| shape(time, x, c)).collect();
     let mut likeness: Vec<f64> = shapes
         .windows(2)
-        .map(|pair| {
-            pair[0]
-                .iter()
-                .zip(&pair[1])
-                .map(|(a, b)| a * b)
-                .sum::<f64>()
-                / PHASES as f64
-        })
+        .map(|pair| pair[0].iter().zip(&pair[1]).map(|(a, b)| a * b).sum::<f64>() / PHASES as f64)
         .collect();
     if !likeness.is_empty() && median(&mut likeness) < LIKENESS {
         return Vec::new();
@@ -134,8 +127,7 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     let (period, period_tolerance) = typical(cycles, Cycle::period, END_TOLERANCE);
     let stroke_tolerance = stroke_tolerance.max(6.0 * noise / stroke);
     let bent = |c: &Cycle| {
-        (c.stroke() / stroke - 1.0).abs() > stroke_tolerance
-            || (c.period() / period - 1.0).abs() > period_tolerance
+        (c.stroke() / stroke - 1.0).abs() > stroke_tolerance || (c.period() / period - 1.0).abs() > period_tolerance
     };
     while cycles.len() > 2 && cycles.first().is_some_and(bent) {
         cycles.remove(0);
@@ -149,18 +141,11 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
 /// Puts the crossings on the mean of the cycles themselves. Before, the mean was taken between turning points, which
 /// run-up and run-down shift at the first and last crossing.
 fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
-    let means: Vec<f64> = cycles
-        .iter()
-        .map(|c| time_mean(time, x, c.start, c.end))
-        .collect();
+    let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, x, c.start, c.end)).collect();
     let joined = |k: usize| k > 0 && k < cycles.len() && cycles[k - 1].end == cycles[k].start;
     // Level at the start of cycle k, and at the end of cycle k: between neighbours, and carried on at the ends.
     let level = |k: usize, at_end: bool| {
-        let (before, after) = if at_end {
-            (k, k + 1)
-        } else {
-            (k.wrapping_sub(1), k)
-        };
+        let (before, after) = if at_end { (k, k + 1) } else { (k.wrapping_sub(1), k) };
         if joined(after) {
             0.5 * (means[before] + means[after])
         } else if at_end && joined(k) {
@@ -174,21 +159,13 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let step = sample_time(time);
     let moved = |index: usize, at: f64, level: f64, cycle: &Cycle| -> (usize, f64) {
         let quarter = (cycle.end - cycle.start) / 4;
-        let (low, high) = (
-            index.saturating_sub(quarter),
-            (index + quarter).min(x.len() - 1),
-        );
+        let (low, high) = (index.saturating_sub(quarter), (index + quarter).min(x.len() - 1));
         // The sample before the crossing, next to where it was found first.
         let beside = index.min(x.len() - 1);
         let near = if x[beside] >= level {
-            (low..beside)
-                .rev()
-                .find(|&i| x[i] < level)
-                .unwrap_or(beside)
+            (low..beside).rev().find(|&i| x[i] < level).unwrap_or(beside)
         } else {
-            (beside + 1..=high)
-                .find(|&i| x[i] >= level)
-                .map_or(beside, |i| i - 1)
+            (beside + 1..=high).find(|&i| x[i] >= level).map_or(beside, |i| i - 1)
         };
         match crossing_time(time, x, near, level, 0.15 * cycle.stroke(), low..=high) {
             Some(at) if at >= time[0] - 1.5 * step && at <= time[x.len() - 1] + 1.5 * step => {
@@ -204,17 +181,9 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
             _ => moved(cycle.start, cycle.start_time, level(k, false), cycle),
         };
         let (end, end_time) = moved(cycle.end, cycle.end_time, level(k, true), cycle);
-        refined.push(Cycle {
-            start,
-            end,
-            start_time,
-            end_time,
-            ..*cycle
-        });
+        refined.push(Cycle { start, end, start_time, end_time, ..*cycle });
     }
-    let sound = refined
-        .iter()
-        .all(|c| c.end > c.start + 4 && c.end_time > c.start_time)
+    let sound = refined.iter().all(|c| c.end > c.start + 4 && c.end_time > c.start_time)
         && refined.windows(2).all(|pair| pair[0].end <= pair[1].start);
     if sound {
         cycles = refined;
@@ -225,13 +194,7 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
 /// The median and the tolerance around it, as a share of it and at least `least`.
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
-    let scatter = 1.4826
-        * median(
-            &mut cycles
-                .iter()
-                .map(|c| (of(c) - centre).abs())
-                .collect::<Vec<_>>(),
-        );
+    let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());
     (centre, (4.0 * scatter / centre).clamp(least, TOLERANCE.1))
 }
 
@@ -246,19 +209,8 @@ fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
             let ((start, start_time), (end, end_time)) = (pair[0], pair[1]);
             let inside = &x[start..end];
             // Spikes were taken out before, so the extremes are the motion's own.
-            let (low, high) = inside
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
-                    (l.min(v), h.max(v))
-                });
-            Cycle {
-                start,
-                end,
-                start_time,
-                end_time,
-                low,
-                high,
-            }
+            let (low, high) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
+            Cycle { start, end, start_time, end_time, low, high }
         })
         .collect()
 }
@@ -307,9 +259,7 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
         let (first, last) = (k == 0, k + 2 == turns.len());
         // Midway between the turns around the flank; a flank cut off by the record's end has no turn there.
         let before = (k > 0).then(|| 0.5 * (x[low] + 0.5 * (x[turns[k - 1]] + x[high])));
-        let after = turns
-            .get(k + 2)
-            .map(|&next| 0.5 * (x[high] + 0.5 * (x[low] + x[next])));
+        let after = turns.get(k + 2).map(|&next| 0.5 * (x[high] + 0.5 * (x[low] + x[next])));
         let mean = match (before, after) {
             _ if first && last => continue,
             (_, Some(_)) if first => 0.5 * (x[high] + x[turns[k + 2]]),
@@ -320,10 +270,7 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
         let flank = low..=high;
         // Rest before the first flank and after the last may lie at the mean: take the crossing next to the motion.
         let below = if last {
-            flank
-                .clone()
-                .find(|&i| x[i] >= mean)
-                .map(|i| i.saturating_sub(1).max(low))
+            flank.clone().find(|&i| x[i] >= mean).map(|i| i.saturating_sub(1).max(low))
         } else {
             flank.clone().rev().find(|&i| x[i] < mean)
         };
@@ -356,16 +303,9 @@ fn crossing_time(
     let (low, high) = (*flank.start(), *flank.end());
     let reach = ((high - low) / 4).max(2);
     let inside = |i: usize| (x[i] - level).abs() <= band;
-    let from = (near.saturating_sub(reach).max(low)..=near)
-        .rev()
-        .take_while(|&i| inside(i))
-        .last()
-        .unwrap_or(near);
-    let to = (near..=(near + reach).min(high))
-        .skip(1)
-        .take_while(|&i| inside(i))
-        .last()
-        .unwrap_or((near + 1).min(high));
+    let from = (near.saturating_sub(reach).max(low)..=near).rev().take_while(|&i| inside(i)).last().unwrap_or(near);
+    let to =
+        (near..=(near + reach).min(high)).skip(1).take_while(|&i| inside(i)).last().unwrap_or((near + 1).min(high));
     if to <= from {
         return None;
     }
@@ -415,17 +355,9 @@ fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
 pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
     let peak = |span: &[f64]| quantile(&mut span.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.99);
     if cycles.is_empty() {
-        return quantile(
-            &mut values.iter().map(|v| v.abs()).collect::<Vec<_>>(),
-            0.995,
-        );
+        return quantile(&mut values.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.995);
     }
-    median(
-        &mut cycles
-            .iter()
-            .map(|c| peak(&values[c.start..c.end]))
-            .collect::<Vec<_>>(),
-    )
+    median(&mut cycles.iter().map(|c| peak(&values[c.start..c.end])).collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -440,20 +372,13 @@ mod tests {
     #[test]
     fn rest_run_up_and_run_down_are_no_cycles() {
         for cycles_made in [1, 2, 3, 10] {
-            let test = SineTest {
-                cycles: cycles_made,
-                ..SineTest::default()
-            };
+            let test = SineTest { cycles: cycles_made, ..SineTest::default() };
             let samples = test.samples();
             let cycles = find(&samples.time, samples.displacement.as_ref().unwrap());
             assert_eq!(cycles.len(), cycles_made);
             for (k, cycle) in cycles.iter().enumerate() {
                 let start = test.steady_from() + (k as f64 - 0.37 / 200.0) * test.period();
-                assert!(
-                    (cycle.start_time - start).abs() < 0.01 * test.period(),
-                    "{k}: {} {start}",
-                    cycle.start_time
-                );
+                assert!((cycle.start_time - start).abs() < 0.01 * test.period(), "{k}: {} {start}", cycle.start_time);
                 assert!((cycle.stroke() - 0.1).abs() < 1e-4);
             }
         }
@@ -518,16 +443,8 @@ mod tests {
     #[test]
     fn a_small_sine_after_a_long_way_to_its_start_is_found() {
         let time: Vec<f64> = (0..3000).map(|i| f64::from(i) / 200.0).collect();
-        let x: Vec<f64> = time
-            .iter()
-            .map(|t| {
-                if *t < 5.0 {
-                    -0.1 + 0.03 * t
-                } else {
-                    0.05 + 0.004 * (TAU * t).sin()
-                }
-            })
-            .collect();
+        let x: Vec<f64> =
+            time.iter().map(|t| if *t < 5.0 { -0.1 + 0.03 * t } else { 0.05 + 0.004 * (TAU * t).sin() }).collect();
         let cycles = find(&time, &x);
         assert!((9..=10).contains(&cycles.len()), "{}", cycles.len());
         assert!(cycles.iter().all(|c| (c.stroke() - 0.008).abs() < 1e-4));
@@ -542,9 +459,7 @@ mod tests {
 
     #[test]
     fn the_peak_is_not_set_by_one_sample() {
-        let mut x: Vec<f64> = (0..1000)
-            .map(|i| (TAU * f64::from(i) / 1000.0).sin())
-            .collect();
+        let mut x: Vec<f64> = (0..1000).map(|i| (TAU * f64::from(i) / 1000.0).sin()).collect();
         x[500] = 40.0;
         assert!((robust_peak(&x, &[]) - 1.0).abs() < 1e-3);
     }

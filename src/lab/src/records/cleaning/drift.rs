@@ -5,13 +5,7 @@ use super::super::record::Note;
 use super::cycles::Cycle;
 
 /// Drift of a cycle mean, over the record.
-pub(crate) fn report(
-    time: &[f64],
-    displacement: &[f64],
-    force: &[f64],
-    cycles: &[Cycle],
-    notes: &mut Vec<Note>,
-) {
+pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {
     if cycles.len() < 3 {
         return;
     }
@@ -20,21 +14,26 @@ pub(crate) fn report(
     if shift.abs() > 0.02 * stroke && shift.abs() > 3.0 * scatter {
         notes.push(Note {
             kind: "drift",
-            text: format!("mean displacement drifts by {:.3} mm over {} cycles ({:.1} % of the stroke); left as it is",
-                1e3 * shift, cycles.len(), 100.0 * shift / stroke),
+            text: format!(
+                "mean displacement drifts by {:.3} mm over {} cycles ({:.1} % of the stroke); left as it is",
+                1e3 * shift,
+                cycles.len(),
+                100.0 * shift / stroke
+            ),
         });
     }
     let span = cycles.iter().flat_map(|c| &force[c.start..c.end]);
-    let (low, high) = span.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
-        (l.min(v), h.max(v))
-    });
+    let (low, high) = span.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
     let (shift, scatter) = trend(time, force, cycles);
     let floor = noise::difference_noise(force) / (cycles[0].end - cycles[0].start) as f64;
     if shift.abs() > 0.01 * (high - low) && shift.abs() > 3.0 * scatter.max(floor) {
         notes.push(Note {
             kind: "drift",
-            text: format!("mean force drifts by {shift:.1} N over {} cycles ({:.1} % of its range); left as it is",
-                cycles.len(), 100.0 * shift / (high - low)),
+            text: format!(
+                "mean force drifts by {shift:.1} N over {} cycles ({:.1} % of its range); left as it is",
+                cycles.len(),
+                100.0 * shift / (high - low)
+            ),
         });
     }
 }
@@ -42,24 +41,12 @@ pub(crate) fn report(
 /// Change of the cycle mean from the first to the last cycle by a straight line, and the scatter about that line.
 fn trend(time: &[f64], values: &[f64], cycles: &[Cycle]) -> (f64, f64) {
     let n = cycles.len() as f64;
-    let means: Vec<f64> = cycles
-        .iter()
-        .map(|c| time_mean(time, values, c.start, c.end))
-        .collect();
+    let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, values, c.start, c.end)).collect();
     let at: Vec<f64> = cycles.iter().map(|c| c.start_time).collect();
     let (mean_t, mean_v) = (at.iter().sum::<f64>() / n, means.iter().sum::<f64>() / n);
     let stt: f64 = at.iter().map(|t| (t - mean_t).powi(2)).sum();
-    let slope = at
-        .iter()
-        .zip(&means)
-        .map(|(t, v)| (t - mean_t) * (v - mean_v))
-        .sum::<f64>()
-        / stt;
-    let rest: f64 = at
-        .iter()
-        .zip(&means)
-        .map(|(t, v)| (v - mean_v - slope * (t - mean_t)).powi(2))
-        .sum();
+    let slope = at.iter().zip(&means).map(|(t, v)| (t - mean_t) * (v - mean_v)).sum::<f64>() / stt;
+    let rest: f64 = at.iter().zip(&means).map(|(t, v)| (v - mean_v - slope * (t - mean_t)).powi(2)).sum();
     (slope * (at[cycles.len() - 1] - at[0]), (rest / n).sqrt())
 }
 
@@ -69,9 +56,7 @@ pub(crate) fn time_mean(time: &[f64], values: &[f64], start: usize, end: usize) 
     if last <= start {
         return values[start];
     }
-    let area: f64 = (start..last)
-        .map(|i| 0.5 * (values[i] + values[i + 1]) * (time[i + 1] - time[i]))
-        .sum();
+    let area: f64 = (start..last).map(|i| 0.5 * (values[i] + values[i + 1]) * (time[i + 1] - time[i])).sum();
     area / (time[last] - time[start])
 }
 
@@ -83,11 +68,7 @@ mod tests {
 
     #[test]
     fn drift_is_told_with_its_size_and_absence_is_not() {
-        let samples = SineTest {
-            cycles: 10,
-            ..SineTest::default()
-        }
-        .samples();
+        let samples = SineTest { cycles: 10, ..SineTest::default() }.samples();
         let (time, mut x, mut force) = (samples.time, samples.displacement.unwrap(), samples.force);
         let mut notes = Vec::new();
         report(&time, &x, &force, &cycles::find(&time, &x), &mut notes);

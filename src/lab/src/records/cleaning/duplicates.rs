@@ -17,30 +17,19 @@ pub(crate) fn remove(samples: &mut Samples) {
 /// A hash of one row's values, exact to the last bit.
 fn row_key(samples: &Samples, i: usize, channels: &[Channel]) -> u64 {
     // FNV-1a over the bits; equality is checked on the values themselves.
-    channels.iter().filter_map(|&c| samples.channel(c)).fold(
-        0xcbf2_9ce4_8422_2325,
-        |hash: u64, values| {
-            let mixed = (hash ^ values[i].to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
-            mixed ^ (mixed >> 29)
-        },
-    )
+    channels.iter().filter_map(|&c| samples.channel(c)).fold(0xcbf2_9ce4_8422_2325, |hash: u64, values| {
+        let mixed = (hash ^ values[i].to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+        mixed ^ (mixed >> 29)
+    })
 }
 
 fn equal(samples: &Samples, i: usize, j: usize, channels: &[Channel]) -> bool {
-    channels
-        .iter()
-        .filter_map(|&c| samples.channel(c))
-        .all(|values| values[i] == values[j])
+    channels.iter().filter_map(|&c| samples.channel(c)).all(|values| values[i] == values[j])
 }
 
 /// Rows that repeat an earlier row with its time stamp.
 fn same_time(samples: &mut Samples) {
-    let channels = [
-        Channel::Time,
-        Channel::Force,
-        Channel::Displacement,
-        Channel::Velocity,
-    ];
+    let channels = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
     let mut seen: HashMap<u64, usize> = HashMap::with_capacity(samples.len());
     let mut repeated = vec![false; samples.len()];
     for (i, repeated) in repeated.iter_mut().enumerate() {
@@ -52,15 +41,14 @@ fn same_time(samples: &mut Samples) {
         return;
     }
     let first = repeated.iter().position(|&r| r).unwrap_or(0);
-    let blocks = repeated
-        .chunk_by(|a, b| a == b)
-        .filter(|run| run[0])
-        .count();
+    let blocks = repeated.chunk_by(|a, b| a == b).filter(|run| run[0]).count();
     let line = samples.lines[first];
     samples.retain(|i| !repeated[i]);
     samples.note(
         "duplicated",
-        format!("{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed"),
+        format!(
+            "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed"
+        ),
     );
 }
 
@@ -109,18 +97,9 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
         };
         let lag = i - before;
         if lag >= BLOCK {
-            let run = (i..n)
-                .take_while(|&k| equal(samples, k, k - lag, channels))
-                .count();
-            let changing = samples.force[i - lag..i]
-                .windows(2)
-                .filter(|w| w[0] != w[1])
-                .count()
-                > lag / 4;
-            if run >= lag
-                && changing
-                && (breaks_motion(samples, i, lag) || rest_is_noisy(samples, i, lag, run))
-            {
+            let run = (i..n).take_while(|&k| equal(samples, k, k - lag, channels)).count();
+            let changing = samples.force[i - lag..i].windows(2).filter(|w| w[0] != w[1]).count() > lag / 4;
+            if run >= lag && changing && (breaks_motion(samples, i, lag) || rest_is_noisy(samples, i, lag, run)) {
                 return Some((i, lag));
             }
         }
@@ -131,18 +110,12 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
 
 /// Whether the motion jumps back at the seam before row `i`.
 fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
-    [Channel::Displacement, Channel::Velocity]
-        .iter()
-        .filter_map(|&c| samples.channel(c))
-        .any(|values| {
-            let block = &values[i - lag..i];
-            let step = block
-                .windows(2)
-                .map(|w| (w[1] - w[0]).abs())
-                .fold(0.0, f64::max);
-            let seam = (values[i] - values[i - 1]).abs();
-            seam > 4.0 * step && step > 0.0
-        })
+    [Channel::Displacement, Channel::Velocity].iter().filter_map(|&c| samples.channel(c)).any(|values| {
+        let block = &values[i - lag..i];
+        let step = block.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
+        let seam = (values[i] - values[i - 1]).abs();
+        seam > 4.0 * step && step > 0.0
+    })
 }
 
 /// Whether rows one lag apart outside the repeated run are alike and differ by noise: not smoothly, as in the run-up of a
@@ -187,13 +160,7 @@ mod tests {
                 let mut samples = doubled(&sound, range.clone(), new_stamps);
                 remove(&mut samples);
                 assert_eq!(samples.force, sound.force, "{range:?} {new_stamps}");
-                assert!(
-                    samples
-                        .time
-                        .iter()
-                        .zip(&sound.time)
-                        .all(|(a, b)| (a - b).abs() < 1e-9)
-                );
+                assert!(samples.time.iter().zip(&sound.time).all(|(a, b)| (a - b).abs() < 1e-9));
                 assert_eq!(samples.notes.len(), 1);
                 assert_eq!(samples.notes[0].kind, "duplicated");
             }
@@ -203,18 +170,10 @@ mod tests {
     #[test]
     fn sound_and_noise_free_records_are_left_alone() {
         for noise in [0.0, 4.0] {
-            let mut samples = SineTest {
-                noise,
-                ..SineTest::default()
-            }
-            .samples();
+            let mut samples = SineTest { noise, ..SineTest::default() }.samples();
             // As written to a file, so that noise-free cycles are equal to the last digit.
             for values in [Channel::Force, Channel::Displacement, Channel::Velocity] {
-                samples
-                    .channel_mut(values)
-                    .unwrap()
-                    .iter_mut()
-                    .for_each(|v| *v = (*v * 1e6).round() / 1e6);
+                samples.channel_mut(values).unwrap().iter_mut().for_each(|v| *v = (*v * 1e6).round() / 1e6);
             }
             let before = samples.force.clone();
             remove(&mut samples);

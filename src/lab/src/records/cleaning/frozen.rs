@@ -60,11 +60,7 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
     }
     let noise = difference_noise(other);
     // Force may change a little at rest, as friction relaxes.
-    let share = if channel == Channel::Displacement {
-        0.5
-    } else {
-        0.1
-    };
+    let share = if channel == Channel::Displacement { 0.5 } else { 0.1 };
     let mut start = 0;
     for run in values.chunk_by(|a, b| a == b) {
         let end = start + run.len();
@@ -87,19 +83,13 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
                     seconds: samples.time[end - 1] - samples.time[start],
                     moving: match channel {
                         Channel::Force => "the damper moves",
-                        Channel::Displacement if samples.velocity.is_some() => {
-                            "the velocity says it moves"
-                        }
+                        Channel::Displacement if samples.velocity.is_some() => "the velocity says it moves",
                         Channel::Displacement => "the force changes",
                         _ => "the displacement changes",
                     },
                     advice: match channel {
-                        Channel::Force => {
-                            "check the load cell and its cable, and cut these rows or measure again"
-                        }
-                        Channel::Velocity => {
-                            "cut these rows, or read the displacement only: --ignore velocity"
-                        }
+                        Channel::Force => "check the load cell and its cable, and cut these rows or measure again",
+                        Channel::Velocity => "cut these rows, or read the displacement only: --ignore velocity",
                         _ if samples.velocity.is_some() => {
                             "cut these rows, or read the velocity only: --ignore displacement"
                         }
@@ -116,14 +106,8 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
 /// Share of neighbouring samples that are equal, outside the run in question.
 fn equal_share(before: &[f64], after: &[f64]) -> f64 {
     let pairs = before.windows(2).chain(after.windows(2));
-    let (equal, all) = pairs.fold((0, 0), |(equal, all), w| {
-        (equal + usize::from(w[0] == w[1]), all + 1)
-    });
-    if all == 0 {
-        1.0
-    } else {
-        equal as f64 / all as f64
-    }
+    let (equal, all) = pairs.fold((0, 0), |(equal, all), w| (equal + usize::from(w[0] == w[1]), all + 1));
+    if all == 0 { 1.0 } else { equal as f64 / all as f64 }
 }
 
 #[cfg(test)]
@@ -144,52 +128,26 @@ mod tests {
             let mut samples = sound.clone();
             freeze(samples.channel_mut(channel).unwrap(), 600..760);
             let error = refuse(&samples).unwrap_err().to_string();
-            assert!(
-                error.contains(&format!("lines 602 to 761: {channel} is frozen")),
-                "{error}"
-            );
+            assert!(error.contains(&format!("lines 602 to 761: {channel} is frozen")), "{error}");
         }
         let mut samples = sound.clone();
         samples.velocity.as_mut().unwrap().fill(0.0);
-        assert!(
-            refuse(&samples)
-                .unwrap_err()
-                .to_string()
-                .contains("--ignore velocity")
-        );
+        assert!(refuse(&samples).unwrap_err().to_string().contains("--ignore velocity"));
         let mut samples = sound;
         samples.velocity = None;
         freeze(samples.displacement.as_mut().unwrap(), 500..900);
-        assert!(
-            refuse(&samples)
-                .unwrap_err()
-                .to_string()
-                .contains("displacement is frozen")
-        );
+        assert!(refuse(&samples).unwrap_err().to_string().contains("displacement is frozen"));
     }
 
     #[test]
     fn rest_and_coarse_plateaus_are_not_frozen() {
         // Pure friction without noise, load cell of 1 N: the force stays the same through most of every stroke.
-        let mut samples = SineTest {
-            rest: 3.0,
-            frequency: 0.01,
-            ..SineTest::default()
-        }
-        .samples();
+        let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         let velocity = samples.velocity.clone().unwrap();
-        samples.force = velocity
-            .iter()
-            .map(|v| (60.0 * (v / 1e-5).tanh()).round() - 120.0)
-            .collect();
+        samples.force = velocity.iter().map(|v| (60.0 * (v / 1e-5).tanh()).round() - 120.0).collect();
         refuse(&samples).unwrap();
         // Rest is rest, in every channel, also without a velocity to say so.
-        let mut samples = SineTest {
-            rest: 3.0,
-            frequency: 0.01,
-            ..SineTest::default()
-        }
-        .samples();
+        let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         samples.velocity = None;
         for x in samples.displacement.as_mut().unwrap() {
             *x = (*x * 2e5).round() / 2e5;

@@ -15,97 +15,49 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();
     let missing: Vec<bool> = (0..rows)
-        .map(|i| {
-            NEEDED
-                .iter()
-                .any(|&c| samples.channel(c).is_some_and(|values| values[i].is_nan()))
-        })
+        .map(|i| NEEDED.iter().any(|&c| samples.channel(c).is_some_and(|values| values[i].is_nan())))
         .collect();
     let count = missing.iter().filter(|&&m| m).count();
     if count > 0 {
-        let longest = missing
-            .chunk_by(|a, b| a == b)
-            .filter(|run| run[0])
-            .map(<[bool]>::len)
-            .max()
-            .unwrap_or(0);
+        let longest = missing.chunk_by(|a, b| a == b).filter(|run| run[0]).map(<[bool]>::len).max().unwrap_or(0);
         let first = missing.iter().position(|&m| m).unwrap_or(0);
         if count as f64 > (SHARE * rows as f64).max(3.0) || longest > RUN {
             let channel = NEEDED
                 .into_iter()
-                .find(|&c| {
-                    samples
-                        .channel(c)
-                        .is_some_and(|values| values[first].is_nan())
-                })
+                .find(|&c| samples.channel(c).is_some_and(|values| values[first].is_nan()))
                 .unwrap_or(Channel::Force);
             let (at, line) = (samples.at.clone(), samples.lines[first]);
-            return Err(RecordError::Missing {
-                at,
-                line,
-                channel,
-                count,
-                rows,
-            });
+            return Err(RecordError::Missing { at, line, channel, count, rows });
         }
-        let mut lines: Vec<String> = missing
-            .iter()
-            .zip(&samples.lines)
-            .filter(|(m, _)| **m)
-            .take(5)
-            .map(|(_, l)| l.to_string())
-            .collect();
+        let mut lines: Vec<String> =
+            missing.iter().zip(&samples.lines).filter(|(m, _)| **m).take(5).map(|(_, l)| l.to_string()).collect();
         if count > lines.len() {
             lines.push("...".to_string());
         }
         samples.note(
             "missing",
-            format!(
-                "{count} of {rows} rows dropped for empty or not-a-number cells (line {})",
-                lines.join(", ")
-            ),
+            format!("{count} of {rows} rows dropped for empty or not-a-number cells (line {})", lines.join(", ")),
         );
         samples.retain(|i| !missing[i]);
     }
     for channel in [Channel::SideForce, Channel::Temperature] {
-        let Samples {
-            time,
-            side_force,
-            temperature,
-            ..
-        } = samples;
-        let values = if channel == Channel::SideForce {
-            side_force
-        } else {
-            temperature
-        };
+        let Samples { time, side_force, temperature, .. } = samples;
+        let values = if channel == Channel::SideForce { side_force } else { temperature };
         if let Some(values) = values {
             let bridged = bridge(time, values);
             if bridged > 0 {
-                samples.note(
-                    "missing",
-                    format!("{bridged} missing values of {channel} filled by straight lines"),
-                );
+                samples.note("missing", format!("{bridged} missing values of {channel} filled by straight lines"));
             }
         }
     }
     Ok(())
 }
 
-const NEEDED: [Channel; 4] = [
-    Channel::Time,
-    Channel::Force,
-    Channel::Displacement,
-    Channel::Velocity,
-];
+const NEEDED: [Channel; 4] = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
 
 /// A column without a single value is no channel, unless the record cannot do without it.
 fn forget_empty_columns(samples: &mut Samples) {
-    let empty = |values: &Option<Vec<f64>>| {
-        values
-            .as_ref()
-            .is_some_and(|v| v.iter().all(|x| x.is_nan()))
-    };
+    let empty = |values: &Option<Vec<f64>>| values.as_ref().is_some_and(|v| v.iter().all(|x| x.is_nan()));
     let both = samples.displacement.is_some() && samples.velocity.is_some();
     let mut forgotten = Vec::new();
     if both && empty(&samples.velocity) {
@@ -124,10 +76,7 @@ fn forget_empty_columns(samples: &mut Samples) {
         forgotten.push(Channel::Temperature);
     }
     for channel in forgotten {
-        samples.note(
-            "missing",
-            format!("the column of {channel} is empty and was left out"),
-        );
+        samples.note("missing", format!("the column of {channel} is empty and was left out"));
     }
 }
 
@@ -162,16 +111,10 @@ mod tests {
         let n = samples.len();
         samples.force[10] = f64::NAN;
         samples.displacement.as_mut().unwrap()[500] = f64::NAN;
-        let expected: Vec<f64> = (0..n)
-            .filter(|i| ![10, 500].contains(i))
-            .map(|i| samples.force[i])
-            .collect();
+        let expected: Vec<f64> = (0..n).filter(|i| ![10, 500].contains(i)).map(|i| samples.force[i]).collect();
         drop_rows(&mut samples).unwrap();
         assert_eq!(samples.force, expected);
-        assert!(
-            samples.notes[0].text.starts_with("2 of ")
-                && samples.notes[0].text.contains("line 12, 502")
-        );
+        assert!(samples.notes[0].text.starts_with("2 of ") && samples.notes[0].text.contains("line 12, 502"));
     }
 
     #[test]
@@ -179,10 +122,7 @@ mod tests {
         let mut samples = SineTest::default().samples();
         samples.velocity.as_mut().unwrap()[100..130].fill(f64::NAN);
         let error = drop_rows(&mut samples).unwrap_err().to_string();
-        assert!(
-            error.contains("line 102: velocity") && error.contains("30 of"),
-            "{error}"
-        );
+        assert!(error.contains("line 102: velocity") && error.contains("30 of"), "{error}");
     }
 
     #[test]
@@ -191,18 +131,11 @@ mod tests {
         let n = samples.len();
         samples.velocity = Some(vec![f64::NAN; n]);
         samples.side_force = Some(vec![f64::NAN; n]);
-        samples.temperature = Some(
-            (0..n)
-                .map(|i| if i % 10 == 3 { i as f64 } else { f64::NAN })
-                .collect(),
-        );
+        samples.temperature = Some((0..n).map(|i| if i % 10 == 3 { i as f64 } else { f64::NAN }).collect());
         drop_rows(&mut samples).unwrap();
         assert!(samples.velocity.is_none() && samples.side_force.is_none());
         let temperature = samples.temperature.unwrap();
-        assert_eq!(
-            (temperature[0], temperature[3], temperature.len()),
-            (3.0, 3.0, n)
-        );
+        assert_eq!((temperature[0], temperature[3], temperature.len()), (3.0, 3.0, n));
         assert!((temperature[57] - 57.0).abs() < 1e-9);
         assert_eq!(samples.notes.len(), 3);
     }

@@ -90,18 +90,10 @@ pub(crate) fn repair(mut samples: Samples, options: &Options) -> Result<Motion, 
             let mut at = without_force.iter();
             values.retain(|_| at.next() == Some(&false));
         };
-        for values in [
-            &mut motion.time,
-            &mut motion.displacement,
-            &mut motion.velocity,
-            &mut motion.force,
-        ] {
+        for values in [&mut motion.time, &mut motion.displacement, &mut motion.velocity, &mut motion.force] {
             drop(values);
         }
-        for values in [&mut motion.side_force, &mut motion.temperature]
-            .into_iter()
-            .flatten()
-        {
+        for values in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
             drop(values);
         }
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
@@ -111,11 +103,7 @@ pub(crate) fn repair(mut samples: Samples, options: &Options) -> Result<Motion, 
 
 fn enough(samples: &Samples) -> Result<(), RecordError> {
     if samples.len() < FEWEST {
-        return Err(RecordError::TooFew {
-            at: samples.at.clone(),
-            samples: samples.len(),
-            needed: FEWEST,
-        });
+        return Err(RecordError::TooFew { at: samples.at.clone(), samples: samples.len(), needed: FEWEST });
     }
     Ok(())
 }
@@ -129,17 +117,11 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         (Some(displacement), Some(velocity)) => {
             let cycles = cycles::find(&samples.time, &displacement);
             let span = steady(&cycles, samples.len());
-            let agreement = consistency::compare(
-                &samples.time[span.clone()],
-                &displacement[span.clone()],
-                &velocity[span],
-            );
+            let agreement =
+                consistency::compare(&samples.time[span.clone()], &displacement[span.clone()], &velocity[span]);
             if let Some(agreement) = agreement {
                 if let Some(cause) = consistency::contradiction(&agreement) {
-                    return Err(RecordError::Contradiction {
-                        at: samples.at.clone(),
-                        cause,
-                    });
+                    return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
                 }
                 samples.note(
                     "consistency",
@@ -173,9 +155,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         }
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
         // The layout admits no table without motion, and cleaning gives up at most one of two channels.
-        (None, None) => Err(RecordError::NoData {
-            at: samples.at.clone(),
-        }),
+        (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
     }
 }
 
@@ -221,24 +201,9 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
     trim::trim(&mut motion);
-    let Motion {
-        at,
-        name,
-        time,
-        displacement,
-        velocity,
-        force,
-        side_force,
-        temperature,
-        cycles,
-        mut notes,
-    } = motion;
+    let Motion { at, name, time, displacement, velocity, force, side_force, temperature, cycles, mut notes } = motion;
     if time.len() < FEWEST {
-        return Err(RecordError::TooFew {
-            at,
-            samples: time.len(),
-            needed: FEWEST,
-        });
+        return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
     }
     drift::report(&time, &displacement, &force, &cycles, &mut notes);
     let noise = noise::floor(&time, &force, &cycles);
@@ -246,10 +211,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         (Some(_), Some(_)) => {
             let strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
             let seconds: f64 = cycles.iter().map(Cycle::period).sum();
-            (
-                0.5 * super::samples::median(&mut strokes.clone()),
-                cycles.len() as f64 / seconds,
-            )
+            (0.5 * super::samples::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
         }
         _ => (0.5 * range(&displacement), 0.0),
     };
@@ -289,10 +251,7 @@ mod tests {
         let test = SineTest::default();
         let record = clean(test.samples(), &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 5);
-        assert_eq!(
-            (record.cycles[0].start, record.cycles[4].end),
-            (0, record.time.len())
-        );
+        assert_eq!((record.cycles[0].start, record.cycles[4].end), (0, record.time.len()));
         assert!((record.amplitude - 0.05).abs() < 1e-4);
         assert!((record.frequency - 1.0).abs() < 1e-3);
         assert!((record.peak_velocity / (std::f64::consts::TAU * 0.05) - 1.0).abs() < 2e-3);
@@ -310,39 +269,16 @@ mod tests {
         let derived = clean(without_velocity, &Options::default()).unwrap();
         assert_eq!(derived.time, reference.time);
         let peak = reference.peak_velocity;
-        assert!(
-            derived
-                .velocity
-                .iter()
-                .zip(&reference.velocity)
-                .all(|(a, b)| (a - b).abs() < 0.01 * peak)
-        );
-        assert!(
-            derived
-                .notes
-                .iter()
-                .any(|n| n.kind == "derived" && n.text.contains("-3 dB"))
-        );
+        assert!(derived.velocity.iter().zip(&reference.velocity).all(|(a, b)| (a - b).abs() < 0.01 * peak));
+        assert!(derived.notes.iter().any(|n| n.kind == "derived" && n.text.contains("-3 dB")));
 
         let mut without_displacement = both;
         without_displacement.displacement = None;
-        without_displacement
-            .velocity
-            .as_mut()
-            .unwrap()
-            .iter_mut()
-            .for_each(|v| *v += 0.003); // sensor offset
-        let options = Options {
-            initial_position: 0.01,
-            ..Options::default()
-        };
+        without_displacement.velocity.as_mut().unwrap().iter_mut().for_each(|v| *v += 0.003); // sensor offset
+        let options = Options { initial_position: 0.01, ..Options::default() };
         let derived = clean(without_displacement, &options).unwrap();
         assert!((derived.amplitude - 0.05).abs() < 2e-4 && derived.cycles.len() == 5);
-        assert!(
-            (derived.mean_displacement - 0.01).abs() < 5e-4,
-            "{}",
-            derived.mean_displacement
-        );
+        assert!((derived.mean_displacement - 0.01).abs() < 5e-4, "{}", derived.mean_displacement);
         let note = derived.notes.iter().find(|n| n.kind == "derived").unwrap();
         assert!(
             note.text.contains("velocity offset 3.0") || note.text.contains("velocity offset 2.9"),
@@ -373,30 +309,14 @@ mod tests {
         let record = clean(cut, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 3);
         assert_eq!(record.cycles[2].end, record.time.len());
-        assert!(
-            record
-                .notes
-                .iter()
-                .any(|n| n.kind == "trimmed" && n.text.contains("incomplete cycle"))
-        );
+        assert!(record.notes.iter().any(|n| n.kind == "trimmed" && n.text.contains("incomplete cycle")));
     }
 
     #[test]
     fn clipped_force_samples_are_left_out() {
-        let mut samples = SineTest {
-            noise: 1.0,
-            ..SineTest::default()
-        }
-        .samples();
-        let top = samples
-            .force
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max);
-        samples
-            .force
-            .iter_mut()
-            .for_each(|f| *f = f.min(0.98 * top));
+        let mut samples = SineTest { noise: 1.0, ..SineTest::default() }.samples();
+        let top = samples.force.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        samples.force.iter_mut().for_each(|f| *f = f.min(0.98 * top));
         let record = clean(samples, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 5);
         assert!(record.notes.iter().any(|n| n.kind == "clipped"));
@@ -407,11 +327,7 @@ mod tests {
     #[test]
     fn a_record_without_cycles_is_kept_whole() {
         let mut samples = SineTest::default().samples();
-        let x: Vec<f64> = samples
-            .time
-            .iter()
-            .map(|t| 0.02 * (t * t).sin() * (1.3 * t).cos())
-            .collect();
+        let x: Vec<f64> = samples.time.iter().map(|t| 0.02 * (t * t).sin() * (1.3 * t).cos()).collect();
         samples.displacement = Some(x);
         samples.velocity = None;
         let n = samples.len();
@@ -424,10 +340,7 @@ mod tests {
     fn too_few_samples_are_refused() {
         let mut samples = SineTest::default().samples();
         samples.select(&(0..19).collect::<Vec<_>>());
-        assert!(matches!(
-            clean(samples, &Options::default()),
-            Err(RecordError::TooFew { samples: 19, .. })
-        ));
+        assert!(matches!(clean(samples, &Options::default()), Err(RecordError::TooFew { samples: 19, .. })));
     }
 
     proptest! {

@@ -12,28 +12,14 @@ const REACH: usize = 10;
 /// If time never advances, or goes back by whole blocks.
 pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     if range(&samples.time) == 0.0 && samples.len() > 1 {
-        return Err(RecordError::ConstantTime {
-            at: samples.at.clone(),
-            time: samples.time[0],
-        });
+        return Err(RecordError::ConstantTime { at: samples.at.clone(), time: samples.time[0] });
     }
-    let back: Vec<usize> = (1..samples.len())
-        .filter(|&i| samples.time[i] < samples.time[i - 1])
-        .collect();
+    let back: Vec<usize> = (1..samples.len()).filter(|&i| samples.time[i] < samples.time[i - 1]).collect();
     if let Some(&first) = back.first() {
         let mut order: Vec<usize> = (0..samples.len()).collect();
         order.sort_by(|&a, &b| samples.time[a].total_cmp(&samples.time[b])); // stable
-        let moved = order
-            .iter()
-            .enumerate()
-            .filter(|(i, from)| i != *from)
-            .count();
-        let reach = order
-            .iter()
-            .enumerate()
-            .map(|(i, &from)| i.abs_diff(from))
-            .max()
-            .unwrap_or(0);
+        let moved = order.iter().enumerate().filter(|(i, from)| i != *from).count();
+        let reach = order.iter().enumerate().map(|(i, &from)| i.abs_diff(from)).max().unwrap_or(0);
         if reach > REACH || moved as f64 > (0.02 * samples.len() as f64).max(2.0 * REACH as f64) {
             return Err(RecordError::TimeBackwards {
                 at: samples.at.clone(),
@@ -46,10 +32,7 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
         samples.select(&order);
         samples.note(
             "out_of_order",
-            format!(
-                "time stepped back {} times, first at line {line}; {moved} rows put back in order",
-                back.len()
-            ),
+            format!("time stepped back {} times, first at line {line}; {moved} rows put back in order", back.len()),
         );
     }
     spread(samples);
@@ -59,17 +42,11 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
 /// Rows that share a time stamp were logged faster than the stamps resolve: they are spread up to the next stamp.
 fn spread(samples: &mut Samples) {
     let n = samples.len();
-    let shared = (1..n)
-        .filter(|&i| samples.time[i] == samples.time[i - 1])
-        .count();
+    let shared = (1..n).filter(|&i| samples.time[i] == samples.time[i - 1]).count();
     if shared == 0 {
         return;
     }
-    let stamps: Vec<f64> = samples
-        .time
-        .chunk_by(|a, b| a == b)
-        .map(|run| run[0])
-        .collect();
+    let stamps: Vec<f64> = samples.time.chunk_by(|a, b| a == b).map(|run| run[0]).collect();
     let typical = sample_time(&stamps);
     let mut spread = Vec::with_capacity(n);
     for (k, run) in samples.time.chunk_by(|a, b| a == b).enumerate() {
@@ -79,7 +56,9 @@ fn spread(samples: &mut Samples) {
     samples.time = spread;
     samples.note(
         "time_resolution",
-        format!("{shared} of {n} rows shared a time stamp with the row before; they were spread evenly to the next stamp"),
+        format!(
+            "{shared} of {n} rows shared a time stamp with the row before; they were spread evenly to the next stamp"
+        ),
     );
 }
 
@@ -98,11 +77,7 @@ mod tests {
         samples.select(&order);
         restore(&mut samples).unwrap();
         assert_eq!((&samples.time, &samples.force), (&sound.time, &sound.force));
-        assert!(
-            samples.notes[0].text.contains("line 303"),
-            "{}",
-            samples.notes[0].text
-        );
+        assert!(samples.notes[0].text.contains("line 303"), "{}", samples.notes[0].text);
     }
 
     #[test]
@@ -112,42 +87,26 @@ mod tests {
             *time -= 1.5;
         }
         let error = restore(&mut samples).unwrap_err().to_string();
-        assert!(
-            error.contains("line 402") && error.contains("column 'test'"),
-            "{error}"
-        );
+        assert!(error.contains("line 402") && error.contains("column 'test'"), "{error}");
     }
 
     #[test]
     fn constant_time_is_refused() {
         let mut samples = SineTest::default().samples();
         samples.time.fill(3.0);
-        assert!(matches!(
-            restore(&mut samples),
-            Err(RecordError::ConstantTime { time: 3.0, .. })
-        ));
+        assert!(matches!(restore(&mut samples), Err(RecordError::ConstantTime { time: 3.0, .. })));
     }
 
     #[test]
     fn coarse_stamps_are_spread_evenly() {
-        let mut samples = SineTest {
-            frequency: 2.0,
-            ..SineTest::default()
-        }
-        .samples();
+        let mut samples = SineTest { frequency: 2.0, ..SineTest::default() }.samples();
         let true_time = samples.time.clone(); // 400 Hz
         for time in &mut samples.time {
             *time = (*time * 100.0 + 1e-9).floor() / 100.0;
         }
         restore(&mut samples).unwrap();
         assert!(samples.time.windows(2).all(|w| w[1] > w[0]));
-        assert!(
-            samples
-                .time
-                .iter()
-                .zip(&true_time)
-                .all(|(a, b)| (a - b).abs() < 1e-6)
-        );
+        assert!(samples.time.iter().zip(&true_time).all(|(a, b)| (a - b).abs() < 1e-6));
         assert_eq!(samples.notes[0].kind, "time_resolution");
     }
 }

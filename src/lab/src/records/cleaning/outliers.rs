@@ -22,8 +22,13 @@ pub(crate) fn replace(samples: &mut Samples) {
         }
         if count as f64 > (SHARE * values.len() as f64).max(3.0) {
             let percent = 100.0 * count as f64 / values.len() as f64;
-            samples.note("outlier", format!("{channel} is spiky: {percent:.1} % of the samples stand off their \
-                                             neighbours; too many to be stray spikes, left as they are"));
+            samples.note(
+                "outlier",
+                format!(
+                    "{channel} is spiky: {percent:.1} % of the samples stand off their \
+                                             neighbours; too many to be stray spikes, left as they are"
+                ),
+            );
             continue;
         }
         let mut largest = 0.0_f64;
@@ -43,8 +48,11 @@ pub(crate) fn replace(samples: &mut Samples) {
         };
         samples.note(
             "outlier",
-            format!("{count} samples of {channel} in {} spikes replaced by straight lines, first at line {line}, largest \
-                     {largest:.4} {unit} off", spikes.len()),
+            format!(
+                "{count} samples of {channel} in {} spikes replaced by straight lines, first at line {line}, largest \
+                     {largest:.4} {unit} off",
+                spikes.len()
+            ),
         );
     }
 }
@@ -86,30 +94,15 @@ fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usi
     let (left, right) = (values[start - 1], values[start + length]);
     let before = &values[start.saturating_sub(2)..start];
     let after = &values[start + length..(start + length + 2).min(n)];
-    let band = before
-        .iter()
-        .chain(after)
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| {
-            (l.min(v), h.max(v))
-        });
+    let band = before.iter().chain(after).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
     let inside = &values[start..start + length];
-    let above = inside
-        .iter()
-        .map(|v| v - band.1)
-        .fold(f64::INFINITY, f64::min);
-    let below = inside
-        .iter()
-        .map(|v| band.0 - v)
-        .fold(f64::INFINITY, f64::min);
+    let above = inside.iter().map(|v| v - band.1).fold(f64::INFINITY, f64::min);
+    let below = inside.iter().map(|v| band.0 - v).fold(f64::INFINITY, f64::min);
     let off = above.max(below);
     // Steps nearby that are not the spike's own.
     let nearby = steps[start.saturating_sub(8)..start - 1]
         .iter()
-        .chain(
-            steps
-                .get(start + length..(start + length + 7).min(steps.len()))
-                .unwrap_or_default(),
-        )
+        .chain(steps.get(start + length..(start + length + 7).min(steps.len())).unwrap_or_default())
         .fold(0.0_f64, |most, &s| most.max(s));
     off > 8.0 * sigma && off > 3.0 * nearby && off > 1.2 * (right - left).abs() && off > 0.0
 }
@@ -124,24 +117,17 @@ mod tests {
         let sound = SineTest::default().samples();
         let mut samples = sound.clone();
         for (at, length, height) in [(300, 1, 900.0), (555, 2, -700.0), (801, 3, 1500.0)] {
-            samples.force[at..at + length]
-                .iter_mut()
-                .for_each(|f| *f += height);
+            samples.force[at..at + length].iter_mut().for_each(|f| *f += height);
         }
         samples.displacement.as_mut().unwrap()[640] = 0.0;
         replace(&mut samples);
         assert_eq!(samples.notes.len(), 2, "{:?}", samples.notes);
-        let changed: Vec<usize> = (0..sound.len())
-            .filter(|&i| samples.force[i] != sound.force[i])
-            .collect();
+        let changed: Vec<usize> = (0..sound.len()).filter(|&i| samples.force[i] != sound.force[i]).collect();
         assert_eq!(changed, [300, 555, 556, 801, 802, 803]);
         for i in changed {
             assert!((samples.force[i] - sound.force[i]).abs() < 60.0, "{i}");
         }
-        let (a, b) = (
-            samples.displacement.unwrap()[640],
-            sound.displacement.unwrap()[640],
-        );
+        let (a, b) = (samples.displacement.unwrap()[640], sound.displacement.unwrap()[640]);
         assert!((a - b).abs() < 2e-4, "{a} {b}");
     }
 
@@ -156,21 +142,12 @@ mod tests {
                 let mut last = 1.0;
                 let force: Vec<f64> = (0..6 * per_cycle)
                     .map(|i| {
-                        let v = (std::f64::consts::TAU * (f64::from(i) + 0.3)
-                            / f64::from(per_cycle))
-                        .cos();
-                        since_reversal = if v.signum() == last {
-                            since_reversal + 1
-                        } else {
-                            0
-                        };
+                        let v = (std::f64::consts::TAU * (f64::from(i) + 0.3) / f64::from(per_cycle)).cos();
+                        since_reversal = if v.signum() == last { since_reversal + 1 } else { 0 };
                         last = v.signum();
                         let friction = if since_reversal == 0 { 75.0 } else { 50.0 };
-                        let valve = if v.abs() < 0.5 {
-                            800.0 * v
-                        } else {
-                            v.signum() * (400.0 + 60.0 * (v.abs() - 0.5))
-                        };
+                        let valve =
+                            if v.abs() < 0.5 { 800.0 * v } else { v.signum() * (400.0 + 60.0 * (v.abs() - 0.5)) };
                         friction * v.signum() + valve + noise * random.normal()
                     })
                     .collect();

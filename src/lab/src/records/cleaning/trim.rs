@@ -21,21 +21,13 @@ pub(crate) fn trim(motion: &mut Motion) {
     drop_noisy_last(motion);
     let span = motion.steady();
     let first = &motion.cycles[0];
-    let (before, after) = (
-        motion.time[span.start] - motion.time[0],
-        motion.time[n - 1] - motion.time[span.end - 1],
-    );
+    let (before, after) = (motion.time[span.start] - motion.time[0], motion.time[n - 1] - motion.time[span.end - 1]);
     let count = motion.cycles.len();
     let frequency = count as f64 / motion.cycles.iter().map(super::Cycle::period).sum::<f64>();
     if span.start > 0 || span.end < n {
         // What follows the last whole cycle is the beginning of another, a run-down or rest.
-        let moved =
-            super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
-        let tail = if moved {
-            "an incomplete cycle or run-down"
-        } else {
-            "rest"
-        };
+        let moved = super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
+        let tail = if moved { "an incomplete cycle or run-down" } else { "rest" };
         motion.notes.push(Note {
             kind: "trimmed",
             text: format!(
@@ -47,34 +39,24 @@ pub(crate) fn trim(motion: &mut Motion) {
             ),
         });
     }
-    let runs = motion
-        .cycles
-        .windows(2)
-        .filter(|pair| pair[0].end != pair[1].start)
-        .count();
+    let runs = motion.cycles.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
     if runs > 0 {
         motion.notes.push(Note {
             kind: "cycles",
-            text: format!("in {runs} places between the cycles the motion is no whole cycle like the others (pause or \
-                           disturbance); kept in the record, left out of its cycles"),
+            text: format!(
+                "in {runs} places between the cycles the motion is no whole cycle like the others (pause or \
+                           disturbance); kept in the record, left out of its cycles"
+            ),
         });
     }
     let cut = |values: &mut Vec<f64>| {
         values.truncate(span.end);
         values.drain(..span.start);
     };
-    for values in [
-        &mut motion.time,
-        &mut motion.displacement,
-        &mut motion.velocity,
-        &mut motion.force,
-    ] {
+    for values in [&mut motion.time, &mut motion.displacement, &mut motion.velocity, &mut motion.force] {
         cut(values);
     }
-    for values in [&mut motion.side_force, &mut motion.temperature]
-        .into_iter()
-        .flatten()
-    {
+    for values in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
         cut(values);
     }
     for cycle in &mut motion.cycles {
@@ -89,11 +71,7 @@ fn drop_noisy_last(motion: &mut Motion) {
     if count < 4 {
         return;
     }
-    let deviations = cycle_deviations(
-        &motion.time,
-        &motion.force,
-        &motion.cycles[count.saturating_sub(9)..],
-    );
+    let deviations = cycle_deviations(&motion.time, &motion.force, &motion.cycles[count.saturating_sub(9)..]);
     let last = deviations[deviations.len() - 1];
     let typical = median(&mut deviations[..deviations.len() - 1].to_vec());
     if last > NOISY * typical && typical > 0.0 {
@@ -101,8 +79,10 @@ fn drop_noisy_last(motion: &mut Motion) {
         motion.cycles.pop();
         motion.notes.push(Note {
             kind: "noisy_last_cycle",
-            text: format!("the last cycle (from {seconds:.3} s) deviates from the others by {last:.1} N rms where they deviate \
-                           by {typical:.1} N; left out"),
+            text: format!(
+                "the last cycle (from {seconds:.3} s) deviates from the others by {last:.1} N rms where they deviate \
+                           by {typical:.1} N; left out"
+            ),
         });
     }
 }
