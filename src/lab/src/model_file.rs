@@ -4,6 +4,7 @@
 //! are for validation, diagnosis and people.
 
 use crate::identification::{Estimate, Fit, Standing};
+use crate::records::Record;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Row, Shape};
 use dashpot_core::{Params, model_file};
@@ -27,6 +28,9 @@ pub struct Identification {
     /// Names of the tests that the fit used.
     #[serde(default)]
     pub tests: Vec<String>,
+    /// Their contents in short.
+    #[serde(default)]
+    pub fingerprints: Vec<String>,
     /// Parameters that the data does not determine.
     #[serde(default)]
     pub not_identified: Vec<String>,
@@ -63,6 +67,16 @@ pub struct FvOnly {
     pub force: Vec<f64>,
     /// Gas force, N.
     pub gas_force: f64,
+}
+
+impl Identification {
+    /// Whether the fit used this record: the same measurement, not only the same name.
+    pub fn used(&self, record: &Record) -> bool {
+        if self.fingerprints.is_empty() {
+            return self.tests.contains(&record.name);
+        }
+        self.fingerprints.contains(&record.fingerprint())
+    }
 }
 
 impl FvOnly {
@@ -272,6 +286,7 @@ pub fn write(fit: &Fit) -> String {
     let list =
         |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
     let _ = write!(out, "\n[identification]\ntests = {}\n", list(&fit.tests));
+    let _ = write!(out, "fingerprints = {}\n", list(&fit.fingerprints));
     let mut not: Vec<String> = fit
         .estimates
         .iter()

@@ -157,7 +157,8 @@ mod tests {
         let m = smooth(&record);
         let before = rms(&record.displacement, &x);
         assert!((m.displacement_noise / before - 1.0).abs() < 0.2);
-        assert!(rms(&m.displacement, &x) < 0.6 * before);
-        assert!(rms(&m.velocity, &v) < 0.6 * rms(&record.velocity, &v));
+        // The velocity channel tells the displacement more than the reverse.
+        assert!(rms(&m.displacement, &x) < 0.3 * before);
+        assert!(rms(&m.velocity, &v) < 0.95 * rms(&record.velocity, &v));
     }
 }

@@ -5,6 +5,9 @@ use super::numbers::{digits, error, force, frequency, milli, percent};
 use crate::plot::{in_space, of_test};
 use dashpot_lab::validation::{Compared, TestValidation, Validation};
 
+/// Tests whose plots still make a page that a browser opens at once (about 70 kB each).
+const MOST_SHOWN: usize = 120;
+
 /// One choice per test.
 pub fn section(validation: &Validation, tests: &[Compared<'_>]) -> Section {
     let about = format!(
@@ -12,14 +15,33 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>]) -> Section {
          simulated minus measured. The hysteresis gap is averaged over all whole cycles.",
         of_test::CYCLES_SHOWN
     );
+    let shown = worst(validation);
     let choices = validation
         .tests
         .iter()
         .zip(tests)
         .enumerate()
+        .filter(|(i, _)| shown.contains(i))
         .map(|(i, (figures, compared))| one(i, figures, compared))
         .collect();
-    Section { choices, ..Section::new("single-tests", "Single tests", vec![Block::Paragraph(about)]) }
+    let mut blocks = vec![Block::Paragraph(about)];
+    if shown.len() < tests.len() {
+        blocks.push(Block::Paragraph(format!(
+            "Of {} tests the {} with the largest errors are shown.",
+            tests.len(),
+            shown.len()
+        )));
+    }
+    Section { choices, ..Section::new("single-tests", "Single tests", blocks) }
+}
+
+/// Places of the tests to plot: all, or the worst where they would be too many for a page.
+fn worst(validation: &Validation) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..validation.tests.len()).collect();
+    let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
+    places.sort_by(|a, b| percent(b).total_cmp(&percent(a)));
+    places.truncate(MOST_SHOWN);
+    places
 }
 
 fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>) -> Section {

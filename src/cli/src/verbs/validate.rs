@@ -101,7 +101,7 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
                 record,
                 model: predict(&model, record),
                 fv_only: predict(&fv_only, record),
-                used_in_fit: file.identification.tests.contains(&record.name),
+                used_in_fit: file.identification.used(record),
             };
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             progress.count(done, campaign.records.len());

@@ -6,7 +6,9 @@ use super::least_squares::{Effort, solve};
 use super::segment::{Segment, segments};
 use super::sensitivity::Accuracy;
 use super::unknowns::{CurveName, Unknown, Unknowns};
-use super::variants::{Candidate, Choice, FRICTION, SPRING, Structure, choose, with_slow_points};
+use super::variants::{
+    Candidate, Choice, FEWEST_TESTS, FRICTION, SPRING, Structure, Variant, choose, with_slow_points,
+};
 use crate::records::Record;
 use dashpot_core::Params;
 use dashpot_core::elements;
@@ -24,6 +26,9 @@ pub enum Family {
     /// Polynomial FV curve with a first-order lag.
     Lag,
 }
+
+/// The element that makes the lag model.
+const LAG: &str = "lagged_polynomial";
 
 /// What a fit may do.
 #[derive(Debug, Clone, Default)]
@@ -46,6 +51,9 @@ pub enum FitError {
         /// The name given.
         name: String,
     },
+    /// The lagged polynomial is a model of its own.
+    #[error("{LAG} is a model of its own and takes no other element; use --model lag")]
+    OtherFamily,
     /// No velocity on one side.
     #[error("the tests never move in {0}: a force-velocity curve needs both directions")]
     OneSided(&'static str),
@@ -79,6 +87,8 @@ pub struct Fit {
     pub notes: Vec<String>,
     /// Names of the tests used.
     pub tests: Vec<String>,
+    /// Their contents in short, in the same order.
+    pub fingerprints: Vec<String>,
     /// The plain FV curve fitted to the same tests, to compare with.
     pub fv_only: Params,
     /// Root mean square of the weighted residual: 1 is what noise and floor allow.
@@ -112,6 +122,9 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
             return Err(FitError::UnknownElement { name: name.clone() });
         }
     }
+    if options.family == Family::Thesis && options.elements.as_ref().is_some_and(|n| n.iter().any(|n| n == LAG)) {
+        return Err(FitError::OtherFamily);
+    }
     progress(Stage { done: 0.0, text: "preparing records" });
     let segments = segments(records);
     let any = |test: fn(f64) -> bool| segments.iter().any(|s| s.input.iter().any(|i| test(i.velocity)));
@@ -136,6 +149,14 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         Family::Lag => fit_lag(&guess, &segments, &progress),
     };
     fit.fv_only = fv_only;
+    fit.fingerprints = records.iter().map(|r| r.fingerprint()).collect();
+    let plain = misfit(&segments, &fv_only);
+    if fit.misfit > 1.02 * plain {
+        fit.notes.push(format!(
+            "this model fits worse than the plain FV curve ({:.2} against {plain:.2} of the allowed error)",
+            fit.misfit
+        ));
+    }
     fit.notes.extend(coverage_notes(&segments));
     progress(Stage { done: 1.0, text: "done" });
     Ok(fit)
@@ -159,18 +180,15 @@ fn fit_fv_only(guess: &Params, segments: &[Segment]) -> Params {
 
 fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Fit {
     let allowed = |name: &str| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
-    let variants = |all: &[super::variants::Variant]| -> Vec<_> {
-        all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect()
-    };
+    let variants =
+        |all: &[Variant]| -> Vec<_> { all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect() };
     let (frictions, springs) = (variants(FRICTION), variants(SPRING));
     let refs: Vec<&Segment> = segments.iter().collect();
     let varied_side_force = {
         let side = || segments.iter().flat_map(|s| s.input.iter().map(|i| i.side_force.abs()));
         side().fold(0.0, f64::max) - side().fold(f64::INFINITY, f64::min) > 20.0
     };
-    let find_variant = |list: &[super::variants::Variant], name: &str| {
-        list.iter().copied().find(|v| v.name == name).unwrap_or(list[0])
-    };
+    let find_variant = |list: &[Variant], name: &str| list.iter().copied().find(|v| v.name == name).unwrap_or(list[0]);
     let start = Structure {
         friction: find_variant(&frictions, "Coulomb"),
         spring: find_variant(&springs, "linear"),
@@ -193,28 +211,23 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let mut from = best.map_or(*guess, |(_, params)| params);
     let mut choices = Vec::new();
     let mut structure = start;
-    progress(Stage { done: 0.3, text: "choosing the friction" });
-    let with = |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, from: *from };
-    let list: Vec<_> = frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
-    let (k, choice, found) = choose("friction", &list, segments);
-    (structure.friction, from) = (frictions[k], found);
-    choices.push(choice);
-    progress(Stage { done: 0.55, text: "choosing the spring" });
-    let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
-    let (k, choice, found) = choose("spring", &list, segments);
-    (structure.spring, from) = (springs[k], found);
-    choices.push(choice);
-    let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
-    if let Some(denser) = with_slow_points(&from, slow_peak) {
-        progress(Stage { done: 0.8, text: "choosing the FV points" });
-        let list = [with(structure, "without slow tests", &from), with(structure, "with slow tests", &denser)];
-        let (_, choice, found) = choose("FV points", &list, segments);
-        from = found;
-        choices.push(choice);
+    let few = segments.len() < FEWEST_TESTS;
+    if few {
+        // Nothing can be left out to judge by: the simplest that still has friction.
+        structure.spring = find_variant(&springs, "none");
+    } else {
+        (structure, from) = choose_structure(structure, &frictions, &springs, from, segments, &mut choices, progress);
     }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
     let mut found = finish(segments, unknowns, from, choices);
+    if few {
+        found.notes.push(format!(
+            "with fewer than {FEWEST_TESTS} tests no variant can be judged by leaving tests out: {} friction and no parallel \
+             spring were taken",
+            structure.friction.name
+        ));
+    }
     if !varied_side_force && allowed("side_force_friction") {
         found.leave_out(
             "side_force_coefficient",
@@ -225,6 +238,38 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         found.leave_out("viscous_coefficient", "a free FV curve takes a v² term up");
     }
     found
+}
+
+/// Chooses friction, spring and FV points one after the other, each with the ones before it.
+fn choose_structure(
+    mut structure: Structure,
+    frictions: &[Variant],
+    springs: &[Variant],
+    mut from: Params,
+    segments: &[Segment],
+    choices: &mut Vec<Choice>,
+    progress: &impl Fn(Stage),
+) -> (Structure, Params) {
+    progress(Stage { done: 0.3, text: "choosing the friction" });
+    let with = |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, from: *from };
+    let list: Vec<_> = frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
+    let (k, choice, found) = choose("friction", &list, segments);
+    (structure.friction, from) = (frictions[k], found);
+    choices.extend((list.len() > 1).then_some(choice));
+    progress(Stage { done: 0.55, text: "choosing the spring" });
+    let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
+    let (k, choice, found) = choose("spring", &list, segments);
+    (structure.spring, from) = (springs[k], found);
+    choices.extend((list.len() > 1).then_some(choice));
+    let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
+    if let Some(denser) = with_slow_points(&from, slow_peak) {
+        progress(Stage { done: 0.8, text: "choosing the FV points" });
+        let list = [with(structure, "without slow tests", &from), with(structure, "with slow tests", &denser)];
+        let (_, choice, found) = choose("FV points", &list, segments);
+        from = found;
+        choices.extend((list.len() > 1).then_some(choice));
+    }
+    (structure, from)
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
@@ -247,19 +292,22 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, fv_only: Params, choices
             continue;
         };
         let mut estimate = list[worst].clone();
-        let mut base = unknowns.params(&theta);
-        // A value that the data hardly touches goes back to its default, any other stays where the fit left it.
-        if width(&estimate) > 4.0 {
-            if let Some(row) = find(estimate.name) {
-                let _ = base.set(estimate.name, row.parameter.default[0]);
-                estimate.value = row.parameter.default[0];
+        unknowns.base = unknowns.params(&theta);
+        unknowns.list.remove(worst);
+        // Held where the fit left it, or at its default if that is as good.
+        let mut held = solve(&refs, &unknowns, &unknowns.start(), effort);
+        if let Some(row) = find(estimate.name) {
+            let mut by_default = unknowns.clone();
+            let _ = by_default.base.set(estimate.name, row.parameter.default[0]);
+            let found = solve(&refs, &by_default, &by_default.start(), effort);
+            if found.cost <= AS_GOOD * held.cost {
+                (held, unknowns) = (found, by_default);
             }
         }
+        theta = held.theta;
+        estimate.value = unknowns.base.scalar(estimate.name);
         (estimate.low, estimate.high) = (None, None);
         left_out.push(estimate);
-        unknowns.list.remove(worst);
-        unknowns.base = base;
-        theta = solve(&refs, &unknowns, &unknowns.start(), effort).theta;
     };
     for estimate in &left_out {
         notes.push(format!(
@@ -277,8 +325,12 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, fv_only: Params, choices
         ));
     }
     estimates.extend(left_out);
-    Fit { params, estimates, choices, notes, tests: segments.iter().map(|s| s.name.clone()).collect(), fv_only, misfit }
+    let tests = segments.iter().map(|s| s.name.clone()).collect();
+    Fit { params, estimates, choices, notes, tests, fingerprints: Vec::new(), fv_only, misfit }
 }
+
+/// Rise of the cost at which a default is no worse than a fitted value.
+const AS_GOOD: f64 = 1.003;
 
 /// Relative width of an interval.
 fn width(estimate: &Estimate) -> f64 {
@@ -308,7 +360,7 @@ fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> F
     progress(Stage { done: 0.3, text: "polynomial with lag" });
     let mut base = *guess;
     base.disable_all();
-    let _ = base.enable("lagged_polynomial", true);
+    let _ = base.enable(LAG, true);
     // Without lag the model is linear in its coefficients: one linear fit is the first guess.
     let n = DEGREE + 1;
     let (mut matrix, mut right) = (DMatrix::zeros(n, n), DVector::zeros(n));

@@ -113,7 +113,8 @@ impl Unknowns {
                     }
                     Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                     Unknown::Linear(name) | Unknown::Entry(name, _) => of(name),
-                    Unknown::Rise { .. } => (0.0, 1e5),
+                    // A curve of as many rises as the table allows points stays inside the bounds of its forces.
+                    Unknown::Rise { .. } => (0.0, 3e4),
                 }
             })
             .unzip()

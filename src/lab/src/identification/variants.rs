@@ -165,6 +165,9 @@ fn start_lookup(base: &mut Params, segments: &[Segment]) {
     let _ = base.set_list("spring_force", &forces);
 }
 
+/// Fewest tests that can judge variants by leaving one of them out.
+pub const FEWEST_TESTS: usize = 4;
+
 /// Velocities, as shares of the fastest slow test's peak, at which the FV table gets points from slow tests.
 const SLOW_POINTS: [f64; 2] = [0.4, 1.0];
 
@@ -269,8 +272,9 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
         .collect::<Vec<_>>()
         .join(", ");
     let why = format!(
-        "error on left-out tests {:.2} of the allowed error ({others}); {}",
+        "error on left-out tests {:.2} of the allowed error{}; {}",
         rms(kept),
+        if others.is_empty() { String::new() } else { format!(" ({others})") },
         if kept == best {
             "no other is better by what its parameters cost"
         } else {

@@ -46,6 +46,17 @@ pub struct Record {
     pub notes: Vec<Note>,
 }
 
+impl Record {
+    /// A short name for the content: tells whether two records hold the same measurement, whatever their file is called.
+    pub fn fingerprint(&self) -> String {
+        // FNV-1a over the bits of time and force.
+        let hash = self.time.iter().chain(&self.force).fold(0xcbf2_9ce4_8422_2325u64, |hash, value| {
+            value.to_bits().to_le_bytes().iter().fold(hash, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3))
+        });
+        format!("{hash:016x}")
+    }
+}
+
 /// Noise floor of the force of one test.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Noise {
