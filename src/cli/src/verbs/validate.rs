@@ -164,6 +164,9 @@ pub fn table(v: &Validation) -> String {
     out.trim_end().to_owned()
 }
 
+/// Confidence below which the reader of a report must be warned of the sign that was worked out.
+const SURE_OF_SIGN: f64 = 0.8;
+
 /// Everything the report tells.
 pub fn report_input<'a>(
     model_path: &Path,
@@ -173,7 +176,9 @@ pub fn report_input<'a>(
     compared: &'a [Compared<'a>],
     validation: &'a Validation,
 ) -> ReportInput<'a> {
-    let mut identification = vec![Block::Paragraph(sign_in_words(&campaign.sign))];
+    let sign = sign_in_words(&campaign.sign);
+    let doubtful = !campaign.sign.given && campaign.sign.confidence < SURE_OF_SIGN;
+    let mut identification = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
     let notes: Vec<String> =
         campaign.notes.iter().map(|n| n.text.clone()).chain(model.identification.notes.iter().cloned()).collect();
     if !notes.is_empty() {

@@ -6,7 +6,6 @@ use dashpot_core::curve::monotone_slope;
 #[derive(Debug, Clone)]
 pub struct CurveWeights {
     u: Vec<f64>,
-    f: Vec<f64>,
     /// ∂(slope at i)/∂(f at i−1, i, i+1).
     slope_by: Vec<[f64; 3]>,
 }
@@ -35,11 +34,11 @@ impl CurveWeights {
                 [-by0 / h0, by0 / h0 - by1 / h1, by1 / h1]
             })
             .collect();
-        CurveWeights { u: u.to_vec(), f: f.to_vec(), slope_by }
+        CurveWeights { u: u.to_vec(), slope_by }
     }
 
     /// Number of points.
-    pub fn len(&self) -> usize {
+    pub fn points(&self) -> usize {
         self.u.len()
     }
 
@@ -73,11 +72,6 @@ impl CurveWeights {
                 weights[point + k - 1 - first] += factor * by;
             }
         }
-    }
-
-    /// The forces.
-    pub fn forces(&self) -> &[f64] {
-        &self.f
     }
 }
 

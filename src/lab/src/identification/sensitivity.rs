@@ -69,13 +69,13 @@ impl Follow for Tangent<'_> {
         }
         let (first, weights) = self.fv.at(s.u);
         if self.first_fv < self.directions.len() {
-            for (k, w) in weights.iter().enumerate().take(self.fv.len()) {
+            for (k, w) in weights.iter().enumerate().take(self.fv.points()) {
                 du[self.first_fv + first + k] -= s.g * w;
             }
         }
         if let Some(spring) = self.spring {
             let (first, weights) = spring.at(s.x_m);
-            for (k, w) in weights.iter().enumerate().take(spring.len()) {
+            for (k, w) in weights.iter().enumerate().take(spring.points()) {
                 du[self.first_spring + first + k] -= s.g * w;
             }
         }
@@ -188,7 +188,7 @@ impl Run {
                 run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
             }
         }
-        for (curve, weights) in [(CurveName::Fv, run.fv.len()), (CurveName::Spring, run.spring.len())] {
+        for (curve, weights) in [(CurveName::Fv, run.fv.points()), (CurveName::Spring, run.spring.points())] {
             if run.rises.iter().any(|r| r.1 == curve) {
                 let first = run.directions.len();
                 for point in 0..weights {
@@ -265,13 +265,13 @@ impl Run {
                 }
                 if self.first_fv != NOWHERE {
                     let (first, w) = self.fv.at(input.velocity);
-                    for (k, w) in w.iter().enumerate().take(self.fv.len()) {
+                    for (k, w) in w.iter().enumerate().take(self.fv.points()) {
                         by_point[self.first_fv + first + k] += w;
                     }
                 }
                 if self.first_spring != NOWHERE {
                     let (first, w) = self.spring.at(x);
-                    for (k, w) in w.iter().enumerate().take(self.spring.len()) {
+                    for (k, w) in w.iter().enumerate().take(self.spring.points()) {
                         by_point[self.first_spring + first + k] += w;
                     }
                 }
