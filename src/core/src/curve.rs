@@ -5,7 +5,7 @@
 //! Because the curve never falls, there is exactly one answer, and because its knots are known, it is found in
 //! a number of operations that does not depend on the data.
 
-use crate::fault::{Fault, Reason};
+use crate::fault::Reason;
 use crate::math::pair;
 
 /// Most points that a curve may have.
@@ -220,11 +220,6 @@ impl Curve {
         }
     }
 
-    /// As [`Curve::new`], with the fault naming the parameter of the table that holds `f`.
-    pub fn prepare(u: &[f64], f: &[f64], interpolation: Interpolation, parameter: u16) -> Result<Curve, Fault> {
-        Curve::new(u, f, interpolation).map_err(|reason| Fault { parameter, reason })
-    }
-
     /// The first and the last `u` that the points cover.
     pub fn range(&self) -> (f64, f64) {
         (self.low, self.high)
@@ -302,11 +297,6 @@ impl Curve {
     #[inline(always)]
     pub fn at_zero(&self) -> f64 {
         self.at_zero
-    }
-
-    /// Curvature at `u`.
-    pub fn curvature(&self, u: f64) -> f64 {
-        self.above_zero(u).curvature
     }
 
     /// The resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the slope of f there.

@@ -96,11 +96,6 @@ impl Path {
         (self.x1, self.v1)
     }
 
-    /// Velocity at the start.
-    pub fn start_velocity(&self) -> f64 {
-        self.v0
-    }
-
     /// The point at fraction `theta` of the step.
     #[inline(always)]
     pub fn at(&self, theta: f64) -> PathPoint {

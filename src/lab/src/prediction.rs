@@ -1,13 +1,12 @@
 //! The forces that a model gives for the motion of a record.
 
-use crate::motion;
+use crate::motion::Motion;
 use crate::records::Record;
 use dashpot_core::step::step_into;
 use dashpot_core::{Input, Model, Output, State};
 
-/// Forces of the model at the samples of a record, driven by its smoothed motion from the settled state.
-pub fn predict(model: &Model, record: &Record) -> Vec<f64> {
-    let motion = motion::smooth(record);
+/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`crate::motion::smooth`]) from the settled state.
+pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| Input {
         displacement: Some(motion.displacement[i]),

@@ -10,6 +10,7 @@ use dashpot_core::parameter::{self, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_lab::identification::{Family, FitOptions, fit};
 use dashpot_lab::model_file::{self, Interval, ModelFile};
+use dashpot_lab::motion::smooth;
 use dashpot_lab::prediction::predict;
 use dashpot_lab::records::{Campaign, Record};
 use dashpot_lab::validation::{Compared, Validation, validate};
@@ -97,10 +98,11 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
         .records
         .par_iter()
         .map(|record| {
+            let motion = smooth(record);
             let compared = Compared {
                 record,
-                model: predict(&model, record),
-                fv_only: predict(&fv_only, record),
+                model: predict(&model, record, &motion),
+                fv_only: predict(&fv_only, record, &motion),
                 used_in_fit: file.identification.used(record),
             };
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);

@@ -95,7 +95,16 @@ pub struct Fit {
     pub misfit: f64,
 }
 
-impl Fit {
+/// What comes out of the least-squares fits, before it is joined with what is known of the records.
+struct Found {
+    params: Params,
+    estimates: Vec<Estimate>,
+    choices: Vec<Choice>,
+    notes: Vec<String>,
+    misfit: f64,
+}
+
+impl Found {
     /// Names a parameter that this data cannot determine, and whose element therefore stays off.
     fn leave_out(&mut self, name: &'static str, why: &str) {
         self.notes.push(format!("{name} could not be identified from this data ({why}); its element is off"));
@@ -140,26 +149,34 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let guess = first_guess::guess(&segments);
     progress(Stage { done: 0.05, text: "plain FV curve" });
     let fv_only = fit_fv_only(&guess, &segments);
-    let mut fit = match options.family {
+    let mut found = match options.family {
         Family::Thesis => fit_thesis(&guess, &segments, options, &progress),
         Family::Fv => {
             let unknowns = fv_unknowns(&fv_only);
-            finish(&segments, unknowns, fv_only, Vec::new())
+            finish(&segments, unknowns, Vec::new())
         }
         Family::Lag => fit_lag(&guess, &segments, &progress),
     };
-    fit.fv_only = fv_only;
-    fit.fingerprints = records.iter().map(|r| r.fingerprint()).collect();
     let plain = misfit(&segments, &fv_only);
-    if fit.misfit > 1.02 * plain {
-        fit.notes.push(format!(
+    if found.misfit > 1.02 * plain {
+        found.notes.push(format!(
             "this model fits worse than the plain FV curve ({:.2} against {plain:.2} of the allowed error)",
-            fit.misfit
+            found.misfit
         ));
     }
-    fit.notes.extend(coverage_notes(&segments));
+    found.notes.extend(coverage_notes(&segments));
     progress(Stage { done: 1.0, text: "done" });
-    Ok(fit)
+    let Found { params, estimates, choices, notes, misfit } = found;
+    Ok(Fit {
+        params,
+        estimates,
+        choices,
+        notes,
+        tests: records.iter().map(|r| r.name.clone()).collect(),
+        fingerprints: records.iter().map(|r| r.fingerprint()).collect(),
+        fv_only,
+        misfit,
+    })
 }
 
 fn fv_unknowns(from: &Params) -> Unknowns {
@@ -178,7 +195,7 @@ fn fit_fv_only(guess: &Params, segments: &[Segment]) -> Params {
     unknowns.params(&solve(&refs, &unknowns, &unknowns.start(), Effort::FINE).theta)
 }
 
-fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Fit {
+fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Found {
     let allowed = |name: &str| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
     let variants =
         |all: &[Variant]| -> Vec<_> { all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect() };
@@ -220,7 +237,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
-    let mut found = finish(segments, unknowns, from, choices);
+    let mut found = finish(segments, unknowns, choices);
     if few {
         found.notes.push(format!(
             "with fewer than {FEWEST_TESTS} tests no variant can be judged by leaving tests out: {} friction and no parallel \
@@ -273,7 +290,7 @@ fn choose_structure(
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
-fn finish(segments: &[Segment], mut unknowns: Unknowns, fv_only: Params, choices: Vec<Choice>) -> Fit {
+fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) -> Found {
     let mut notes = Vec::new();
     let refs: Vec<&Segment> = segments.iter().collect();
     // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
@@ -325,8 +342,7 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, fv_only: Params, choices
         ));
     }
     estimates.extend(left_out);
-    let tests = segments.iter().map(|s| s.name.clone()).collect();
-    Fit { params, estimates, choices, notes, tests, fingerprints: Vec::new(), fv_only, misfit }
+    Found { params, estimates, choices, notes, misfit }
 }
 
 /// Rise of the cost at which a default is no worse than a fitted value.
@@ -356,7 +372,7 @@ fn misfit(segments: &[Segment], params: &Params) -> f64 {
 /// Degree of the comparison model's polynomial.
 const DEGREE: usize = 7;
 
-fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> Fit {
+fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> Found {
     progress(Stage { done: 0.3, text: "polynomial with lag" });
     let mut base = *guess;
     base.disable_all();
@@ -378,7 +394,7 @@ fn fit_lag(guess: &Params, segments: &[Segment], progress: &impl Fn(Stage)) -> F
     let _ = base.set_list("polynomial", &coefficients);
     let mut list: Vec<Unknown> = (0..n).map(|k| Unknown::Entry("polynomial", k)).collect();
     list.extend([Unknown::Log("lag_slow"), Unknown::Log("lag_fast")]);
-    finish(segments, Unknowns { base, list }, base, Vec::new())
+    finish(segments, Unknowns { base, list }, Vec::new())
 }
 
 /// What the campaign cannot show.
