@@ -2,7 +2,7 @@
 
 mod common;
 use common::*;
-use dashpot_core::elements::names;
+use dashpot_core::elements::{Motion, names};
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
@@ -36,6 +36,32 @@ proptest! {
             prop_assert_eq!(force(&model, v), -force(&model, -v), "{} at {}", element, v);
             prop_assert_eq!(force(&model, 0.0), 0.0);
         }
+    }
+
+    /// The cheap step asks elements for an answer at once; where there is one, it is the full answer to the bit.
+    #[test]
+    fn a_quick_answer_is_the_full_answer(params in any_params(), x in -0.05..0.05f64, v in (-6.0..0.5f64).prop_map(|d| 10f64.powf(d)), sign in any::<bool>()) {
+        let at = Motion { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
+        let mut quick = 0;
+        for element in names() {
+            let mut p = params;
+            p.disable_all();
+            p.enable(element, true).unwrap();
+            // The random set need not suit an element that was off in it.
+            let Ok(model) = Model::new(&p) else { continue };
+            let e = model.elements();
+            for (at_once, full) in [
+                (e.friction_at_once(&at), e.friction(&at)),
+                (e.inner_at_once(&at), e.inner(&at)),
+                (e.preload_at_once(&at), e.preload(&at)),
+            ] {
+                if let Some(answer) = at_once {
+                    prop_assert_eq!(answer, full, "{} at {:?}", element, at);
+                    quick += 1;
+                }
+            }
+        }
+        prop_assert!(quick > 0);
     }
 
     #[test]
