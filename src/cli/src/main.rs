@@ -26,6 +26,7 @@ struct Cli {
 enum Verb {
     Fit(verbs::fit::Args),
     Validate(verbs::validate::Args),
+    Diagnose(verbs::diagnose::Args),
     Simulate(verbs::simulate::Args),
     Matrix(verbs::matrix::Args),
     Rig(verbs::rig::Args),
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
     let done = match cli.verb {
         Verb::Fit(args) => verbs::fit::run(&args),
         Verb::Validate(args) => verbs::validate::run(&args),
+        Verb::Diagnose(args) => verbs::diagnose::run(&args),
         Verb::Simulate(args) => verbs::simulate::run(&args),
         Verb::Matrix(args) => verbs::matrix::run(&args),
         Verb::Rig(args) => verbs::rig::run(&args),

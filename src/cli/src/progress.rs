@@ -26,9 +26,9 @@ impl Progress {
     }
 
     /// Sets how much is done and what comes now.
-    pub fn say(&self, done: f64, text: &'static str) {
+    pub fn say(&self, done: f64, text: &str) {
         self.set(done);
-        self.0.set_message(text);
+        self.0.set_message(text.to_owned());
     }
 
     /// As [`Progress::set`] for counted work.

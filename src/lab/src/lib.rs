@@ -9,9 +9,11 @@
 //! | [`prediction`] | the forces a model gives for a record |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`validation`] | error figures, error matrix, hysteresis |
+//! | [`diagnosis`] | where model and records disagree, and which effect is missing |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
+pub mod diagnosis;
 pub mod identification;
 pub mod imposed_motion;
 pub mod model_file;

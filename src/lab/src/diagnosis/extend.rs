@@ -1,0 +1,122 @@
+//! An explanation with one more effect: switched on, its numbers free, at one of its starts.
+
+use super::hypothesis::{Free, Hypothesis, Number, number};
+use super::vocabulary::{Candidate, Fresh, Start};
+use crate::identification::unknowns::{CurveName, Unknown, anchor};
+use dashpot_core::Params;
+use dashpot_core::parameter::find;
+
+/// Speed up to which a branch of the FV curve is trusted when it is drawn on straight, m/s.
+const TRUSTED: f64 = 0.3;
+
+/// The explanation at `theta` with a candidate added at one of its starts.
+pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
+    let mut to = from.clone().starting_at(theta);
+    for element in candidate.elements {
+        // Only elements of the kernel's own list are candidates.
+        let _ = to.base.enable(element, true);
+    }
+    for (name, value) in &candidate.fixed {
+        set(&mut to.base, name, *value);
+    }
+    for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
+        if let Free::Model(unknown) = &fresh.free {
+            place(&mut to.base, unknown, *value);
+        }
+    }
+    for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
+        to.numbers.push(fresh_number(&to.base, fresh, *value));
+    }
+    for (name, factor) in &start.moves {
+        scale(&mut to, name, *factor);
+    }
+    if let Some(stroke) = start.unbend {
+        unbend(&mut to, stroke);
+    }
+    to
+}
+
+/// Sets a scalar, held inside its bounds.
+fn set(params: &mut Params, name: &str, value: f64) {
+    if let Some(row) = find(name) {
+        let _ = params.set(name, value.clamp(row.parameter.low, row.parameter.high));
+    }
+}
+
+fn place(params: &mut Params, unknown: &Unknown, value: f64) {
+    match unknown {
+        Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => set(params, name, value),
+        Unknown::Rise { .. } | Unknown::Entry(..) => {}
+    }
+}
+
+fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
+    match &fresh.free {
+        Free::Model(unknown) => {
+            let mut number = number(base, unknown.clone(), fresh.deviation);
+            if let Unknown::Linear(_) = unknown {
+                let (low, high) = fresh.plausible;
+                number.step = (0.3 * value.abs()).max(0.02 * (high - low).abs().min(10.0 * value.abs().max(1e-6)));
+            }
+            number
+        }
+        Free::Rig(artefact) => Number {
+            free: fresh.free.clone(),
+            start: value,
+            step: value.abs(),
+            bounds: (-artefact.limit(), artefact.limit()),
+            prior: None,
+        },
+        Free::Cooling => {
+            let start = value.ln();
+            let prior = fresh.deviation.map(|d| (start, d));
+            Number { free: Free::Cooling, start, step: 0.3, bounds: ((1e-4f64).ln(), (0.2f64).ln()), prior }
+        }
+    }
+}
+
+/// Multiplies a free number of the base.
+fn scale(to: &mut Hypothesis, name: &str, factor: f64) {
+    for number in &mut to.numbers {
+        let (low, high) = number.bounds;
+        match &number.free {
+            Free::Model(Unknown::Log(n)) if *n == name => number.start = (number.start + factor.ln()).clamp(low, high),
+            Free::Model(Unknown::Linear(n)) if *n == name => number.start = (number.start * factor).clamp(low, high),
+            _ => {}
+        }
+    }
+}
+
+/// Draws one stroke's branch of the FV curve on with the slope that it has at moderate speed.
+fn unbend(to: &mut Hypothesis, stroke: f64) {
+    let velocity = to.base.list("fv_velocity").to_vec();
+    let zero = anchor(&velocity);
+    let inner = |point: usize| if point > zero { point - 1 } else { point + 1 };
+    let rises = |to: &Hypothesis| -> Vec<(usize, usize, f64)> {
+        let mut list: Vec<(usize, usize, f64)> = to
+            .numbers
+            .iter()
+            .enumerate()
+            .filter_map(|(place, n)| match &n.free {
+                Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) if (velocity[*point] * stroke) > 0.0 => {
+                    Some((place, *point, n.start))
+                }
+                _ => None,
+            })
+            .collect();
+        list.sort_by(|a, b| velocity[a.1].abs().total_cmp(&velocity[b.1].abs()));
+        list
+    };
+    let list = rises(to);
+    let span = |point: usize| (velocity[point] - velocity[inner(point)]).abs();
+    // The branch turns into a cap somewhere: the slope before that is the last that is not far below the one before.
+    let trusted: Vec<f64> =
+        list.iter().filter(|r| velocity[r.1].abs() <= TRUSTED).map(|r| r.2 / span(r.1)).collect();
+    let Some(slope) = trusted.last().copied().or_else(|| list.first().map(|r| r.2 / span(r.1))) else { return };
+    for (place, point, rise) in list {
+        if velocity[point].abs() > TRUSTED {
+            let number = &mut to.numbers[place];
+            number.start = rise.max(0.7 * slope * span(point)).clamp(number.bounds.0, number.bounds.1);
+        }
+    }
+}

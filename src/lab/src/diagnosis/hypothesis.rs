@@ -1,0 +1,228 @@
+//! One explanation of the records: a model with some of its numbers free, what the rig added, and how likely its numbers
+//! are before any record is seen.
+
+use super::heating::Heating;
+use super::measurement::Artefact;
+use super::samples::Test;
+use crate::identification::segment::Segment;
+use crate::identification::sensitivity::{Accuracy, Run, forces};
+use crate::identification::unknowns::{Unknown, Unknowns};
+use dashpot_core::parameter::find;
+use dashpot_core::{Model, Params};
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+/// What one number of an explanation is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Free {
+    /// A number of the model.
+    Model(Unknown),
+    /// A number of the rig.
+    Rig(Artefact),
+    /// Logarithm of the heat transfer to the surroundings over the heat capacity, 1/s: how fast the damper cools.
+    Cooling,
+}
+
+/// A free number with what is known of it beforehand.
+#[derive(Debug, Clone)]
+pub struct Number {
+    /// What it is.
+    pub free: Free,
+    /// Where it starts.
+    pub start: f64,
+    /// Typical size of a change.
+    pub step: f64,
+    /// Bounds.
+    pub bounds: (f64, f64),
+    /// Mean and standard deviation expected of it, if anything is.
+    pub prior: Option<(f64, f64)>,
+}
+
+/// An explanation.
+#[derive(Debug, Clone)]
+pub struct Hypothesis {
+    /// Everything of the model that is not free.
+    pub base: Params,
+    /// The free numbers.
+    pub numbers: Vec<Number>,
+    /// Power that went into the damper, where its heating is computed.
+    pub heating: Option<std::sync::Arc<Heating>>,
+}
+
+/// Weighted residuals (measured less computed, over the allowed error) of all tests, one after the other.
+pub type Residual = DVector<f64>;
+
+impl Hypothesis {
+    /// The vector it starts from.
+    pub fn start(&self) -> Vec<f64> {
+        self.numbers.iter().map(|n| n.start).collect()
+    }
+
+    /// The same explanation from another start.
+    pub fn starting_at(mut self, theta: &[f64]) -> Hypothesis {
+        for (number, value) in self.numbers.iter_mut().zip(theta) {
+            number.start = *value;
+        }
+        self
+    }
+
+    fn unknowns(&self, theta: &[f64]) -> (Unknowns, Vec<f64>, Vec<usize>) {
+        let (mut list, mut values, mut places) = (Vec::new(), Vec::new(), Vec::new());
+        for (place, (number, value)) in self.numbers.iter().zip(theta).enumerate() {
+            if let Free::Model(unknown) = &number.free {
+                list.push(unknown.clone());
+                values.push(*value);
+                places.push(place);
+            }
+        }
+        (Unknowns { base: self.base, list }, values, places)
+    }
+
+    /// The parameter set that a vector stands for; what the rig added is not in it.
+    pub fn params(&self, theta: &[f64]) -> Params {
+        let (unknowns, values, _) = self.unknowns(theta);
+        let mut params = unknowns.params(&values);
+        if let Some(cooling) = self.cooling(theta) {
+            let _ = params.set("heat_transfer", cooling * params.scalar("heat_capacity"));
+        }
+        params
+    }
+
+    /// Cooling rate, 1/s, where it is free.
+    fn cooling(&self, theta: &[f64]) -> Option<f64> {
+        self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Cooling).map(|(_, value)| value.exp())
+    }
+
+    /// The segment with the temperatures that the damper's own heating gives it.
+    fn warmed<'a>(&self, test: &'a Test, place: usize, theta: &[f64]) -> std::borrow::Cow<'a, Segment> {
+        match (&self.heating, self.cooling(theta)) {
+            (Some(heating), Some(cooling)) => {
+                let rise = heating.rise(place, cooling) / self.base.scalar("heat_capacity");
+                let mut segment = test.segment.clone();
+                for input in &mut segment.input {
+                    input.temperature += rise;
+                }
+                std::borrow::Cow::Owned(segment)
+            }
+            _ => std::borrow::Cow::Borrowed(&test.segment),
+        }
+    }
+
+    /// The model to compare with: where heating is computed from the records, the damper takes it as measured.
+    fn model(&self, theta: &[f64]) -> Option<Model> {
+        let mut params = self.params(theta);
+        if self.heating.is_some() {
+            let _ = params.set("fade_source", 0.0);
+        }
+        Model::new(&params).ok()
+    }
+
+    fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
+        for (number, value) in self.numbers.iter().zip(theta) {
+            if let Free::Rig(artefact) = number.free {
+                artefact.apply(*value, test, forces);
+            }
+        }
+    }
+
+    /// Computed forces of one test at its scored samples; `place` counts the tests.
+    fn forces_of(&self, model: &Model, test: &Test, place: usize, theta: &[f64]) -> Vec<f64> {
+        let mut all = forces(model, &self.warmed(test, place, theta));
+        self.adjust(test, theta, &mut all);
+        all.split_off(test.segment.from)
+    }
+
+    /// Forces of a prepared model in a test of one's own, with what the rig adds.
+    pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
+        let mut all = forces(model, &test.segment);
+        self.adjust(test, theta, &mut all);
+        all.split_off(test.segment.from)
+    }
+
+    /// Computed forces at the scored samples of all tests; `None` where the numbers make no model.
+    pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let model = self.model(theta)?;
+        let all: Vec<Vec<f64>> =
+            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(&model, test, k, theta)).collect();
+        all.iter().flatten().all(|f| f.is_finite()).then_some(all)
+    }
+
+    /// Weighted residuals of all tests.
+    pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
+        let all = self.forces(tests, theta)?;
+        let list: Vec<f64> = tests
+            .iter()
+            .zip(&all)
+            .flat_map(|(test, forces)| {
+                test.forces().iter().zip(forces).zip(&test.allowed).map(|((m, f), a)| (m - f) / a)
+            })
+            .collect();
+        Some(DVector::from_vec(list))
+    }
+
+    /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample.
+    pub fn jacobian(&self, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
+        let at = self.residual(tests, theta)?;
+        let rows = at.len();
+        let mut matrix = DMatrix::zeros(rows, self.numbers.len());
+        let (unknowns, values, places) = self.unknowns(theta);
+        let model = self.model(theta)?;
+        // The run's own derivatives know nothing of a rig that delays, nor of heating.
+        let plain = self.cooling(theta).is_none()
+            && !self.numbers.iter().any(|n| n.free == Free::Rig(Artefact::Delay))
+            && !model.elements().has_memory();
+        let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
+        if plain {
+            let run = Run::new(&unknowns, &values, Accuracy::Full)?;
+            let parts: Vec<DMatrix<f64>> =
+                tests.par_iter().map(|test| run.jacobian(&test.segment, &unknowns, &values).1).collect();
+            let mut row = 0;
+            for (test, part) in tests.iter().zip(&parts) {
+                for i in 0..test.count() {
+                    for (k, place) in places.iter().enumerate() {
+                        matrix[(row, *place)] = part[(k, test.segment.from + i)] / test.allowed[i];
+                    }
+                    row += 1;
+                }
+            }
+            by_difference.retain(|place| !places.contains(place));
+        }
+        for place in by_difference {
+            matrix.set_column(place, &self.column(tests, theta, &at, place)?);
+        }
+        Some(matrix)
+    }
+
+    /// Derivative of the weighted forces over one number, by a difference.
+    pub fn column(&self, tests: &[Test], theta: &[f64], at: &Residual, place: usize) -> Option<DVector<f64>> {
+        let number = &self.numbers[place];
+        let (low, high) = number.bounds;
+        let mut step = 1e-3 * number.step;
+        let mut moved = theta.to_vec();
+        if moved[place] + step > high || (low..=high).contains(&(moved[place] - step)) && moved[place] > 0.5 * (low + high)
+        {
+            step = -step;
+        }
+        moved[place] += step;
+        let there = self.residual(tests, &moved)?;
+        Some((at - there) / step)
+    }
+}
+
+/// A free number of the model, starting from a parameter set.
+pub fn number(base: &Params, unknown: Unknown, prior: Option<f64>) -> Number {
+    let one = Unknowns { base: *base, list: vec![unknown.clone()] };
+    let start = one.start()[0];
+    let (low, high) = one.bounds();
+    let step = match &unknown {
+        Unknown::Log(_) | Unknown::Above(..) => 0.3,
+        Unknown::Rise { .. } => start.abs().max(10.0),
+        Unknown::Linear(name) | Unknown::Entry(name, _) => {
+            let typical = find(name).map_or(1.0, |row| row.parameter.default.first().map_or(1.0, |d| d.abs()));
+            (0.3 * start.abs()).max(0.1 * typical).max(1e-3)
+        }
+    };
+    let bounds = (low[0], high[0]);
+    let start = start.clamp(bounds.0, bounds.1);
+    Number { free: Free::Model(unknown), start, step, bounds, prior: prior.map(|deviation| (start, deviation)) }
+}

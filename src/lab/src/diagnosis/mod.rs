@@ -1,0 +1,435 @@
+//! Diagnosis: where a model and the records of its damper disagree, which physical effect is missing, and what is left
+//! when it is added.
+//!
+//! | file | step |
+//! |---|---|
+//! | [`samples`] | the mean cycle of every test and the error that noise allows it |
+//! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
+//! | [`refit`] | everything refitted |
+//! | [`vocabulary`] | the effects that can be named, with their starts |
+//! | [`screening`] | which of them are worth a refit |
+//! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
+//! | [`search`] | adding, looking again, taking out |
+//! | [`regions`] | where, in words and figures |
+//! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
+//! | [`outcome`] | the answer |
+
+mod evidence;
+mod extend;
+mod heating;
+mod hold_out;
+mod hypothesis;
+mod improved;
+mod measurement;
+mod next_test;
+mod outcome;
+mod refit;
+mod regions;
+mod samples;
+mod screening;
+mod search;
+mod situation;
+mod untestable;
+mod verdict;
+mod vocabulary;
+
+pub use evidence::{Evidence, FEATURES};
+pub use hold_out::choose as choose_held_out;
+pub use outcome::*;
+pub use untestable::EFFECTS;
+
+use crate::identification::unknowns::Unknown;
+use crate::records::Record;
+use dashpot_core::Params;
+use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::find;
+use heating::Heating;
+use hypothesis::{Free, Hypothesis};
+use refit::Refit;
+use samples::Test;
+use search::{Limits, Search, physical, search};
+use situation::Situation;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What a diagnosis may do.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// Most effects to add.
+    pub max_effects: usize,
+    /// Effects that may be named; all where `None`.
+    pub candidates: Option<Vec<String>>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { max_effects: 3, candidates: None }
+    }
+}
+
+/// Why there is no diagnosis.
+#[derive(Debug, thiserror::Error)]
+pub enum DiagnosisError {
+    /// Nothing to look at.
+    #[error("there is no test to diagnose: give a folder or files with at least one record, and leave some of them in")]
+    NoTests,
+    /// An unknown effect name.
+    #[error("there is no effect called {name:?}; the effects are {}", EFFECTS.join(", "))]
+    UnknownEffect {
+        /// The name given.
+        name: String,
+    },
+    /// The model gives no finite force.
+    #[error("the model gives no finite force for these records: run dashpot validate to see where")]
+    NotFinite,
+}
+
+/// Diagnoses a model against records; `held_out` marks those that no refit may see.
+///
+/// # Errors
+/// No test to look at, an unknown name, a model without finite forces.
+pub fn diagnose(
+    records: &[&Record],
+    held_out: &[bool],
+    params: &Params,
+    options: &Options,
+    progress: &(dyn Fn(f64, &str) + Sync),
+) -> Result<Diagnosis, DiagnosisError> {
+    if let Some(name) =
+        options.candidates.iter().flatten().find(|n| !EFFECTS.contains(&n.as_str()))
+    {
+        return Err(DiagnosisError::UnknownEffect { name: name.clone() });
+    }
+    progress(0.0, "preparing records");
+    let all = samples::tests(records);
+    let out = |test: &Test| held_out.get(test.record).copied().unwrap_or(false);
+    let fitted: Vec<Test> = all.iter().filter(|t| !out(t)).cloned().collect();
+    let left: Vec<Test> = all.iter().filter(|t| out(t)).cloned().collect();
+    if fitted.is_empty() {
+        return Err(DiagnosisError::NoTests);
+    }
+    let heating = Heating::new(records, &fitted);
+    let situation = Situation::new(params, records, &fitted);
+    let heat_span = heating.span();
+    let base = Hypothesis {
+        base: *params,
+        numbers: vocabulary::base_numbers(params),
+        heating: Some(Arc::new(heating)),
+    };
+    let may = |effect: &str| {
+        options.candidates.as_ref().is_none_or(|list| list.iter().any(|n| n == effect))
+            && EFFECTS
+                .iter()
+                .find(|e| **e == effect)
+                .is_none_or(|e| untestable::by_range(&situation, e, heat_span).is_none() || is_stop(e))
+    };
+    let limits = Limits { effects: options.max_effects, allowed: &may };
+    let found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
+    progress(0.92, "looking at what is left");
+    let answer = Answer { records, fitted: &fitted, left: &left, found: &found, situation: &situation, heat_span };
+    let diagnosis = answer.diagnosis();
+    progress(1.0, "done");
+    Ok(diagnosis)
+}
+
+/// Stops are looked for as far as the tests reach, and what lies beyond is told.
+fn is_stop(effect: &str) -> bool {
+    matches!(effect, "bump_stop" | "rebound_stop")
+}
+
+/// What the answer is made from.
+struct Answer<'a> {
+    records: &'a [&'a Record],
+    fitted: &'a [Test],
+    left: &'a [Test],
+    found: &'a Search,
+    situation: &'a Situation,
+    heat_span: f64,
+}
+
+/// Residuals in N of an explanation on tests of its own choice.
+fn errors(hypothesis: &Hypothesis, theta: &[f64], records: &[&Record], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
+    let mut own = hypothesis.clone();
+    if own.heating.is_some() {
+        own.heating = Some(Arc::new(Heating::new(records, tests)));
+    }
+    let forces = own.forces(tests, theta)?;
+    Some(
+        tests
+            .iter()
+            .zip(&forces)
+            .map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect())
+            .collect(),
+    )
+}
+
+fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// Root mean square over tests of each test's root mean square.
+fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
+    rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
+}
+
+fn gap_closed(before: f64, after: f64, noise: f64) -> Option<f64> {
+    (before > noise * 1.0001).then(|| 1.0 - (after - noise) / (before - noise))
+}
+
+impl Answer<'_> {
+    fn diagnosis(&self) -> Diagnosis {
+        let found = self.found;
+        let (base, first) = &found.base;
+        let (last, end) = &found.last;
+        let judged = verdict::judge(found, self.fitted);
+        let of = |h: &Hypothesis, theta: &[f64], tests: &[Test]| {
+            errors(h, theta, self.records, tests).unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
+        };
+        let (fitted_before, left_before) = (of(base, &first.theta, self.fitted), of(base, &first.theta, self.left));
+        let (fitted_after, left_after) = (of(last, &end.theta, self.fitted), of(last, &end.theta, self.left));
+        let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
+        let (noise, left_noise) = (noise_of(self.fitted), noise_of(self.left));
+        let figures = |fitted: &[Vec<f64>], left: &[Vec<f64>]| {
+            let every: Vec<f64> = self
+                .fitted
+                .iter()
+                .zip(fitted)
+                .chain(self.left.iter().zip(left))
+                .map(|(t, e)| {
+                    100.0 * e.iter().map(|x| x.abs()).sum::<f64>() / e.len().max(1) as f64 / t.segment.top.max(1e-9)
+                })
+                .collect();
+            Figures {
+                rmse_n: rms_of_tests(fitted),
+                error_percent: every.iter().sum::<f64>() / every.len().max(1) as f64,
+                held_out_rmse_n: (!left.is_empty()).then(|| rms_of_tests(left)),
+                noise_n: noise,
+            }
+        };
+        let gap = if self.left.is_empty() {
+            gap_closed(rms_of_tests(&fitted_before), rms_of_tests(&fitted_after), noise)
+        } else {
+            gap_closed(rms_of_tests(&left_before), rms_of_tests(&left_after), left_noise)
+        };
+        let names: Vec<&str> = found.added.iter().map(|a| a.candidate.effect).collect();
+        let invisible = found.rounds.first().map_or(&[][..], |r| &r.invisible);
+        let mut diagnosis = Diagnosis {
+            verdict: judged.verdict,
+            summary: judged.summary.clone(),
+            findings: self.findings(),
+            suspects: judged.suspects.clone(),
+            regions: regions::regions(self.fitted, &fitted_before),
+            before: figures(&fitted_before, &left_before),
+            after: figures(&fitted_after, &left_after),
+            gap_closed: gap.filter(|_| !found.added.is_empty()),
+            next_tests: self.next_tests(&judged),
+            could_not_test: untestable::list(self.situation, invisible, &names, self.heat_span),
+            shifts: self.shifts(),
+            notes: judged.notes.clone(),
+            tests: Vec::new(),
+            rounds: found
+                .rounds
+                .iter()
+                .map(|round| {
+                    round
+                        .tried
+                        .iter()
+                        .map(|t| Tried {
+                            effect: t.candidate.effect,
+                            form: t.candidate.form,
+                            confidence: t.confidence,
+                            evidence: t.evidence,
+                        })
+                        .collect()
+                })
+                .collect(),
+            base: base.params(&first.theta),
+            improved: last.params(&end.theta),
+            corrections: self.corrections(),
+            estimates: improved::estimates(found),
+        };
+        for (held_out, tests, before, after) in [
+            (false, self.fitted, &fitted_before, &fitted_after),
+            (true, self.left, &left_before, &left_after),
+        ] {
+            for (k, test) in tests.iter().enumerate() {
+                let measured = test.forces().to_vec();
+                let less = |e: &[f64]| measured.iter().zip(e).map(|(m, e)| m - e).collect();
+                diagnosis.tests.push(TestOutcome {
+                    test: test.segment.name.clone(),
+                    held_out,
+                    before_rmse_n: rms(&before[k]),
+                    after_rmse_n: rms(&after[k]),
+                    noise_n: test.mean_noise,
+                    curves: Curves {
+                        displacement: test.inputs().iter().map(|i| i.displacement.unwrap_or(0.0)).collect(),
+                        velocity: test.inputs().iter().map(|i| i.velocity).collect(),
+                        before: less(&before[k]),
+                        after: less(&after[k]),
+                        measured,
+                        frequency: test.frequency,
+                    },
+                });
+            }
+        }
+        diagnosis
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let found = self.found;
+        let (last, end) = &found.last;
+        let deviations = deviations(last, end);
+        found
+            .added
+            .iter()
+            .map(|added| {
+                let round = found.rounds.iter().find(|r| {
+                    r.tried.first().is_some_and(|t| t.candidate.effect == added.candidate.effect)
+                });
+                let mut parameters = BTreeMap::new();
+                for (fresh, place) in added.candidate.fresh.iter().zip(added.numbers.clone()) {
+                    let (value, deviation) = (end.theta[place], deviations[place]);
+                    let at = |t: f64| physical(&fresh.free, t);
+                    let (name, unit) = name_of(&fresh.free);
+                    let v = at(value);
+                    parameters.insert(
+                        name,
+                        Value {
+                            value: v,
+                            low: at(value - 1.96 * deviation),
+                            high: at(value + 1.96 * deviation),
+                            unit,
+                            plausible: (fresh.plausible.0..=fresh.plausible.1).contains(&v),
+                        },
+                    );
+                }
+                Finding {
+                    effect: added.candidate.effect,
+                    form: added.candidate.form,
+                    meaning: meaning(added.candidate.effect),
+                    confidence: added.confidence,
+                    of_the_rig: added.candidate.is_artefact(),
+                    parameters,
+                    gap_closed: self.gap_of(added),
+                    evidence: added.evidence,
+                    rivals: round.map_or(Vec::new(), |r| verdict::rivals(r)),
+                }
+            })
+            .collect()
+    }
+
+    /// Share of the gap that opens again without one effect.
+    fn gap_of(&self, added: &search::Added) -> Option<f64> {
+        let (last, end) = &self.found.last;
+        let (base, first) = &self.found.base;
+        let tests = if self.left.is_empty() { self.fitted } else { self.left };
+        let without = search::without(last, &end.theta, added);
+        let refitted = refit::refit(&without, self.fitted, &without.start(), None, refit::Effort::COMPARE)?;
+        let noise = rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
+        let of = |h: &Hypothesis, theta: &[f64]| errors(h, theta, self.records, tests).map(|e| rms_of_tests(&e));
+        let before = of(base, &first.theta)?;
+        let (with, less) = (of(last, &end.theta)?, of(&without, &refitted.theta)?);
+        (before > 1.0001 * noise).then(|| (less - with) / (before - noise))
+    }
+
+    fn corrections(&self) -> BTreeMap<&'static str, f64> {
+        let (last, end) = &self.found.last;
+        last.numbers
+            .iter()
+            .zip(&end.theta)
+            .filter_map(|(n, value)| match n.free {
+                Free::Rig(artefact) => Some((artefact.name(), *value)),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Scalars of the base that moved by more than three of their deviations.
+    fn shifts(&self) -> Vec<Shift> {
+        let (base, first) = &self.found.base;
+        let (_, end) = &self.found.last;
+        if self.found.added.is_empty() {
+            return Vec::new();
+        }
+        let deviations = deviations(base, first);
+        base.numbers
+            .iter()
+            .enumerate()
+            .filter_map(|(k, n)| {
+                let Free::Model(Unknown::Log(name) | Unknown::Linear(name)) = &n.free else { return None };
+                ((end.theta[k] - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
+                    parameter: name,
+                    before: physical(&n.free, first.theta[k]),
+                    after: physical(&n.free, end.theta[k]),
+                    unit: find(name).map_or("", |row| row.parameter.unit),
+                })
+            })
+            .collect()
+    }
+
+    fn next_tests(&self, judged: &verdict::Judged) -> Vec<NextTest> {
+        if judged.verdict == Verdict::NothingMissing {
+            return Vec::new();
+        }
+        let Some(round) = (if judged.verdict == Verdict::Named {
+            self.found.rounds.first()
+        } else {
+            self.found.rounds.last()
+        }) else {
+            return Vec::new();
+        };
+        let rivals: Vec<next_test::Rival> = round
+            .tried
+            .iter()
+            .take(3)
+            .filter(|t| t.evidence.bic_fall > 0.0)
+            .map(|t| next_test::Rival {
+                effect: t.candidate.effect,
+                hypothesis: &t.hypothesis,
+                theta: &t.refit.theta,
+                confidence: t.confidence,
+            })
+            .collect();
+        next_test::propose(&rivals, &next_test::Rig::of(self.fitted))
+    }
+}
+
+/// Standard deviations of the numbers of a refit, widened where more than noise is left.
+fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
+    let mut normal = refit.jacobian.tr_mul(&refit.jacobian);
+    let n = normal.nrows();
+    for (i, number) in hypothesis.numbers.iter().enumerate() {
+        normal[(i, i)] += 1e-12 / (number.step * number.step);
+        if let Some((_, deviation)) = number.prior {
+            normal[(i, i)] += 1.0 / (deviation * deviation);
+        }
+    }
+    let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt().max(1e-150)).collect();
+    let scaled = nalgebra::DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
+    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
+    match scaled.try_inverse() {
+        Some(inverse) => (0..n).map(|i| excess * inverse[(i, i)].max(0.0).sqrt() / scale[i]).collect(),
+        None => vec![f64::INFINITY; n],
+    }
+}
+
+fn name_of(free: &Free) -> (&'static str, &'static str) {
+    match free {
+        Free::Model(Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) | Unknown::Entry(name, _)) => {
+            (name, find(name).map_or("", |row| row.parameter.unit))
+        }
+        Free::Model(Unknown::Rise { curve, .. }) => (curve.forces(), "N"),
+        Free::Rig(artefact) => (artefact.parameter(), artefact.unit()),
+        Free::Cooling => ("cooling_rate", "1/s"),
+    }
+}
+
+/// What an effect is, in one line.
+pub fn meaning(effect: &str) -> String {
+    match effect {
+        "channel_delay" => "the force channel lags the motion channels (rig)".to_owned(),
+        "force_offset" => "the load cell does not read zero without load (rig)".to_owned(),
+        "force_drift" => "the zero of the load cell moves with time (rig)".to_owned(),
+        _ => GROUPS.iter().find(|g| g.name == effect).map_or_else(String::new, |g| g.meaning.to_owned()),
+    }
+}

@@ -1,0 +1,241 @@
+//! The samples that a diagnosis looks at: the mean cycle of every test, and how far noise lets it be trusted.
+//!
+//! Averaging over cycles at equal phase takes most of the noise out and leaves the damper in. A long test is cut into a
+//! few stretches first, so that what changes while it runs (heating, drift) stays visible from stretch to stretch.
+
+use crate::identification::segment::Segment;
+use crate::motion::{Motion, smooth};
+use crate::records::Record;
+use dashpot_core::Input;
+use rayon::prelude::*;
+
+/// Most samples of a mean cycle.
+const PER_CYCLE: usize = 120;
+/// Most samples of a test without cycles.
+const PER_ROAD: usize = 1000;
+/// Share of a cycle over which the force is averaged at most: a wider window would blur the knee.
+const WINDOW: f64 = 1.0 / 400.0;
+/// Time that the motion runs ahead of the scored samples, s, so that what the damper remembers is its own.
+const LEAD_IN: f64 = 0.15;
+/// The same as shares of a cycle, at least and at most.
+const LEAD_IN_CYCLES: (f64, f64) = (0.12, 1.5);
+/// Duration from which a test is cut into stretches, s, the fewest cycles of one, and the most of them.
+const LONG: f64 = 20.0;
+const STRETCH_CYCLES: usize = 3;
+const MOST_STRETCHES: usize = 4;
+/// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
+/// force.
+const FORM: f64 = 0.002;
+/// Share of the change from sample to sample that a small error of time or velocity makes.
+const TIMING: f64 = 0.05;
+
+/// One test, or one stretch of a long one.
+#[derive(Debug, Clone)]
+pub struct Test {
+    /// Place of its record in the list given.
+    pub record: usize,
+    /// Motion and mean measured force; `scale` is the typical allowed error.
+    pub segment: Segment,
+    /// Allowed error of every scored sample, N: noise of the mean, form, timing.
+    pub allowed: Vec<f64>,
+    /// Noise of one sample of the record, N.
+    pub noise: f64,
+    /// Noise of one sample of the mean, N.
+    pub mean_noise: f64,
+    /// Independent samples that one scored sample stands for: 1 for white noise.
+    pub independence: f64,
+    /// Frequency, Hz; 0 without cycles.
+    pub frequency: f64,
+    /// Mean displacement, m.
+    pub mean_displacement: f64,
+    /// Middle of the stretch on the campaign's clock, s.
+    pub clock: f64,
+}
+
+impl Test {
+    /// Number of scored samples.
+    pub fn count(&self) -> usize {
+        self.segment.force.len() - self.segment.from
+    }
+
+    /// The scored inputs.
+    pub fn inputs(&self) -> &[Input] {
+        &self.segment.input[self.segment.from..]
+    }
+
+    /// The scored forces.
+    pub fn forces(&self) -> &[f64] {
+        &self.segment.force[self.segment.from..]
+    }
+}
+
+/// Makes the tests of all records, in their order.
+pub fn tests(records: &[&Record]) -> Vec<Test> {
+    let of_each: Vec<Vec<Test>> = records.par_iter().enumerate().map(|(place, r)| of_record(place, r)).collect();
+    of_each.into_iter().flatten().collect()
+}
+
+fn of_record(place: usize, record: &Record) -> Vec<Test> {
+    let motion = smooth(record);
+    let cycles = record.cycles.len();
+    if cycles == 0 {
+        return vec![road(place, record, &motion)];
+    }
+    let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
+    let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];
+    let stretches =
+        if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, MOST_STRETCHES) } else { 1 };
+    (0..stretches)
+        .map(|k| {
+            let range = k * cycles / stretches..(k + 1) * cycles / stretches;
+            mean_cycle(place, record, &motion, &record.cycles[range])
+        })
+        .collect()
+}
+
+/// A channel at a time, on a straight line between samples.
+fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
+    let right = time.partition_point(|x| *x <= t).clamp(1, time.len() - 1);
+    let (a, b) = (time[right - 1], time[right]);
+    let share = ((t - a) / (b - a)).clamp(0.0, 1.0);
+    values[right - 1] + share * (values[right] - values[right - 1])
+}
+
+/// Variance of the mean of `count` neighbours in units of one sample's, for noise whose autocorrelation falls off
+/// geometrically.
+fn mean_variance(count: usize, lag1: f64) -> f64 {
+    let n = count as f64;
+    let sum: f64 = (1..count).map(|k| (n - k as f64) * lag1.powi(k as i32)).sum();
+    (n + 2.0 * sum) / (n * n)
+}
+
+fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops::Range<usize>]) -> Test {
+    let time = &record.time;
+    let last = time.len() - 1;
+    let in_cycle = cycles[0].len().max(1);
+    let count = in_cycle.min(PER_CYCLE);
+    let averaged = ((in_cycle as f64 * WINDOW) as usize / 2) * 2 + 1;
+    let bounds: Vec<(f64, f64)> = cycles.iter().map(|c| (time[c.start], time[c.end.min(last)])).collect();
+    let period = bounds.iter().map(|(a, b)| b - a).sum::<f64>() / bounds.len() as f64;
+    let mean = |values: &[f64], phase: f64| {
+        bounds.iter().map(|(a, b)| at(time, values, a + phase * (b - a))).sum::<f64>() / bounds.len() as f64
+    };
+    let step = 1.0 / count as f64;
+    let force_at = |phase: f64| {
+        let half = (averaged / 2) as i64;
+        let per = 1.0 / in_cycle as f64;
+        (-half..=half).map(|k| mean(&record.force, phase + k as f64 * per)).sum::<f64>() / averaged as f64
+    };
+    let side = |phase: f64| record.side_force.as_ref().map_or(0.0, |c| mean(c, phase));
+    let temperature = |phase: f64| record.temperature.as_ref().map_or(20.0, |c| mean(c, phase));
+    let cycle: Vec<(Input, f64)> = (0..count)
+        .map(|k| {
+            let phase = k as f64 * step;
+            let input = Input {
+                displacement: Some(mean(&motion.displacement, phase)),
+                velocity: mean(&motion.velocity, phase),
+                side_force: side(phase),
+                temperature: temperature(phase),
+            };
+            (input, force_at(phase))
+        })
+        .collect();
+    let (least, most) = LEAD_IN_CYCLES;
+    let lead = (((LEAD_IN / period).clamp(least, most) * count as f64) as usize).max(2);
+    let (input, force) = (0..lead + count).map(|k| cycle[(k + 2 * count - lead % count) % count]).unzip();
+    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
+    let apart = (in_cycle as f64 * step).max(1.0);
+    let mean_noise = record.noise.force_rms * (mean_variance(averaged, lag1) / bounds.len() as f64).sqrt();
+    let (begin, end) = (bounds[0].0, bounds[bounds.len() - 1].1);
+    finish(
+        Test {
+            record: place,
+            segment: segment(record, vec![period * step; lead + count], input, force, lead),
+            allowed: Vec::new(),
+            noise: record.noise.force_rms,
+            mean_noise,
+            independence: independence(lag1.powf(apart)),
+            frequency: 1.0 / period,
+            mean_displacement: record.mean_displacement,
+            clock: 0.5 * (begin + end),
+        },
+        true,
+    )
+}
+
+fn road(place: usize, record: &Record, motion: &Motion) -> Test {
+    let n = record.time.len();
+    let stride = n.div_ceil(PER_ROAD).max(1);
+    let picks: Vec<usize> = (0..n).step_by(stride).collect();
+    let lead = (picks.len() / 20).max(1);
+    let dt = std::iter::once(0.0).chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]])).collect();
+    let (input, force) = picks
+        .iter()
+        .map(|i| {
+            let input = Input {
+                displacement: Some(motion.displacement[*i]),
+                velocity: motion.velocity[*i],
+                side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
+                temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
+            };
+            (input, record.force[*i])
+        })
+        .unzip();
+    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
+    finish(
+        Test {
+            record: place,
+            segment: segment(record, dt, input, force, lead),
+            allowed: Vec::new(),
+            noise: record.noise.force_rms,
+            mean_noise: record.noise.force_rms,
+            independence: independence(lag1.powi(stride as i32)),
+            frequency: 0.0,
+            mean_displacement: record.mean_displacement,
+            clock: 0.5 * (record.time[0] + record.time[n - 1]),
+        },
+        false,
+    )
+}
+
+/// Share of independent samples among samples whose neighbours correlate so.
+fn independence(lag: f64) -> f64 {
+    (1.0 - lag) / (1.0 + lag)
+}
+
+fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, from: usize) -> Segment {
+    let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    Segment {
+        name: record.name.clone(),
+        dt,
+        input,
+        force,
+        from,
+        scale: 1.0,
+        top,
+        peak_velocity: record.peak_velocity,
+        amplitude: record.amplitude,
+    }
+}
+
+/// Sets the allowed errors.
+fn finish(mut test: Test, periodic: bool) -> Test {
+    let noise = test.mean_noise / test.independence.sqrt();
+    let base = noise * noise + (FORM * test.segment.top).powi(2);
+    let scored = test.forces();
+    let n = scored.len();
+    let allowed: Vec<f64> = (0..n)
+        .map(|i| {
+            let (before, after) = if periodic {
+                (scored[(i + n - 1) % n], scored[(i + 1) % n])
+            } else {
+                (scored[i.saturating_sub(1)], scored[(i + 1).min(n - 1)])
+            };
+            let change = TIMING * 0.5 * (after - before);
+            (base + change * change).sqrt().max(1e-6)
+        })
+        .collect();
+    test.segment.scale = base.sqrt().max(1e-6);
+    test.allowed = allowed;
+    test
+}

@@ -1,0 +1,132 @@
+//! Which effects are worth a refit: what each would take away if the rest of the model gave way to first order.
+//!
+//! The base parameters absorb a part of every effect, so a candidate's response is judged after everything that the base
+//! could do about it has been projected out (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
+
+use super::extend::extend;
+use super::hypothesis::{Hypothesis, Residual};
+use super::refit::{HUBER, Refit};
+use super::samples::Test;
+use super::vocabulary::{Candidate, Start};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
+
+/// What the base model can do about a residual, to first order.
+pub struct Projection {
+    jacobian: DMatrix<f64>,
+    weights: Vec<f64>,
+    solver: Option<Cholesky<f64, Dyn>>,
+}
+
+impl Projection {
+    /// At a refitted explanation.
+    pub fn new(hypothesis: &Hypothesis, refit: &Refit) -> Projection {
+        let weights: Vec<f64> =
+            refit.residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
+        let mut jacobian = refit.jacobian.clone();
+        for mut column in jacobian.column_iter_mut() {
+            for (value, w) in column.iter_mut().zip(&weights) {
+                *value *= w;
+            }
+        }
+        let mut normal = jacobian.tr_mul(&jacobian);
+        for (i, number) in hypothesis.numbers.iter().enumerate() {
+            normal[(i, i)] *= 1.0 + 1e-9;
+            normal[(i, i)] += 1e-9 / (number.step * number.step);
+            if let Some((_, deviation)) = number.prior {
+                normal[(i, i)] += 1.0 / (deviation * deviation);
+            }
+        }
+        Projection { jacobian, weights, solver: normal.cholesky() }
+    }
+
+    fn weighted(&self, b: &Residual) -> Residual {
+        DVector::from_fn(b.len(), |i, _| b[i] * self.weights[i])
+    }
+
+    /// Changes of the base numbers that answer a residual best.
+    pub fn answer(&self, b: &Residual) -> DVector<f64> {
+        let right = self.jacobian.tr_mul(&self.weighted(b));
+        match &self.solver {
+            Some(solver) => solver.solve(&right),
+            None => DVector::zeros(self.jacobian.ncols()),
+        }
+    }
+
+    /// What the base leaves of a residual.
+    pub fn rest(&self, b: &Residual) -> Residual {
+        self.weighted(b) - &self.jacobian * self.answer(b)
+    }
+}
+
+/// A start of a candidate, judged.
+pub struct Screened {
+    /// Place of the candidate in the list.
+    pub candidate: usize,
+    /// The explanation with it.
+    pub hypothesis: Hypothesis,
+    /// Where its refit starts: the base has already given way to first order.
+    pub start: Vec<f64>,
+    /// Fall of χ² expected from the refit.
+    pub gain: f64,
+    /// Square of what is left of the candidate's response once the base has given way: how visible it is at all.
+    pub visible: f64,
+    /// What is left of the response itself.
+    pub response: Residual,
+    /// Whether the start moved the base as well.
+    pub moved: bool,
+}
+
+/// Judges every start of every candidate.
+pub fn screen(
+    hypothesis: &Hypothesis,
+    at: &Refit,
+    projection: &Projection,
+    candidates: &[Candidate],
+    tests: &[Test],
+) -> Vec<Screened> {
+    let left = projection.rest(&at.residual);
+    let base_left = left.norm_squared();
+    let jobs: Vec<(usize, &Candidate, &Start)> =
+        candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
+    jobs.par_iter()
+        .filter_map(|(place, candidate, start)| {
+            let extended = extend(hypothesis, &at.theta, candidate, start);
+            let mut theta = extended.start();
+            let first = hypothesis.numbers.len();
+            let there = extended.residual(tests, &theta)?;
+            // What the candidate changes, as a change of the computed forces.
+            let response = projection.rest(&(&at.residual - &there));
+            let visible = response.norm_squared();
+            let moved = !start.moves.is_empty() || start.unbend.is_some();
+            let (mut gain, mut answered) = (base_left - projection.rest(&there).norm_squared(), there.clone());
+            if !moved && visible > 0.0 {
+                // The strength that fits best, as far as the response grows with it.
+                let strength = left.dot(&response) / visible;
+                let (low, high) = extended.numbers[first].bounds;
+                let is_log = matches!(
+                    &extended.numbers[first].free,
+                    super::hypothesis::Free::Model(crate::identification::unknowns::Unknown::Log(_))
+                );
+                if !is_log {
+                    let wanted = theta[first] * strength.clamp(-4.0, 4.0);
+                    let value = wanted.clamp(low, high);
+                    let used = value / theta[first];
+                    let towards = &at.residual - &there;
+                    answered = &at.residual - &towards * used;
+                    gain = used * (2.0 * left.dot(&response) - used * visible);
+                    theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
+                } else {
+                    // Its strength hides in a shape: what any strength could gain says whether to look closer.
+                    gain = gain.max(if strength > 0.0 { left.dot(&response).powi(2) / visible } else { 0.0 });
+                }
+            }
+            let change = projection.answer(&answered);
+            for (i, d) in change.iter().enumerate() {
+                let (low, high) = extended.numbers[i].bounds;
+                theta[i] = (theta[i] + d).clamp(low, high);
+            }
+            Some(Screened { candidate: *place, hypothesis: extended, start: theta, gain, visible, response, moved })
+        })
+        .collect()
+}

@@ -1,0 +1,80 @@
+//! What a base model and its tests look like from far: figures from which searches start.
+
+use super::samples::Test;
+use crate::records::Record;
+use dashpot_core::Params;
+
+/// Sizes that matter.
+#[derive(Debug, Clone)]
+pub struct Situation {
+    /// The base model.
+    pub base: Params,
+    /// Friction level, N.
+    pub friction: f64,
+    /// Largest forces, N, positive.
+    pub top_rebound: f64,
+    /// In compression.
+    pub top_compression: f64,
+    /// Typical force at the knee of the FV curve, N.
+    pub knee_force: f64,
+    /// Displacements that the tests reach, m.
+    pub reach: (f64, f64),
+    /// Whether a temperature channel varies.
+    pub temperature_measured: bool,
+    /// Mean temperature, °C.
+    pub temperature: f64,
+    /// Span of the tests' clocks, s.
+    pub clock_span: f64,
+    /// Span of the side forces, N.
+    pub side_force_span: f64,
+}
+
+/// Temperature span, K, and side-force span, N, from which a channel says something.
+const WARM: f64 = 3.0;
+
+impl Situation {
+    /// From a model and tests.
+    pub fn new(base: &Params, records: &[&Record], tests: &[Test]) -> Situation {
+        let inputs = || tests.iter().flat_map(|t| t.inputs());
+        let span = |values: &mut dyn Iterator<Item = f64>| {
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            if low <= high { (low, high) } else { (0.0, 0.0) }
+        };
+        let reach = span(&mut inputs().filter_map(|i| i.displacement));
+        let temperatures = span(&mut inputs().map(|i| i.temperature));
+        let side = span(&mut inputs().map(|i| i.side_force.abs()));
+        let clock = span(&mut tests.iter().map(|t| t.clock));
+        let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
+        let mut friction = 0.0;
+        if base.is_on("coulomb_friction") {
+            friction += base.scalar("coulomb_force");
+        }
+        if base.is_on("stribeck_friction") {
+            friction += base.scalar("stribeck_coulomb_force");
+        }
+        // The knee: where the slope has fallen to half its largest, counted from standstill.
+        let (v, f) = (base.list("fv_velocity"), base.list("fv_force"));
+        let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
+        let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
+        let knee = v
+            .windows(2)
+            .zip(f.windows(2))
+            .zip(&slopes)
+            .filter(|((v, _), s)| v[0] >= 0.0 && **s < 0.5 * steepest)
+            .map(|((_, f), _)| f[0])
+            .next();
+        Situation {
+            base: *base,
+            friction,
+            top_rebound: forces.1.max(1.0),
+            top_compression: (-forces.0).max(1.0),
+            knee_force: knee.unwrap_or(0.3 * forces.1).max(1.0),
+            reach,
+            temperature_measured: records.iter().all(|r| r.temperature.is_some())
+                && temperatures.1 - temperatures.0 > WARM,
+            temperature: 0.5 * (temperatures.0 + temperatures.1),
+            clock_span: clock.1 - clock.0,
+            side_force_span: side.1 - side.0,
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The answer in one word, and in sentences.
+
+use super::evidence::effective_count;
+use super::outcome::{Rival, Verdict};
+use super::samples::Test;
+use super::search::{NAMED, Round, Search, Tried};
+
+/// Mean excess per independent sample, in σ², below which nothing is missing that matters.
+const QUIET: f64 = 0.12;
+/// Share of the excess that a suspect must explain.
+const SUSPECT_SHARE: f64 = 0.5;
+/// Share of the remaining excess within which a rival explains as much as the best.
+const AS_WELL: f64 = 0.15;
+
+/// A verdict with its reasons.
+pub struct Judged {
+    /// The word.
+    pub verdict: Verdict,
+    /// The sentences.
+    pub summary: String,
+    /// What explains an unnamed disagreement about as well, likeliest first.
+    pub suspects: Vec<Rival>,
+    /// Remarks.
+    pub notes: Vec<String>,
+}
+
+/// Judges a finished search.
+pub fn judge(found: &Search, tests: &[Test]) -> Judged {
+    let count = effective_count(tests);
+    let excess = |chi2: f64| ((chi2 - found.floor) / count).max(0.0);
+    let (before, after) = (excess(found.base.1.chi2), excess(found.last.1.chi2));
+    let mut notes = Vec::new();
+    let last = found.rounds.last();
+    let suspects = last.map_or(Vec::new(), |r| suspects(r));
+    let in_noise = |x: f64| format!("{:.2} times the noise", x.sqrt());
+    if !found.added.is_empty() {
+        let names: Vec<String> = found
+            .added
+            .iter()
+            .map(|a| format!("{} ({:.0} % sure)", a.candidate.effect, 100.0 * a.confidence))
+            .collect();
+        if after > QUIET && after > 0.15 * before {
+            notes.push(format!(
+                "what is left ({} beyond it) is no noise, but no further effect is justified by these records",
+                in_noise(after)
+            ));
+        }
+        return Judged {
+            verdict: Verdict::Named,
+            summary: format!(
+                "missing: {}; the disagreement falls from {} to {}",
+                names.join(", "),
+                in_noise(before),
+                in_noise(after)
+            ),
+            suspects: Vec::new(),
+            notes,
+        };
+    }
+    let best = last.and_then(|r| r.tried.first());
+    let sure_of_something = best.is_some_and(|t| t.evidence.bic_fall > 30.0 && t.evidence.share > 0.3);
+    if before < QUIET && !(sure_of_something && before > 0.5 * QUIET) {
+        return Judged {
+            verdict: Verdict::NothingMissing,
+            summary: format!(
+                "nothing is missing: the model is within {} of these records beyond the noise itself, and no effect is \
+                 justified by them",
+                in_noise(before)
+            ),
+            suspects: Vec::new(),
+            notes,
+        };
+    }
+    if suspects.len() >= 2 && suspects[0].share >= SUSPECT_SHARE {
+        let names: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
+        return Judged {
+            verdict: Verdict::CannotTell,
+            summary: format!(
+                "something is missing ({} beyond the noise), and these records cannot tell {} apart",
+                in_noise(before),
+                names.join(" and ")
+            ),
+            suspects,
+            notes,
+        };
+    }
+    let nearest = best.map_or(String::new(), |t| {
+        format!("; the nearest, {}, explains {:.0} %", t.candidate.effect, 100.0 * t.evidence.share.clamp(0.0, 1.0))
+    });
+    Judged {
+        verdict: Verdict::UnknownEffect,
+        summary: format!(
+            "model and records disagree by {} beyond it, and none of the known effects explains that{nearest}",
+            in_noise(before)
+        ),
+        suspects,
+        notes,
+    }
+}
+
+/// The effects that explain about as much as the best.
+fn suspects(round: &Round) -> Vec<Rival> {
+    let Some(best) = round.tried.first() else { return Vec::new() };
+    round
+        .tried
+        .iter()
+        .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > best.evidence.share - AS_WELL)
+        .take(4)
+        .map(|t| rival(t, best))
+        .collect()
+}
+
+/// The names that lost a round.
+pub fn rivals(round: &Round) -> Vec<Rival> {
+    let Some(best) = round.tried.first() else { return Vec::new() };
+    round.tried.iter().skip(1).take(4).map(|t| rival(t, best)).collect()
+}
+
+fn rival(t: &Tried, best: &Tried) -> Rival {
+    let why = if std::ptr::eq(t, best) {
+        format!("explains {:.0} % of the excess", 100.0 * t.evidence.share)
+    } else if t.evidence.bic_fall <= 0.0 {
+        "brings less than its numbers cost".to_owned()
+    } else if t.evidence.plausible < 1.0 && t.evidence.share > best.evidence.share - AS_WELL {
+        "needs numbers that no damper shows".to_owned()
+    } else {
+        format!(
+            "explains {:.0} % of the excess, {} {:.0} %",
+            100.0 * t.evidence.share,
+            best.candidate.effect,
+            100.0 * best.evidence.share
+        )
+    };
+    Rival { effect: t.candidate.effect, confidence: t.confidence.min(1.0 - NAMED.min(best.confidence)), share: t.evidence.share, why }
+}
