@@ -166,9 +166,8 @@ impl Hypothesis {
         let rows = at.len();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (unknowns, values, places) = self.unknowns(theta);
-        let model = self.model(theta)?;
         // The run's own derivatives know nothing of heating.
-        let plain = self.cooling(theta).is_none() && !model.elements().has_memory();
+        let plain = self.cooling(theta).is_none();
         let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
         if plain {
             let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
