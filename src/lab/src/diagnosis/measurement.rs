@@ -11,6 +11,8 @@ pub enum Artefact {
     Delay,
     /// The load cell does not read zero without load, N.
     Offset,
+    /// Its zero was set anew after this time on the campaign's clock, s: a step, N.
+    Step(u32),
     /// The zero of the load cell moves with the campaign's clock, N/s.
     Drift,
 }
@@ -20,7 +22,7 @@ impl Artefact {
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay => "channel_delay",
-            Artefact::Offset => "force_offset",
+            Artefact::Offset | Artefact::Step(_) => "force_offset",
             Artefact::Drift => "force_drift",
         }
     }
@@ -29,7 +31,7 @@ impl Artefact {
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay => "delay",
-            Artefact::Offset => "offset",
+            Artefact::Offset | Artefact::Step(_) => "offset",
             Artefact::Drift => "drift",
         }
     }
@@ -38,7 +40,7 @@ impl Artefact {
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay => "s",
-            Artefact::Offset => "N",
+            Artefact::Offset | Artefact::Step(_) => "N",
             Artefact::Drift => "N/s",
         }
     }
@@ -47,7 +49,7 @@ impl Artefact {
     pub fn limit(self) -> f64 {
         match self {
             Artefact::Delay => 5e-3,
-            Artefact::Offset => 500.0,
+            Artefact::Offset | Artefact::Step(_) => 500.0,
             Artefact::Drift => 1.0,
         }
     }
@@ -56,8 +58,20 @@ impl Artefact {
     pub fn apply(self, value: f64, test: &Test, forces: &mut [f64]) {
         match self {
             Artefact::Delay => delay(value, &test.segment.dt, forces),
-            Artefact::Offset => forces.iter_mut().for_each(|f| *f += value),
-            Artefact::Drift => forces.iter_mut().for_each(|f| *f += value * test.clock),
+            Artefact::Offset | Artefact::Step(_) | Artefact::Drift => {
+                let added = value * self.per_value(test).unwrap_or(0.0);
+                forces.iter_mut().for_each(|f| *f += added);
+            }
+        }
+    }
+
+    /// Force that one unit of its number adds all through a test; `None` where it is no constant.
+    pub fn per_value(self, test: &Test) -> Option<f64> {
+        match self {
+            Artefact::Delay => None,
+            Artefact::Offset => Some(1.0),
+            Artefact::Step(after) => Some(f64::from(u8::from(test.clock > f64::from(after)))),
+            Artefact::Drift => Some(test.clock),
         }
     }
 }

@@ -172,8 +172,21 @@ fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
     rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
 }
 
-fn gap_closed(before: f64, after: f64, noise: f64) -> Option<f64> {
-    (before > noise * 1.0001).then(|| 1.0 - (after - noise) / (before - noise))
+/// Errors in units of what each test's noise and form allow: root mean square over tests, so that a slow test of small
+/// forces counts like a fast one.
+fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
+    rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
+}
+
+/// The same of noise alone.
+fn noise_alone(tests: &[Test]) -> f64 {
+    rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
+}
+
+/// Share of the gap between model and noise that is closed.
+fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
+    let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
+    (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))
 }
 
 impl Answer<'_> {
@@ -188,7 +201,7 @@ impl Answer<'_> {
         let (fitted_before, left_before) = (of(base, &first.theta, self.fitted), of(base, &first.theta, self.left));
         let (fitted_after, left_after) = (of(last, &end.theta, self.fitted), of(last, &end.theta, self.left));
         let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
-        let (noise, left_noise) = (noise_of(self.fitted), noise_of(self.left));
+        let noise = noise_of(self.fitted);
         let figures = |fitted: &[Vec<f64>], left: &[Vec<f64>]| {
             let every: Vec<f64> = self
                 .fitted
@@ -207,9 +220,9 @@ impl Answer<'_> {
             }
         };
         let gap = if self.left.is_empty() {
-            gap_closed(rms_of_tests(&fitted_before), rms_of_tests(&fitted_after), noise)
+            gap_closed(self.fitted, &fitted_before, &fitted_after)
         } else {
-            gap_closed(rms_of_tests(&left_before), rms_of_tests(&left_after), left_noise)
+            gap_closed(self.left, &left_before, &left_after)
         };
         let names: Vec<&str> = found.added.iter().map(|a| a.candidate.effect).collect();
         let invisible = found.rounds.first().map_or(&[][..], |r| &r.invisible);
@@ -325,11 +338,11 @@ impl Answer<'_> {
         let tests = if self.left.is_empty() { self.fitted } else { self.left };
         let without = search::without(last, &end.theta, added);
         let refitted = refit::refit(&without, self.fitted, &without.start(), None, refit::Effort::COMPARE)?;
-        let noise = rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
-        let of = |h: &Hypothesis, theta: &[f64]| errors(h, theta, self.records, tests).map(|e| rms_of_tests(&e));
+        let noise = noise_alone(tests);
+        let of = |h: &Hypothesis, theta: &[f64]| errors(h, theta, self.records, tests).map(|e| in_noise(tests, &e));
         let before = of(base, &first.theta)?;
         let (with, less) = (of(last, &end.theta)?, of(&without, &refitted.theta)?);
-        (before > 1.0001 * noise).then(|| (less - with) / (before - noise))
+        (before > 1.02 * noise).then(|| (less - with) / (before - noise))
     }
 
     fn corrections(&self) -> BTreeMap<&'static str, f64> {

@@ -4,10 +4,11 @@
 //! could do about it has been projected out (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
 
 use super::extend::extend;
-use super::hypothesis::{Hypothesis, Residual};
+use super::hypothesis::{Free, Hypothesis, Residual};
 use super::refit::{HUBER, Refit};
 use super::samples::Test;
-use super::vocabulary::{Candidate, Start};
+use super::vocabulary::{Candidate, Fresh, Start};
+use crate::identification::unknowns::Unknown;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
@@ -24,9 +25,12 @@ impl Projection {
         let weights: Vec<f64> =
             refit.residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
         let mut jacobian = refit.jacobian.clone();
-        for mut column in jacobian.column_iter_mut() {
+        for ((mut column, number), value) in jacobian.column_iter_mut().zip(&hypothesis.numbers).zip(&refit.theta) {
+            // A number at its bound has given way as far as it may.
+            let (low, high) = number.bounds;
+            let free = *value > low && *value < high;
             for (value, w) in column.iter_mut().zip(&weights) {
-                *value *= w;
+                *value *= if free { *w } else { 0.0 };
             }
         }
         let mut normal = jacobian.tr_mul(&jacobian);
@@ -71,10 +75,17 @@ pub struct Screened {
     pub gain: f64,
     /// Square of what is left of the candidate's response once the base has given way: how visible it is at all.
     pub visible: f64,
-    /// What is left of the response itself.
-    pub response: Residual,
     /// Whether the start moved the base as well.
     pub moved: bool,
+}
+
+/// Weighted force that a constant artefact adds; `None` where it is none.
+fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
+    let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
+    let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(t)).collect();
+    let list: Vec<f64> =
+        tests.iter().zip(per_test?).flat_map(|(t, per)| t.allowed.iter().map(move |a| value * per / a)).collect();
+    Some(DVector::from_vec(list))
 }
 
 /// Judges every start of every candidate.
@@ -94,7 +105,10 @@ pub fn screen(
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();
-            let there = extended.residual(tests, &theta)?;
+            let there = match added(candidate, theta[first], tests) {
+                Some(added) => &at.residual - added,
+                None => extended.residual(tests, &theta)?,
+            };
             // What the candidate changes, as a change of the computed forces.
             let response = projection.rest(&(&at.residual - &there));
             let visible = response.norm_squared();
@@ -104,10 +118,7 @@ pub fn screen(
                 // The strength that fits best, as far as the response grows with it.
                 let strength = left.dot(&response) / visible;
                 let (low, high) = extended.numbers[first].bounds;
-                let is_log = matches!(
-                    &extended.numbers[first].free,
-                    super::hypothesis::Free::Model(crate::identification::unknowns::Unknown::Log(_))
-                );
+                let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
                 if !is_log {
                     let wanted = theta[first] * strength.clamp(-4.0, 4.0);
                     let value = wanted.clamp(low, high);
@@ -126,7 +137,7 @@ pub fn screen(
                 let (low, high) = extended.numbers[i].bounds;
                 theta[i] = (theta[i] + d).clamp(low, high);
             }
-            Some(Screened { candidate: *place, hypothesis: extended, start: theta, gain, visible, response, moved })
+            Some(Screened { candidate: *place, hypothesis: extended, start: theta, gain, visible, moved })
         })
         .collect()
 }

@@ -25,6 +25,8 @@ pub struct Situation {
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
+    /// Times between tests at which a load cell may have been zeroed, s; empty without a campaign clock.
+    pub pauses: Vec<u32>,
     /// Span of the side forces, N.
     pub side_force_span: f64,
 }
@@ -63,6 +65,15 @@ impl Situation {
             .filter(|((v, _), s)| v[0] >= 0.0 && **s < 0.5 * steepest)
             .map(|((_, f), _)| f[0])
             .next();
+        let mut clocks: Vec<f64> = tests.iter().map(|t| t.clock).collect();
+        clocks.sort_by(f64::total_cmp);
+        let pauses = clocks
+            .windows(2)
+            .skip(1)
+            .take(clocks.len().saturating_sub(3))
+            .filter(|w| w[1] - w[0] > 1.0)
+            .map(|w| (0.5 * (w[0] + w[1])) as u32)
+            .collect();
         Situation {
             base: *base,
             friction,
@@ -74,6 +85,7 @@ impl Situation {
                 && temperatures.1 - temperatures.0 > WARM,
             temperature: 0.5 * (temperatures.0 + temperatures.1),
             clock_span: clock.1 - clock.0,
+            pauses,
             side_force_span: side.1 - side.0,
         }
     }

@@ -118,7 +118,7 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
             "gas_spring",
             &["gas_spring"],
             vec![linear("gas_stiffness", (100.0, 10_000.0)), held("gas_length", (0.06, 1.5), 1.0)],
-            vec![Start::at(&[1000.0, 0.12]), Start::at(&[1000.0, 0.35])],
+            vec![Start::at(&[1000.0, 0.07]), Start::at(&[1000.0, 0.15]), Start::at(&[1000.0, 0.4])],
         )
     });
     all.push(Candidate {
@@ -150,7 +150,6 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
         fixed: vec![
             ("stribeck_form", 1.0),
             ("stribeck_coulomb_force", 0.0),
-            ("stribeck_fall", 1.5),
             ("stribeck_rise", 1.0),
             ("stribeck_rise_power", 1.0),
             ("stribeck_breakaway_velocity", 1.0 / rise),
@@ -158,8 +157,12 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
         ..candidate(
             "stribeck_friction",
             &["stribeck_friction"],
-            vec![linear("stribeck_breakaway_force", (3.0, 150.0)), log("stribeck_velocity", (0.002, 0.06))],
-            [0.006, 0.015, 0.035].map(|v| Start::at(&[0.4 * level, v])).to_vec(),
+            vec![
+                linear("stribeck_breakaway_force", (3.0, 150.0)),
+                log("stribeck_velocity", (0.002, 0.06)),
+                held("stribeck_fall", (1.0, 3.0), 0.3),
+            ],
+            [0.006, 0.015, 0.035].map(|v| Start::at(&[0.4 * level, v, 1.5])).to_vec(),
         )
     });
     all.push(candidate(
@@ -343,13 +346,13 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
         (
             "bump_stop",
             &["bump_stop"] as &'static [&'static str],
-            ["bump_stop_clearance", "bump_stop_stiffness", "bump_stop_damping"],
+            ["bump_stop_clearance", "bump_stop_stiffness", "bump_stop_damping", "bump_stop_progression"],
             -low,
         ),
         (
             "rebound_stop",
             &["rebound_stop"],
-            ["rebound_stop_clearance", "rebound_stop_stiffness", "rebound_stop_damping"],
+            ["rebound_stop_clearance", "rebound_stop_stiffness", "rebound_stop_damping", "rebound_stop_progression"],
             high,
         ),
     ] {
@@ -362,8 +365,8 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 effect,
                 elements,
-                vec![linear(names[0], (0.01, 0.15)), log(names[1], (1e3, 3e5))],
-                clearances.map(|c| Start::at(&[c, 1e4])).to_vec(),
+                vec![linear(names[0], (0.01, 0.15)), log(names[1], (500.0, 3e5)), held(names[3], (2e-3, 0.2), 1.0)],
+                clearances.map(|c| Start::at(&[c, 1e4, 0.02])).to_vec(),
             )
         });
         all.push(Candidate {
@@ -373,7 +376,7 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 effect,
                 elements,
                 vec![linear(names[0], (0.01, 0.15)), log(names[2], (100.0, 1e5))],
-                clearances.map(|c| Start::at(&[c, 1e3])).to_vec(),
+                clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[*c, d]))).collect(),
             )
         });
     }
@@ -403,6 +406,12 @@ fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
         all.push(rig(Artefact::Offset, (-200.0, 200.0), &[10.0]));
     }
     if s.clock_span > 1.0 {
+        for pause in &s.pauses {
+            all.push(Candidate {
+                form: "zero set anew during the campaign",
+                ..rig(Artefact::Step(*pause), (-200.0, 200.0), &[10.0])
+            });
+        }
         all.push(rig(Artefact::Drift, (-0.2, 0.2), &[10.0 / s.clock_span]));
     }
 }
