@@ -134,6 +134,8 @@ impl<const N: usize> Sub for Dual<N> {
 
 impl<const N: usize> Mul for Dual<N> {
     type Output = Dual<N>;
+    // The product rule.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     #[inline(always)]
     fn mul(self, other: Dual<N>) -> Dual<N> {
         self.merge(other, self.value * other.value, |a, b| a * other.value + b * self.value)

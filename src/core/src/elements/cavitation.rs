@@ -10,12 +10,12 @@ use crate::parameter::{Parameter, View};
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
-/// de/dt = R(p − T)/r − R(T − p)/r · e/(e + e_0)
-/// T = C while the driven end moves in the capped direction; κ C on its return while there is a void
+/// de/dt = R(p − C)/r − R(T − p)/r · e/(e + e_0)
+/// T = C while the driven end moves in the capped direction, κ C on its return
 /// ```
 ///
-/// R is a ramp and r a resistance so small that the force keeps to T within a hundredth of C at 1 m/s. While a void
-/// lasts the valves pass what the pressure T drives through them, so it closes by flow and by motion. κ = 1 is a void
+/// R is a ramp and r a resistance so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
+/// void lasts the valves pass what the pressure T drives through them, so it closes by flow and by motion. κ = 1 is a void
 /// behind which the gas keeps pushing, κ = 0 one on whose return the rod moves freely.
 #[derive(Clone, Copy, Debug)]
 pub struct Cavitation {
@@ -82,12 +82,13 @@ fn share_open<R: Real>(void: R) -> R {
 }
 
 impl Cavitation {
-    /// p − T: how far the force is beyond what the void lets stand; `velocity` is that of the driven end.
+    /// p − C and T − p: how far the force is beyond the cap, and short of what holds the void open; `velocity` is that
+    /// of the driven end.
     #[inline(always)]
-    fn excess<R: Real>(&self, force: R, velocity: R, void: R) -> R {
-        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost);
-        let threshold = (-(returning * share_open(void))).plus(1.0) * self.cap;
-        force * self.sign - threshold
+    fn beyond_and_short<R: Real>(&self, force: R, velocity: R) -> (R, R) {
+        let beyond = (force * self.sign).plus(-self.cap);
+        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost * self.cap);
+        (beyond, -beyond - returning)
     }
 
     /// R(x)/r, smooth.
@@ -108,22 +109,22 @@ impl Cavitation {
     /// de/dt at a hydraulic force.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
-        let excess = self.excess(force, velocity, void);
-        self.ramp(excess) - self.ramp(-excess) * share_open(void)
+        let (beyond, short) = self.beyond_and_short(force, velocity);
+        self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
     /// The void at the end of an implicit stage that is `known` at its start: e − g de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
-        let excess = self.excess(force, velocity, known);
-        if excess.value() >= 0.0 {
-            return known + self.ramp(excess) * g;
+        let (beyond, short) = self.beyond_and_short(force, velocity);
+        if beyond.value() >= 0.0 {
+            return known + self.ramp(beyond) * g;
         }
-        if known.value() <= 0.0 {
+        if known.value() <= 0.0 || short.value() <= 0.0 {
             return known;
         }
         // e² + (e_0 − E + g R/r) e = E e_0
-        let half = ((self.ramp(-excess) * g - known).plus(CLOSED)) * 0.5;
+        let half = ((self.ramp(short) * g - known).plus(CLOSED)) * 0.5;
         let product = known * CLOSED;
         let root = (half * half + product).sqrt();
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }

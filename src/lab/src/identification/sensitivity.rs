@@ -373,6 +373,43 @@ mod tests {
         }
     }
 
+    /// With elements that the stages do not tell of, every row is a difference of two runs, those of the curves included.
+    #[test]
+    fn derivatives_with_elements_of_the_paths_and_memory() {
+        let mut base = Params::new();
+        for element in ["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop"] {
+            base.enable(element, true).unwrap();
+        }
+        base.set("bump_stop_clearance", 0.01).unwrap();
+        let mut list = Unknowns::rises(&base, CurveName::Fv);
+        list.extend([
+            Unknown::Linear("gas_force"),
+            Unknown::Log("series_stiffness"),
+            Unknown::Log("oil_stiffness"),
+            Unknown::Log("presliding_length"),
+            Unknown::Log("bump_stop_stiffness"),
+        ]);
+        let unknowns = Unknowns { base, list };
+        let theta = unknowns.start();
+        let test = segment(0.02, 5.0);
+        let run = Run::new(&unknowns, &theta, Accuracy::Full).unwrap();
+        let (forces, rows) = run.jacobian(&test, &unknowns, &theta);
+        assert_eq!(forces, run.forces(&test));
+        for p in 0..theta.len() {
+            let step = 1e-3 * theta[p].abs().max(1e-2);
+            let moved = |d: f64| {
+                let mut t = theta.clone();
+                t[p] += d;
+                Run::new(&unknowns, &t, Accuracy::Full).unwrap().forces(&test)
+            };
+            let (a, b) = (moved(step), moved(-step));
+            let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+            let size = difference.iter().map(|d| d * d).sum::<f64>().sqrt();
+            let off = difference.iter().enumerate().map(|(i, d)| (rows[(p, i)] - d).powi(2)).sum::<f64>().sqrt();
+            assert!(size > 0.0 && off <= 2e-2 * size, "{:?}: off {off} of {size}", unknowns.list[p]);
+        }
+    }
+
     #[test]
     fn derivatives_agree_with_differences() {
         let mut base = Params::new();

@@ -1,0 +1,296 @@
+//! The elements of the series and the hydraulic path: what each one is, seen from outside.
+
+mod common;
+use common::*;
+use dashpot_core::parameter::Params;
+use dashpot_core::step::{Integration, step};
+use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
+use std::f64::consts::TAU;
+
+/// Input and answer at each step.
+fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
+    let (x, v) = motion(0.0);
+    let mut state = model.settled(&Input::motion(x, v));
+    (1..=steps)
+        .map(|i| {
+            let (x, v) = motion(i as f64 * dt);
+            let (next, output) = step(model, &state, &Input::motion(x, v), dt);
+            state = next;
+            (x, v, output)
+        })
+        .collect()
+}
+
+/// The FV curve and these elements alone, the curve straight: 2000 N s/m.
+fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
+    let mut p: Params = params(changes);
+    p.disable_all();
+    for element in ["fv_curve"].iter().chain(elements) {
+        p.enable(element, true).unwrap();
+    }
+    p.set_list("fv_velocity", &[-2.0, 2.0]).unwrap();
+    p.set_list("fv_force", &[-4000.0, 4000.0]).unwrap();
+    Model::new(&p).unwrap()
+}
+
+const C: f64 = 2000.0;
+
+/// First harmonic of the force over velocity amplitude: in phase with velocity, and with displacement.
+fn gain(model: &Model, amplitude: f64, frequency: f64) -> (f64, f64) {
+    let w = TAU * frequency;
+    let n = 1000;
+    let dt = 1.0 / frequency / n as f64;
+    let points = run(model, &sine(amplitude, frequency), dt, 4 * n);
+    let (mut damping, mut stiffness) = (0.0, 0.0);
+    for (x, v, output) in &points[3 * n..] {
+        damping += output.force * v * 2.0 / n as f64;
+        stiffness += output.force * x * 2.0 / n as f64;
+    }
+    (damping / (amplitude * w).powi(2), stiffness / (amplitude * amplitude))
+}
+
+#[test]
+fn oil_makes_the_dashpot_a_maxwell_element() {
+    let k = 1e6;
+    for frequency in [1.0, 10.0, 50.0, 200.0] {
+        let (damping, stiffness) = gain(&straight(&["oil_compressibility"], &[("oil_stiffness", k)]), 1e-3, frequency);
+        let r = TAU * frequency * C / k;
+        assert!((damping - C / (1.0 + r * r)).abs() < 2e-3 * C, "{frequency} Hz: {damping}");
+        assert!((stiffness - k * r * r / (1.0 + r * r)).abs() < 2e-3 * k, "{frequency} Hz: {stiffness}");
+    }
+}
+
+#[test]
+fn air_softens_small_forces_alone() {
+    let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
+    let air = straight(&["aeration"], &[]);
+    let off = |a: f64, frequency: f64| 1.0 - gain(&air, a, frequency).0 / gain(&oil, a, frequency).0;
+    // 0.1 mm at 50 N, 20 mm at 2.5 kN.
+    let (small, large) = (off(1e-4, 40.0), off(2e-2, 10.0));
+    assert!(small > 0.2 && large < 0.05, "{small} {large}");
+}
+
+#[test]
+fn free_play_is_a_dead_band_of_its_length() {
+    let (gap, k, f0) = (4e-4, 3e6, 10.0);
+    let model = {
+        let mut p = params(&[("free_play_gap", gap), ("free_play_force", f0), ("series_stiffness", k)]);
+        p.disable_all();
+        for element in ["free_play", "series_compliance", "parallel_spring"] {
+            p.enable(element, true).unwrap();
+        }
+        p.set("spring_linear", 1e5).unwrap();
+        p.set("spring_quadratic", 0.0).unwrap();
+        Model::new(&p).unwrap()
+    };
+    // Between large forces of both signs the deflection is the spring's and the whole gap.
+    for x in [0.02, 0.05] {
+        let (a, b) = (model.settled(&Input::motion(x, 0.0)), model.settled(&Input::motion(-x, 0.0)));
+        let force = 1e5 * a.mass_displacement;
+        let deflection = (a.displacement - a.mass_displacement) - (b.displacement - b.mass_displacement);
+        let expected = 2.0 * force / k + gap * force / (force + f0);
+        assert!((deflection - expected).abs() < 1e-9, "{deflection} {expected}");
+        assert!((deflection - 2.0 * force / k - gap).abs() < 0.02 * gap);
+    }
+}
+
+#[test]
+fn a_bushing_hardens_and_loses_energy() {
+    let model = with(&["bushing"], &[("bushing_hardening", 1e-3), ("series_stiffness", 1e6)]);
+    let force = |d: f64| {
+        let state = State { mass_displacement: 0.0, ..State::ZERO };
+        let at = Input::motion(d, 0.0);
+        let with = evaluate(&model, &state, &at).0.force;
+        with - evaluate(&model, &State::ZERO, &Input::motion(0.0, 0.0)).0.force
+    };
+    assert!((force(1e-3) - 2e6 * 1e-3).abs() < 1.0 && (force(-1e-3) + 2e6 * 1e-3).abs() < 1.0);
+    assert!((force(1e-5) - 10.0).abs() < 0.01);
+}
+
+#[test]
+fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
+    for (side, sign) in [(0.0, -1.0), (1.0, 1.0)] {
+        for kept in [0.0, 1.0] {
+            let changes = [("cavitation_force", 1000.0), ("cavitation_side", side), ("cavitation_return", kept)];
+            let model = straight(&["cavitation"], &changes);
+            // 1 m/s: 2000 N without the cap.
+            let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), 2e-4, 1600);
+            let most = points.iter().map(|p| sign * p.2.force).fold(0.0, f64::max);
+            assert!(most > 999.0 && most < 1012.0, "{most}");
+            // The void when the stroke turns, from the excess of its speed over the one that the cap drives: 0.5 m/s.
+            let (mut void, mut lost, dt) = (0.0f64, 0.0, 2e-4);
+            // The capped stroke and the one after it.
+            let first = if side == 1.0 { 1 } else { 315 };
+            for (_, v, output) in points.iter().skip(first).take(626) {
+                let (speed, pull) = (sign * v, sign * output.force);
+                if speed > 0.0 {
+                    void = (void + (speed - 0.5) * dt).max(0.0);
+                } else if speed < -0.02 && pull > speed * C + 20.0 {
+                    // The void closes: no force at all, or the cap against the motion.
+                    let held = kept * 1000.0;
+                    assert!((pull - held).abs() < 25.0 || lost > 0.9 * void, "at {v}: {pull}");
+                    lost += (kept * 0.5 - speed) * dt;
+                }
+            }
+            assert!(void > 1e-3 && (lost / void - 1.0).abs() < 0.05, "void {void}, dead stroke {lost}");
+        }
+    }
+    // A cap that is never reached changes nothing.
+    let (free, capped) = (
+        with(&["oil_compressibility"], &[]),
+        with(&["oil_compressibility", "cavitation"], &[("cavitation_force", 1e5)]),
+    );
+    let motion = sine(0.01, 12.0);
+    for (a, b) in
+        step_forces(&free, &motion, 1e-3, 300, false).iter().zip(step_forces(&capped, &motion, 1e-3, 300, false))
+    {
+        assert!((a - b).abs() < 1e-6, "{a} {b}");
+    }
+}
+
+#[test]
+fn position_dependence_is_the_window() {
+    let model = straight(
+        &["position_dependent_damping"],
+        &[("bypass_share", 0.4), ("bypass_half_width", 0.02), ("bypass_blend", 0.002), ("bypass_strokes", 2.0)],
+    );
+    let factor = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(x, v)).0.force / (C * v);
+    assert!((factor(0.0, -0.5) - 0.6).abs() < 1e-6 && (factor(0.05, -0.5) - 1.0).abs() < 1e-6);
+    assert!((factor(0.02, -0.5) - 0.8).abs() < 1e-6 && factor(0.0, 0.5) == 1.0);
+}
+
+#[test]
+fn fade_follows_the_temperature_given_and_the_heat_made() {
+    let a = 0.004;
+    let given = straight(&["temperature_fade"], &[("fade_coefficient", a)]);
+    for temperature in [-30.0, 20.0, 90.0] {
+        let at = Input { temperature, ..Input::motion(0.0, 0.5) };
+        let output = step(&given, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1;
+        assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0) as f64).exp()).abs() < 1e-9);
+        assert_eq!(output.oil_temperature, temperature);
+    }
+    // Constant speed: C dϑ/dt = P − h ϑ with the power of the faded force.
+    let changes = [("fade_source", 1.0), ("fade_coefficient", a), ("heat_capacity", 500.0), ("heat_transfer", 50.0)];
+    let own = straight(&["temperature_fade"], &changes);
+    let (v, dt) = (0.5, 1e-3);
+    let mut state = State { velocity: v, ..own.settled(&Input::motion(0.0, 0.0)) };
+    let (mut rise, mut output) = (0.0f64, Output::ZERO);
+    for i in 1..=5000 {
+        (state, output) = step(&own, &state, &Input::motion(v * dt * i as f64, v), dt);
+        rise += dt * (C * v * v * (-a * rise).exp() - 50.0 * rise) / 500.0;
+    }
+    assert!((output.oil_temperature - 20.0 - rise).abs() < 1e-3 * rise, "{} {rise}", output.oil_temperature);
+    assert!((output.force / (C * v * (-a * rise).exp()) - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn frequency_selective_damping_is_firm_when_slow_and_soft_when_fast() {
+    let (a, tau) = (0.3, 0.05);
+    let filter = straight(&["frequency_selective_damping"], &[("fsd_share", a), ("fsd_time", tau)]);
+    for frequency in [0.5, 2.0, 10.0] {
+        let r = TAU * frequency * tau;
+        let exact = C * (1.0 - a + a / (1.0 + r * r));
+        assert!((gain(&filter, 0.02, frequency).0 / exact - 1.0).abs() < 2e-3, "{frequency} Hz");
+    }
+    // The same peak velocity, 0.3 m/s.
+    let stroke = straight(&["frequency_selective_damping"], &[("fsd_form", 1.0), ("fsd_share", a), ("fsd_time", tau)]);
+    let at = |frequency: f64| gain(&stroke, 0.3 / TAU / frequency, frequency).0 / C;
+    let (slow, fast) = (at(0.2), at(15.0));
+    assert!(slow > 0.95 && fast < 1.0 - 0.8 * a, "{slow} {fast}");
+}
+
+#[test]
+fn a_late_valve_takes_more_while_speed_rises() {
+    for ratio in [1.0, 0.7] {
+        let model = straight(
+            &["valve_hysteresis"],
+            &[
+                ("valve_closing_ratio", ratio),
+                ("valve_time", 3e-3),
+                ("valve_width", 60.0),
+                ("valve_hysteresis_share", 0.2),
+            ],
+        );
+        // Up and down through the opening force, at two rates.
+        let difference = |frequency: f64| {
+            let n = 2000;
+            let amplitude = 0.6 / (TAU * frequency);
+            let points = run(&model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, n);
+            let middle = 0.5 * (600.0 + 600.0 * ratio) / C;
+            let nearest = |range: std::ops::Range<usize>| {
+                let point = |i: &usize| (points[*i].1 - middle).abs();
+                let i = range.min_by(|a, b| point(a).total_cmp(&point(b))).unwrap();
+                points[i].2.force
+            };
+            nearest(0..n / 4) - nearest(n / 4..n / 2)
+        };
+        let (slow, fast) = (difference(0.2), difference(8.0));
+        assert!(fast > 30.0, "{ratio}: {fast}");
+        // Time alone vanishes when slow; a valve that closes at less than it opens keeps a part.
+        assert!(if ratio == 1.0 { slow < 0.1 * fast } else { slow > 20.0 }, "{ratio}: {slow}");
+    }
+}
+
+#[test]
+fn series_elements_without_series_are_refused_and_too_many_states_too() {
+    for element in ["free_play", "bushing"] {
+        let mut p = params(&[]);
+        p.enable(element, true).unwrap();
+        p.enable("series_compliance", false).unwrap();
+        assert_eq!(Model::new(&p).unwrap_err().reason, Reason::NeedsSeries);
+    }
+    let mut p = params(&[("fade_source", 1.0)]);
+    for element in WITH_STATES {
+        p.enable(element, true).unwrap();
+    }
+    assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
+}
+
+/// The settled state is an equilibrium: its rates are zero but for the speed of the mass and what never settles.
+#[test]
+fn settled_states_rest() {
+    for (name, params) in paths() {
+        let model = Model::new(&params).unwrap();
+        for (x, v) in [(0.0, 0.0), (0.02, 0.0), (-0.02, 0.0), (0.01, 0.2), (-0.01, -0.2)] {
+            let input = Input::motion(x, v);
+            let state = model.settled(&input);
+            let rate = evaluate(&model, &state, &input).1;
+            let moving = if params.is_on("series_compliance") { v } else { 0.0 };
+            assert!((rate.mass_displacement - moving).abs() < 1e-9, "{name} at {x} {v}: {rate:?}");
+            assert!(rate.mass_velocity.abs() < 1e-2, "{name} at {x} {v}: {rate:?}");
+            if v == 0.0 {
+                let scale = 1e-6 * (1.0 + state.memory.iter().fold(0.0f64, |m, z| m.max(z.abs())));
+                assert!(rate.memory.iter().all(|r| r.abs() < scale), "{name} at {x} {v}: {rate:?}");
+            }
+        }
+    }
+}
+
+/// A state copied and restored goes on bit for bit, and nothing is lost between the kernel's own step and evaluation.
+#[test]
+fn a_step_ends_where_evaluation_finds_it() {
+    for (name, params) in paths() {
+        for method in METHODS {
+            let model = Model::new(&params).unwrap().with_integration(Integration::fixed(method, 1));
+            let motion = sine(0.01, 5.0);
+            let mut state = model.settled(&Input::motion(-0.01, 0.0));
+            for i in 1..=200 {
+                let (x, v) = motion(i as f64 * 1e-3);
+                let (next, output) = step(&model, &state, &Input::motion(x, v), 1e-3);
+                let again = step(&model, &state, &Input::motion(x, v), 1e-3);
+                assert_eq!((next, output), again);
+                let direct = evaluate(&model, &next, &Input::motion(x, v)).0;
+                let force = output.force.abs().max(100.0);
+                // A void without an oil column has force and closing in one equation, which turns on micrometres.
+                let void = params.is_on("cavitation");
+                assert!(
+                    void || (output.force - direct.force).abs() < 1e-6 * force,
+                    "{name} {method:?} {i}: {} {}",
+                    output.force,
+                    direct.force
+                );
+                state = next;
+            }
+        }
+    }
+}
