@@ -162,14 +162,19 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
+    /// Whether derivatives cost little: one run gives those over all numbers of the model.
+    pub fn is_plain(&self, theta: &[f64]) -> bool {
+        self.cooling(theta).is_none() && self.model(theta).is_some_and(|m| !m.elements().has_extras())
+    }
+
     /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample.
     pub fn jacobian(&self, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let at = self.residual(tests, theta)?;
         let rows = at.len();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (unknowns, values, places) = self.unknowns(theta);
-        // The run's own derivatives know nothing of heating.
-        let plain = self.cooling(theta).is_none();
+        // The run's own derivatives know nothing of heating, and cost more than differences where elements have states.
+        let plain = self.is_plain(theta);
         let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
         if plain {
             let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));

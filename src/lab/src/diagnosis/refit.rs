@@ -18,13 +18,15 @@ pub struct Effort {
     pub steps: usize,
     /// Relative fall of the cost at which it has ended.
     pub tolerance: f64,
+    /// Most times that a known Jacobian is taken anew.
+    pub renewals: usize,
 }
 
 impl Effort {
     /// To compare explanations.
-    pub const COMPARE: Effort = Effort { steps: 12, tolerance: 1e-3 };
+    pub const COMPARE: Effort = Effort { steps: 14, tolerance: 2e-3, renewals: 0 };
     /// For the result.
-    pub const FINE: Effort = Effort { steps: 30, tolerance: 1e-6 };
+    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renewals: 2 };
 }
 
 /// Where a refit ended.
@@ -80,6 +82,8 @@ pub fn refit(
     let mut chi = chi2(&residual);
     let mut cost = chi + prior_cost(hypothesis, &theta);
     let mut fresh = jacobian.is_none();
+    let plain = hypothesis.is_plain(&theta);
+    let mut renewals = if plain { usize::MAX } else { effort.renewals };
     let mut jacobian = match jacobian {
         Some(known) => known,
         None => hypothesis.jacobian(tests, &theta)?,
@@ -148,11 +152,17 @@ pub fn refit(
             cost = tried_cost;
             damping = (damping * 0.2).max(1e-9);
             calm = if fall < effort.tolerance { calm + 1 } else { 0 };
+            if plain && calm == 0 {
+                jacobian = hypothesis.jacobian(tests, &theta)?;
+                fresh = true;
+                continue;
+            }
             if calm > 0 {
-                if fresh || calm > 1 {
+                if fresh || calm > 1 || renewals == 0 {
                     break;
                 }
                 jacobian = hypothesis.jacobian(tests, &theta)?;
+                renewals -= 1;
                 fresh = true;
                 continue;
             }
@@ -161,8 +171,9 @@ pub fn refit(
             if moved.norm() < 1e-7 {
                 break;
             }
-            if !fresh && damping > 1e-2 {
+            if !fresh && damping > 1e-2 && renewals > 0 {
                 jacobian = hypothesis.jacobian(tests, &theta)?;
+                renewals -= 1;
                 fresh = true;
                 damping = 1e-3;
                 continue;

@@ -167,9 +167,7 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
             for k in first..s.start.len() {
                 jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
             }
-            // A start that moved the base stands elsewhere: its Jacobian is its own.
-            let known = (!s.moved).then_some(jacobian);
-            Some((*place, refit(&s.hypothesis, tests, &s.start, known, Effort::COMPARE)?))
+            Some((*place, refit(&s.hypothesis, tests, &s.start, Some(jacobian), Effort::COMPARE)?))
         })
         .collect();
     let base_left_out = left_out(tests, &at);
