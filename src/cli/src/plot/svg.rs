@@ -137,6 +137,12 @@ impl Svg {
         );
     }
 
+    /// A finished document inside this one.
+    pub fn inside(&mut self, corner: Point, document: &str) {
+        let place = format!("<svg x=\"{}\" y=\"{}\" ", px(corner[0]), px(corner[1]));
+        self.body.push_str(&document.replacen("<svg ", &place, 1));
+    }
+
     /// A text.
     pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
         let (class, colour) = if style.faint { ("faint", FAINT_INK) } else { ("ink", INK) };
