@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::TestPoint;
+use crate::draw::Draw;
 
 /// Rest before the motion and after it, s.
 const REST_S: f64 = 0.25;
@@ -10,6 +11,9 @@ const REST_S: f64 = 0.25;
 const SHORTEST_RAMP_S: f64 = 0.3;
 /// Tests slower than this ramp over half a cycle only, Hz: half a cycle takes ten seconds and more.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
+/// Rests and ramps of a brief test: a rest of a quarter cycle within these limits, s.
+const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
+const BRIEF_RAMP_S: f64 = 0.08;
 
 /// The motion of one test.
 #[derive(Debug, Clone)]
@@ -18,8 +22,18 @@ pub struct Drive {
     amplitude: f64,
     omega: f64,
     ramp: f64,
+    rest: f64,
     /// Start and end of the whole cycles at full amplitude.
     full: (f64, f64),
+    road: Option<Road>,
+}
+
+/// Where the motion is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    pub displacement_m: f64,
+    pub velocity_m_s: f64,
+    pub acceleration_m_s2: f64,
 }
 
 impl Drive {
@@ -30,19 +44,37 @@ impl Drive {
         } else {
             period * (SHORTEST_RAMP_S / period).ceil().max(1.0)
         };
-        let start = REST_S + ramp;
+        Self::with(point, REST_S, ramp)
+    }
+
+    /// With rests and ramps as short as they can be: for campaigns in which time is dear.
+    pub fn brief(point: &TestPoint) -> Self {
+        let period = 1.0 / point.frequency_hz;
+        let ramp = if point.frequency_hz < 2.0 * SLOW_FREQUENCY_HZ {
+            0.5 * period
+        } else {
+            period * (BRIEF_RAMP_S / period).ceil().max(1.0)
+        };
+        Self::with(point, (0.25 * period).clamp(BRIEF_REST_S.0, BRIEF_REST_S.1), ramp)
+    }
+
+    fn with(point: &TestPoint, rest: f64, ramp: f64) -> Self {
+        let start = rest + ramp;
+        let end = start + f64::from(point.cycles) / point.frequency_hz;
         Self {
             mean: point.mean_displacement_m,
             amplitude: point.amplitude_m,
             omega: TAU * point.frequency_hz,
             ramp,
-            full: (start, start + f64::from(point.cycles) * period),
+            rest,
+            full: (start, end),
+            road: point.road_seed.map(|seed| Road::new(seed, point, start..end)),
         }
     }
 
     /// Time at which the rig is at rest again for good, s.
     pub fn duration_s(&self) -> f64 {
-        self.full.1 + self.ramp + REST_S
+        self.full.1 + self.ramp + self.rest
     }
 
     /// First and last time of the whole cycles at full amplitude, s. They begin and end at the mean displacement, extending.
@@ -52,28 +84,92 @@ impl Drive {
 
     /// Displacement (m) and velocity (m/s) at a time (s).
     pub fn motion(&self, time: f64) -> (f64, f64) {
+        let motion = self.motion_with_acceleration(time);
+        (motion.displacement_m, motion.velocity_m_s)
+    }
+
+    /// Displacement, velocity and acceleration at a time (s).
+    pub fn motion_with_acceleration(&self, time: f64) -> Motion {
         let (start, end) = self.full;
-        let (envelope, envelope_rate) = if time < start {
-            let (value, slope) = smooth_step((time - (start - self.ramp)) / self.ramp);
-            (value, slope / self.ramp)
+        let (envelope, rate, curvature) = if time < start {
+            let (value, slope, bend) = smooth_step((time - (start - self.ramp)) / self.ramp);
+            (value, slope / self.ramp, bend / (self.ramp * self.ramp))
         } else if time <= end {
-            (1.0, 0.0)
+            (1.0, 0.0, 0.0)
         } else {
-            let (value, slope) = smooth_step((time - end) / self.ramp);
-            (1.0 - value, -slope / self.ramp)
+            let (value, slope, bend) = smooth_step((time - end) / self.ramp);
+            (1.0 - value, -slope / self.ramp, -bend / (self.ramp * self.ramp))
         };
-        let (sin, cos) = (self.omega * (time - start)).sin_cos();
-        (
-            self.mean + self.amplitude * envelope * sin,
-            self.amplitude * (envelope_rate * sin + envelope * self.omega * cos),
-        )
+        let (shape, shape_rate, shape_curvature) = match &self.road {
+            None => {
+                let (sin, cos) = (self.omega * (time - start)).sin_cos();
+                (sin, self.omega * cos, -self.omega * self.omega * sin)
+            }
+            Some(road) => road.shape(time),
+        };
+        Motion {
+            displacement_m: self.mean + self.amplitude * envelope * shape,
+            velocity_m_s: self.amplitude * (rate * shape + envelope * shape_rate),
+            acceleration_m_s2: self.amplitude
+                * (curvature * shape + 2.0 * rate * shape_rate + envelope * shape_curvature),
+        }
     }
 }
 
-/// From 0 to 1 with no jump in velocity or acceleration, and its slope.
-fn smooth_step(share: f64) -> (f64, f64) {
+/// A random motion with the spectrum of wheel travel on a road, relative to the amplitude.
+#[derive(Debug, Clone)]
+struct Road {
+    /// Amplitude, angular frequency and phase of each component.
+    waves: Vec<[f64; 3]>,
+}
+
+impl Road {
+    const WAVES: usize = 24;
+    /// Slowest and fastest component, Hz: body motion to above the wheel's resonance.
+    const BAND_HZ: (f64, f64) = (0.4, 16.0);
+
+    fn new(seed: u64, point: &TestPoint, full: std::ops::Range<f64>) -> Self {
+        let mut draw = Draw::new(seed, "road");
+        let (low, high) = Self::BAND_HZ;
+        let mut waves: Vec<[f64; 3]> = (0..Self::WAVES)
+            .map(|index| {
+                let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
+                let hz = low * (high / low).powf(place);
+                // Body mode, then a plateau of velocity up to the wheel's resonance, then off.
+                let size = hz.powf(-1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
+                [size, TAU * hz, TAU * draw.unit()]
+            })
+            .collect();
+        let road = Self { waves: waves.clone() };
+        let (mut travel, mut velocity) = (0f64, 0f64);
+        for step in 0..4000 {
+            let (x, v, _) = road.shape(full.start + (full.end - full.start) * f64::from(step) / 4000.0);
+            travel = travel.max(x.abs());
+            velocity = velocity.max(v.abs());
+        }
+        let share = (1.0 / travel).min(point.peak_velocity_m_s / (point.amplitude_m * velocity));
+        for wave in &mut waves {
+            wave[0] *= share;
+        }
+        Self { waves }
+    }
+
+    fn shape(&self, time: f64) -> (f64, f64, f64) {
+        self.waves.iter().fold((0.0, 0.0, 0.0), |(x, v, a), [size, omega, phase]| {
+            let (sin, cos) = (omega * time + phase).sin_cos();
+            (x + size * sin, v + size * omega * cos, a - size * omega * omega * sin)
+        })
+    }
+}
+
+/// From 0 to 1 with no jump in velocity or acceleration, its slope and its curvature.
+fn smooth_step(share: f64) -> (f64, f64, f64) {
     let s = share.clamp(0.0, 1.0);
-    (s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * (1.0 - s) * (1.0 - s))
+    (
+        s * s * s * (10.0 + s * (6.0 * s - 15.0)),
+        30.0 * s * s * (1.0 - s) * (1.0 - s),
+        60.0 * s * (1.0 - s) * (1.0 - 2.0 * s),
+    )
 }
 
 #[cfg(test)]

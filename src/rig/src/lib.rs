@@ -22,14 +22,23 @@
 
 pub mod campaign;
 pub mod damper;
+mod draw;
 mod drive;
 mod error;
 mod files;
+mod heat;
+mod hidden;
+mod hidden_case;
 pub mod matrix;
+mod neutral;
+mod plan;
 mod sensors;
 mod solver;
 
 pub use campaign::{Campaign, Options, Record};
 pub use damper::Damper;
 pub use error::RigError;
+pub use hidden::{EFFECTS, NOTHING, UNKNOWN_EFFECTS};
+pub use hidden_case::{CLEAN_FORCE_FILE, HiddenCampaign, HiddenCase, HiddenEffect, SEALED_FOLDER, TRUTH_FILE, Truth};
 pub use matrix::{Matrix, MatrixOptions, TestPoint};
+pub use plan::{CHECK_PREFIX, PLANS, Plan};

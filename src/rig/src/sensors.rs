@@ -1,8 +1,14 @@
-//! What the rig's sensors add to the truth: white Gaussian noise, a stream of its own for every channel of every test.
+//! What the rig's sensors add to the truth: Gaussian noise, a stream of its own for every channel of every test; on the force
+//! also colour, mains hum and the steps of the converter.
+
+use std::f64::consts::TAU;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+
+use crate::draw::fnv1a;
+use crate::{Options, Record};
 
 /// Noise of the load cell's amplifier, standard deviation, N; comes on top of the share of the test's force.
 const FORCE_FLOOR_N: f64 = 0.5;
@@ -12,6 +18,14 @@ const DISPLACEMENT_M: f64 = 2e-6;
 const VELOCITY_SHARE: f64 = 1e-3;
 /// Noise of the side-force cell, standard deviation, N.
 const SIDE_FORCE_N: f64 = 0.5;
+/// Noise of the temperature sensor, standard deviation, K.
+const TEMPERATURE_K: f64 = 0.1;
+/// Mains frequency, Hz.
+const HUM_HZ: f64 = 50.0;
+/// Ranges of usual load cells, N.
+const RANGES_N: [f64; 8] = [500.0, 1e3, 2e3, 5e3, 10e3, 20e3, 50e3, 100e3];
+/// A cell is chosen with this reserve above the largest force.
+const RESERVE: f64 = 1.2;
 
 /// A measured channel. The numbers choose the random stream: never reuse one.
 #[derive(Debug, Clone, Copy)]
@@ -20,44 +34,76 @@ pub enum Channel {
     Velocity = 2,
     Force = 3,
     SideForce = 4,
+    Temperature = 5,
 }
 
 /// The sensors during one test.
 #[derive(Debug, Clone)]
 pub struct Sensors<'a> {
-    seed: u64,
+    options: &'a Options,
     test: &'a str,
-    noise_percent: f64,
 }
 
 impl<'a> Sensors<'a> {
-    /// Sensors of the campaign `seed` in the test named `test`. With `noise_percent` 0 they are ideal, all of them.
-    pub fn new(seed: u64, test: &'a str, noise_percent: f64) -> Self {
-        Self { seed, test, noise_percent }
+    /// Sensors of a campaign in the test named `test`. With `noise_percent` 0 none of them has noise.
+    pub fn new(options: &'a Options, test: &'a str) -> Self {
+        Self { options, test }
     }
 
-    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's.
-    pub fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
-        self.disturb(Channel::Force, 0.01 * self.noise_percent * rms_n + FORCE_FLOOR_N, force_n);
+    /// Disturbs all channels. `full_cycles_s` is counted from the record's first sample, whose time is `start_s`; `peak_n`
+    /// is the largest force of the campaign.
+    pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
+        let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
+        self.disturb_force(rms_n, &mut record.force_n);
+        self.hum(&record.time_s, &mut record.force_n);
+        self.round(peak_n, &mut record.force_n);
+        self.disturb(Channel::Displacement, DISPLACEMENT_M, &mut record.displacement_m);
+        self.disturb(Channel::Velocity, VELOCITY_SHARE * record.point.peak_velocity_m_s, &mut record.velocity_m_s);
+        if let Some(side_force_n) = &mut record.side_force_n {
+            self.disturb(Channel::SideForce, SIDE_FORCE_N, side_force_n);
+        }
+        if let Some(temperature_c) = &mut record.temperature_c {
+            self.disturb(Channel::Temperature, TEMPERATURE_K, temperature_c);
+        }
     }
 
-    /// Adds the side-force cell's noise.
-    pub fn disturb_side_force(&self, side_force_n: &mut [f64]) {
-        self.disturb(Channel::SideForce, SIDE_FORCE_N, side_force_n);
+    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's, in the colour asked for.
+    fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
+        let deviation = 0.01 * self.options.noise_percent * rms_n + FORCE_FLOOR_N;
+        let colour = self.options.noise_colour;
+        if self.options.noise_percent == 0.0 || colour == 0.0 {
+            return self.disturb(Channel::Force, deviation, force_n);
+        }
+        let mut stream = self.stream(Channel::Force);
+        // Stationary from the first sample on.
+        let fresh = (1.0 - colour * colour).sqrt();
+        let mut last: f64 = StandardNormal.sample(&mut stream);
+        for value in force_n {
+            *value += deviation * last;
+            let unit: f64 = StandardNormal.sample(&mut stream);
+            last = colour * last + fresh * unit;
+        }
     }
 
-    /// Adds the displacement transducer's noise.
-    pub fn disturb_displacement(&self, displacement_m: &mut [f64]) {
-        self.disturb(Channel::Displacement, DISPLACEMENT_M, displacement_m);
+    fn hum(&self, time_s: &[f64], force_n: &mut [f64]) {
+        let phase = (fnv1a(self.test.as_bytes()) % 1000) as f64 / 1000.0;
+        for (force, time) in force_n.iter_mut().zip(time_s) {
+            *force += self.options.hum_n * (TAU * (HUM_HZ * time + phase)).sin();
+        }
     }
 
-    /// Adds the velocity channel's noise.
-    pub fn disturb_velocity(&self, peak_m_s: f64, velocity_m_s: &mut [f64]) {
-        self.disturb(Channel::Velocity, VELOCITY_SHARE * peak_m_s, velocity_m_s);
+    fn round(&self, peak_n: f64, force_n: &mut [f64]) {
+        let Some(bits) = self.options.bits else {
+            return;
+        };
+        let step = converter_step_n(bits, peak_n);
+        for force in force_n {
+            *force = step * (*force / step).round();
+        }
     }
 
     fn disturb(&self, channel: Channel, deviation: f64, values: &mut [f64]) {
-        if self.noise_percent == 0.0 {
+        if self.options.noise_percent == 0.0 {
             return;
         }
         let mut stream = self.stream(channel);
@@ -70,7 +116,7 @@ impl<'a> Sensors<'a> {
     /// Depends on campaign, test name and channel only, so neither the order of the tests nor the threads matter.
     fn stream(&self, channel: Channel) -> ChaCha8Rng {
         let mut key = [0; 32];
-        key[..8].copy_from_slice(&self.seed.to_le_bytes());
+        key[..8].copy_from_slice(&self.options.seed.to_le_bytes());
         key[8..16].copy_from_slice(&fnv1a(self.test.as_bytes()).to_le_bytes());
         let mut stream = ChaCha8Rng::from_seed(key);
         stream.set_stream(channel as u64);
@@ -78,9 +124,26 @@ impl<'a> Sensors<'a> {
     }
 }
 
-/// FNV-1a: unlike the standard library's hash, the same in every release.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
+/// Smallest step of the force channel, N: the range in both directions over the steps.
+fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
+    let wanted = RESERVE * peak_n;
+    let range = RANGES_N.into_iter().find(|range| *range >= wanted).unwrap_or(wanted);
+    2.0 * range / f64::from(bits).exp2()
+}
+
+impl Record {
+    /// Rms of the force without noise over the cycles at full amplitude, N; rest and ramps do not count. A test too short
+    /// for its cycles counts whole.
+    pub(crate) fn rms_n(&self, (start, end): (f64, f64)) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (time, force) in self.time_s.iter().zip(&self.clean_force_n) {
+            if (start..=end).contains(time) {
+                sum += force * force;
+                count += 1.0;
+            }
+        }
+        if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
+    }
 }
 
 #[cfg(test)]
@@ -90,8 +153,12 @@ mod tests {
     const COUNT: usize = 20_000;
 
     fn force_noise(seed: u64, test: &str, percent: f64) -> Vec<f64> {
+        disturbed(&Options { seed, noise_percent: percent, ..Options::default() }, test)
+    }
+
+    fn disturbed(options: &Options, test: &str) -> Vec<f64> {
         let mut values = vec![0.0; COUNT];
-        Sensors::new(seed, test, percent).disturb_force(1000.0, &mut values);
+        Sensors::new(options, test).disturb_force(1000.0, &mut values);
         values
     }
 
@@ -116,7 +183,8 @@ mod tests {
         let reference = force_noise(1, "a", 1.0);
         assert_eq!(reference, force_noise(1, "a", 1.0));
         let mut displacement = vec![0.0; COUNT];
-        Sensors::new(1, "a", 1.0).disturb_displacement(&mut displacement);
+        let options = Options { seed: 1, ..Options::default() };
+        Sensors::new(&options, "a").disturb(Channel::Displacement, DISPLACEMENT_M, &mut displacement);
         for other in [force_noise(2, "a", 1.0), force_noise(1, "b", 1.0), displacement] {
             assert!(correlation(&reference, &other).abs() < 4.0 / (COUNT as f64).sqrt());
         }
@@ -125,5 +193,49 @@ mod tests {
     #[test]
     fn no_noise_means_ideal_sensors() {
         assert!(force_noise(1, "a", 0.0).iter().all(|value| *value == 0.0));
+    }
+
+    #[test]
+    fn coloured_noise_keeps_its_deviation_and_has_the_stated_correlation() {
+        for colour in [0.5, 0.9] {
+            let noise = disturbed(&Options { noise_percent: 2.0, noise_colour: colour, ..Options::default() }, "a");
+            let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
+            // Correlated samples count for (1 - r) / (1 + r) of their number.
+            let effective = COUNT as f64 * (1.0 - colour) / (1.0 + colour);
+            assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * effective).sqrt(), "{colour}: {deviation}");
+            for lag in [1, 2, 5] {
+                let expected = colour.powi(lag as i32);
+                let found = correlation(&noise[lag..], &noise[..COUNT - lag]);
+                assert!((found - expected).abs() < 4.0 / effective.sqrt(), "{colour}, lag {lag}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn hum_has_mains_frequency_and_its_amplitude() {
+        let options = Options { noise_percent: 0.0, hum_n: 3.0, ..Options::default() };
+        let time: Vec<f64> = (0..1000).map(|i| 100.0 + f64::from(i) * 1e-3).collect();
+        let mut force = vec![0.0; 1000];
+        Sensors::new(&options, "a").hum(&time, &mut force);
+        let part = |shift: f64| {
+            2.0 / 1000.0 * time.iter().zip(&force).map(|(t, f)| f * (TAU * 50.0 * t + shift).sin()).sum::<f64>()
+        };
+        assert!((part(0.0).hypot(part(TAU / 4.0)) - 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn rounding_is_to_whole_steps_and_uniform_between_them() {
+        // 12 bits over +-5 kN, the smallest range with reserve above 3 kN.
+        let step = converter_step_n(12, 3000.0);
+        assert!((step - 10_000.0 / 4096.0).abs() < 1e-12);
+        let options = Options { noise_percent: 0.0, bits: Some(12), ..Options::default() };
+        let exact: Vec<f64> = (0..COUNT).map(|i| 3000.0 * (i as f64 * 0.618_034).sin()).collect();
+        let mut rounded = exact.clone();
+        Sensors::new(&options, "a").round(3000.0, &mut rounded);
+        let errors: Vec<f64> = exact.iter().zip(&rounded).map(|(a, b)| b - a).collect();
+        assert!(rounded.iter().all(|value| ((value / step) - (value / step).round()).abs() < 1e-9));
+        assert!(errors.iter().all(|error| error.abs() <= 0.5 * step + 1e-9));
+        let deviation = (errors.iter().map(|e| e * e).sum::<f64>() / COUNT as f64).sqrt();
+        assert!((deviation * 12f64.sqrt() / step - 1.0).abs() < 0.03, "{deviation}");
     }
 }

@@ -1,14 +1,19 @@
 //! `dashpot rig`: a campaign measured on the virtual rig.
 
 use crate::progress::Progress;
-use dashpot_rig::{Campaign, Matrix, Options};
+use anyhow::{Context as _, bail};
+use dashpot_rig::{Campaign, EFFECTS, HiddenCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
 use std::path::PathBuf;
 
 /// Measure a campaign on the virtual rig: a physical damper that shares nothing with the model
 ///
-/// Two compressible oil chambers, bleed and blow-off valves, a gas chamber behind a floating piston, bristle friction.
+/// Two compressible oil chambers, bleed and blow-off valves, a gas chamber behind a floating piston, bristle friction. With
+/// `--hide`, a neutral damper instead, of the model's own topology, in which physical effects are hidden; what they are is
+/// written beside the records, in `sealed/truth.toml`.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot rig -o campaign --seed 7 --noise 0.5 --matrix matrix.csv")]
+#[command(
+    after_help = "Examples:\n  dashpot rig -o campaign --seed 7 --noise 0.5 --matrix matrix.csv\n  dashpot rig -o riddle --seed 3 --noise 2 --hide cavitation,free_play=0.5 --plan diagnosis\n  dashpot rig -o neutral --seed 3 --hide nothing"
+)]
 pub struct Args {
     /// Folder for the records, one CSV per test
     #[arg(short, long, value_name = "DIR")]
@@ -25,19 +30,101 @@ pub struct Args {
     /// Samples per second; chosen by frequency if not given
     #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     sample_rate: Option<f64>,
+    #[arg(long, value_name = "NAME[=STRENGTH]", value_delimiter = ',', long_help = hide_help(),
+        help = "Hide an effect in a neutral damper; several with commas or by repeating; 'nothing' for none")]
+    hide: Vec<String>,
+    #[arg(long, value_name = "NAME", conflicts_with = "matrix", help = plan_help())]
+    plan: Option<String>,
+    /// Correlation of the force noise from one sample to the next; 0 is white
+    #[arg(long, value_name = "R", default_value_t = 0.0, allow_negative_numbers = true)]
+    noise_colour: f64,
+    /// Amplitude of mains hum on the force, N
+    #[arg(long, value_name = "N", default_value_t = 0.0, allow_negative_numbers = true)]
+    hum: f64,
+    /// Bits of the force channel's converter; not rounded if not given
+    #[arg(long, value_name = "N")]
+    bits: Option<u32>,
+    /// Leave the side force out of the records
+    #[arg(long)]
+    no_side_force: bool,
+    /// Leave the temperature of the damper's body out of the records
+    #[arg(long)]
+    no_temperature: bool,
+    /// Temperature of the damper before the first test, °C; that of the laboratory, 22 °C, if not given
+    #[arg(long, value_name = "C", allow_negative_numbers = true, requires = "hide")]
+    start_temperature: Option<f64>,
+    /// Another order of the plan's tests, hence another thermal history
+    #[arg(long, value_name = "N", requires = "hide")]
+    order: Option<u64>,
+}
+
+fn hide_help() -> String {
+    format!(
+        "Hide an effect in a neutral damper; several with commas or by repeating; '{NOTHING}' for none. Strength 1, if not \
+         given, is a typical strong case, 0 leaves the damper as it is. NAME:FORM asks for one physical form; otherwise the \
+         seed chooses.\n\nEffects: {}.\n\nIn no catalogue: {}.",
+        EFFECTS.join(", "),
+        UNKNOWN_EFFECTS.join(", ")
+    )
+}
+
+fn plan_help() -> String {
+    format!("Tests: one of {}; with --hide, diagnosis if not given", PLANS.join(", "))
 }
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    let matrix = match &args.matrix {
-        Some(file) => Matrix::read(file)?,
-        None => Matrix::default(),
+    let options = Options {
+        seed: args.seed,
+        noise_percent: args.noise,
+        sample_rate_hz: args.sample_rate,
+        noise_colour: args.noise_colour,
+        hum_n: args.hum,
+        bits: args.bits,
+        side_force_channel: !args.no_side_force,
+        temperature_channel: !args.no_temperature,
+        start_temperature_c: args.start_temperature,
+        order: args.order,
+        ..Options::default()
     };
-    let options =
-        Options { seed: args.seed, noise_percent: args.noise, sample_rate_hz: args.sample_rate, ..Options::default() };
+    let plan = args.plan.as_deref().map(Plan::named).transpose()?;
+    let matrix = args.matrix.as_deref().map(Matrix::read).transpose()?;
+    let order = args.order.unwrap_or(args.seed);
     let progress = Progress::new("measuring");
-    let campaign = Campaign::run(&matrix, &options, |done, total| progress.count(done, total))?;
-    campaign.write(&args.output)?;
+    let tests = if args.hide.is_empty() {
+        let matrix = matrix.or_else(|| plan.map(|plan| plan.matrix(order))).unwrap_or_default();
+        let campaign = Campaign::run(&matrix, &options, |done, total| progress.count(done, total))?;
+        campaign.write(&args.output)?;
+        campaign.records.len()
+    } else {
+        let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
+        let case = HiddenCase { effects: effects(&args.hide)?, plan: Plan::default(), options };
+        let outcome = case.run_matrix(&matrix, |done, total| progress.count(done, total))?;
+        outcome.write(&args.output)?;
+        outcome.campaign.records.len()
+    };
     drop(progress);
-    super::output::say(None, &format!("{} tests in {}", campaign.records.len(), args.output.display()))
+    super::output::say(None, &format!("{tests} tests in {}", args.output.display()))
+}
+
+/// Names and strengths; `nothing` must stand alone.
+fn effects(texts: &[String]) -> anyhow::Result<Vec<(String, f64)>> {
+    if texts.iter().any(|text| text == NOTHING) {
+        if texts.len() > 1 {
+            bail!("option hide: '{NOTHING}' stands beside an effect; give one or the other");
+        }
+        return Ok(Vec::new());
+    }
+    texts
+        .iter()
+        .map(|text| {
+            let Some((name, strength)) = text.split_once('=') else {
+                return Ok((text.clone(), 1.0));
+            };
+            let strength = strength
+                .parse()
+                .with_context(|| format!("option hide: '{strength}' is no strength of '{name}'; give a number"))?;
+            Ok((name.to_owned(), strength))
+        })
+        .collect()
 }

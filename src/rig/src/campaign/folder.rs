@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::{Campaign, Record};
 use crate::RigError;
 use crate::files::{replace_file, write_file};
+use crate::hidden_case::SEALED_FOLDER;
 
 /// Name of the description; it marks a folder as a campaign.
 pub const CAMPAIGN_FILE: &str = "campaign.toml";
@@ -23,7 +24,8 @@ const UNFINISHED: &str = ".unfinished-campaign";
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
-    seed: u64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    seed: Option<u64>,
     noise_percent: f64,
     channels: Vec<String>,
     signs: String,
@@ -57,6 +59,8 @@ impl Campaign {
         fs::create_dir_all(folder).map_err(RigError::io("make the folder", folder))?;
         let aside = folder.join(UNFINISHED);
         remove_folder(&aside)?;
+        // The truth of an earlier campaign is none of this one.
+        remove_folder(&folder.join(SEALED_FOLDER))?;
         fs::create_dir(&aside).map_err(RigError::io("make the folder", &aside))?;
         let outcome = self.write_by_way_of(folder, &aside, &earlier);
         let cleared = remove_folder(&aside);
@@ -99,11 +103,14 @@ impl Campaign {
         if self.records.iter().any(|record| record.side_force_n.is_some()) {
             channels.push("side_force_N");
         }
+        if self.records.iter().any(|record| record.temperature_c.is_some()) {
+            channels.push("temperature_C");
+        }
         // Six decimals are a nanometre; more would only show the binary representation.
         let tidy = |value: f64| (value * 1e6).round() / 1e6;
         Description {
             format: FORMAT.into(),
-            seed: self.options.seed,
+            seed: (!self.sealed).then_some(self.options.seed),
             noise_percent: self.options.noise_percent,
             channels: channels.into_iter().map(str::to_owned).collect(),
             signs: "extension (rebound) displacement and velocity positive, tension force positive".into(),
@@ -134,12 +141,17 @@ impl Record {
     /// Decimals are a tenth or less of the sensors' noise.
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
+        let temperature = self.temperature_c.as_deref();
         out.write_all(b"time_s,displacement_m,velocity_m_s,force_N")?;
-        out.write_all(if side.is_some() { b",side_force_N\n" } else { b"\n" })?;
+        out.write_all(if side.is_some() { b",side_force_N" } else { b"" })?;
+        out.write_all(if temperature.is_some() { b",temperature_C\n" } else { b"\n" })?;
         for (i, time) in self.time_s.iter().enumerate() {
             write!(out, "{time:.6},{:.7},{:.7},{:.3}", self.displacement_m[i], self.velocity_m_s[i], self.force_n[i])?;
             if let Some(side) = side {
                 write!(out, ",{:.2}", side[i])?;
+            }
+            if let Some(temperature) = temperature {
+                write!(out, ",{:.2}", temperature[i])?;
             }
             out.write_all(b"\n")?;
         }
@@ -312,7 +324,7 @@ mod tests {
         campaign.write(folder.path()).unwrap();
         let text = fs::read_to_string(folder.path().join(CAMPAIGN_FILE)).unwrap();
         let description: Description = toml::from_str(&text).unwrap();
-        assert_eq!((description.seed, description.noise_percent), (3, 1.0));
+        assert_eq!((description.seed, description.noise_percent), (Some(3), 1.0));
         assert_eq!(description.test.len(), 2);
         assert_eq!(description.test[1].samples as usize, campaign.records[1].time_s.len());
         for word in ["bulk", "preload", "seal", "friction", "gas", "valve"] {

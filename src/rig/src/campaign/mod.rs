@@ -3,6 +3,8 @@
 mod folder;
 mod run;
 
+pub(crate) use run::check;
+
 pub use folder::CAMPAIGN_FILE;
 pub use run::{HIGHEST_DEFAULT_RATE_HZ, LOWEST_DEFAULT_RATE_HZ, SAMPLES_PER_CYCLE, default_sample_rate_hz};
 
@@ -19,13 +21,42 @@ pub struct Options {
     pub noise_percent: f64,
     /// Samples per second of every test, Hz; `None` chooses by frequency ([`default_sample_rate_hz`]).
     pub sample_rate_hz: Option<f64>,
+    /// Colour of the load cell's noise: correlation from one sample to the next (first-order autoregressive), 0 is white.
+    /// The standard deviation does not depend on it.
+    pub noise_colour: f64,
+    /// Amplitude of mains hum (50 Hz) on the force, N.
+    pub hum_n: f64,
+    /// Bits of the force channel's converter, over the smallest usual range that holds the campaign's largest force;
+    /// `None` does not round.
+    pub bits: Option<u32>,
+    /// Whether the side force is recorded where it is applied.
+    pub side_force_channel: bool,
+    /// Whether the temperature of the damper's body is recorded. Only campaigns with hidden effects know it.
+    pub temperature_channel: bool,
+    /// Temperature of the damper at the start, °C; `None` is that of the laboratory. Only campaigns with hidden effects
+    /// know it.
+    pub start_temperature_c: Option<f64>,
+    /// Shuffles a plan; `None` takes the seed.
+    pub order: Option<u64>,
     /// Worker threads; `None` takes what the machine has. The result does not depend on it.
     pub threads: Option<usize>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { seed: 0, noise_percent: 1.0, sample_rate_hz: None, threads: None }
+        Self {
+            seed: 0,
+            noise_percent: 1.0,
+            sample_rate_hz: None,
+            noise_colour: 0.0,
+            hum_n: 0.0,
+            bits: None,
+            side_force_channel: true,
+            temperature_channel: true,
+            start_temperature_c: None,
+            order: None,
+            threads: None,
+        }
     }
 }
 
@@ -36,6 +67,8 @@ pub struct Campaign {
     pub options: Options,
     /// One record per test, in the order of the matrix.
     pub records: Vec<Record>,
+    /// Whether the description is to keep the seed to itself, because the truth is sealed.
+    pub sealed: bool,
 }
 
 /// What was measured in one test, from rest to rest. All channels have the same length.
@@ -45,7 +78,7 @@ pub struct Record {
     pub point: TestPoint,
     /// Samples per second, Hz.
     pub sample_rate_hz: f64,
-    /// Time since the start of the record, s.
+    /// Time, s: since the start of the record, or on the campaign's clock where effects are hidden.
     pub time_s: Vec<f64>,
     /// Extension from mid-stroke, m.
     pub displacement_m: Vec<f64>,
@@ -55,4 +88,25 @@ pub struct Record {
     pub force_n: Vec<f64>,
     /// Side force on the rod, N; absent when no test of the campaign has one.
     pub side_force_n: Option<Vec<f64>>,
+    /// Temperature of the damper's body, °C, where it is recorded.
+    pub temperature_c: Option<Vec<f64>>,
+    /// The force without noise, hum and rounding, N; never in a record's file.
+    pub clean_force_n: Vec<f64>,
+}
+
+impl Record {
+    /// A record with room for its samples.
+    pub(crate) fn empty(point: &TestPoint, sample_rate_hz: f64, count: usize) -> Self {
+        Self {
+            point: point.clone(),
+            sample_rate_hz,
+            time_s: Vec::with_capacity(count),
+            displacement_m: Vec::with_capacity(count),
+            velocity_m_s: Vec::with_capacity(count),
+            force_n: Vec::with_capacity(count),
+            side_force_n: None,
+            temperature_c: None,
+            clean_force_n: Vec::new(),
+        }
+    }
 }

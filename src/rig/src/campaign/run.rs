@@ -29,6 +29,15 @@ const LEAST_PER_CYCLE: f64 = 8.0;
 /// Most noise that still leaves something to measure, percent.
 const NOISE_LIMIT_PERCENT: f64 = 100.0;
 
+/// Strongest colour of noise: correlation from sample to sample.
+const COLOUR_LIMIT: f64 = 0.99;
+/// Strongest hum, N.
+const HUM_LIMIT_N: f64 = 1000.0;
+/// Resolutions of a force channel.
+const BITS: std::ops::RangeInclusive<u32> = 8..=24;
+/// Temperatures at which a damper is tested, °C.
+const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
+
 /// The sample rate for a test when none is asked for: 400 samples per cycle, rounded up to a usual rate, within 20 to
 /// 1000 Hz. A slow test is thus sampled finely enough for its break-away, and a fast one as a usual logger does.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
@@ -68,7 +77,7 @@ impl Campaign {
             })?;
         let total = matrix.points().len();
         let done = AtomicUsize::new(0);
-        let with_side_force = matrix.has_side_force();
+        let with_side_force = matrix.has_side_force() && options.side_force_channel;
         let records: Vec<Result<Record, RigError>> = pool.install(|| {
             matrix
                 .points()
@@ -82,15 +91,21 @@ impl Campaign {
                 })
                 .collect()
         });
-        Ok(Self {
-            options: options.clone(),
-            // Collected first, so that of several faults always the same one is reported.
-            records: records.into_iter().collect::<Result<_, _>>()?,
-        })
+        // Collected first, so that of several faults always the same one is reported.
+        let mut records: Vec<Record> = records.into_iter().collect::<Result<_, _>>()?;
+        let peak = records.iter().flat_map(|record| &record.clean_force_n).fold(0f64, |peak, n| peak.max(n.abs()));
+        pool.install(|| {
+            records.par_iter_mut().for_each(|record| {
+                let full_cycles = Drive::new(&record.point).full_cycles_s();
+                let name = record.point.name.clone();
+                Sensors::new(options, &name).disturb_record(record, full_cycles, 0.0, peak);
+            });
+        });
+        Ok(Self { options: options.clone(), records, sealed: false })
     }
 }
 
-fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
+pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
     let fail = |option, problem| Err(RigError::Option { option, problem });
     let noise = options.noise_percent;
     if !(0.0..=NOISE_LIMIT_PERCENT).contains(&noise) {
@@ -102,6 +117,19 @@ fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> {
     }
     if options.threads == Some(0) {
         return fail("threads", "0 threads; give at least 1".into());
+    }
+    if !(0.0..=COLOUR_LIMIT).contains(&options.noise_colour) {
+        return fail("noise colour", format!("{}; give 0 (white) to {COLOUR_LIMIT}", options.noise_colour));
+    }
+    if !(0.0..=HUM_LIMIT_N).contains(&options.hum_n) {
+        return fail("hum", format!("{} N; give 0 to {HUM_LIMIT_N} N", options.hum_n));
+    }
+    if let Some(bits) = options.bits.filter(|bits| !BITS.contains(bits)) {
+        return fail("bits", format!("{bits} bits; give {} to {}", BITS.start(), BITS.end()));
+    }
+    if let Some(celsius) = options.start_temperature_c.filter(|celsius| !TEMPERATURES_C.contains(celsius)) {
+        let (low, high) = (TEMPERATURES_C.start(), TEMPERATURES_C.end());
+        return fail("start temperature", format!("{celsius} °C; give {low} to {high} °C"));
     }
     let Some(rate) = options.sample_rate_hz else {
         return Ok(());
@@ -143,15 +171,8 @@ fn measure(damper: &Damper, point: &TestPoint, options: &Options, with_side_forc
     };
     let sample_rate_hz = options.sample_rate_hz.unwrap_or_else(|| default_sample_rate_hz(point.frequency_hz));
     let count = (drive.duration_s() * sample_rate_hz).floor() as usize + 1;
-    let mut record = Record {
-        point: point.clone(),
-        sample_rate_hz,
-        time_s: Vec::with_capacity(count),
-        displacement_m: Vec::with_capacity(count),
-        velocity_m_s: Vec::with_capacity(count),
-        force_n: Vec::with_capacity(count),
-        side_force_n: with_side_force.then(|| vec![point.side_force_n; count]),
-    };
+    let mut record = Record::empty(point, sample_rate_hz, count);
+    record.side_force_n = with_side_force.then(|| vec![point.side_force_n; count]);
 
     let mut motion = Integrator::new(
         |time, state: &State| damper.rates(state, &excitation(time)),
@@ -173,27 +194,8 @@ fn measure(damper: &Damper, point: &TestPoint, options: &Options, with_side_forc
         record.force_n.push(damper.force_n(motion.state()));
     }
 
-    let rms_n = rms_of_full_cycles(&record, drive.full_cycles_s());
-    let sensors = Sensors::new(options.seed, &point.name, options.noise_percent);
-    sensors.disturb_force(rms_n, &mut record.force_n);
-    sensors.disturb_displacement(&mut record.displacement_m);
-    sensors.disturb_velocity(point.peak_velocity_m_s, &mut record.velocity_m_s);
-    if let Some(side_force_n) = &mut record.side_force_n {
-        sensors.disturb_side_force(side_force_n);
-    }
+    record.clean_force_n.clone_from(&record.force_n);
     Ok(record)
-}
-
-/// Rms of the force over the cycles at full amplitude, N; rest and ramps do not count.
-fn rms_of_full_cycles(record: &Record, (start, end): (f64, f64)) -> f64 {
-    let (mut sum, mut count) = (0.0, 0.0);
-    for (time, force) in record.time_s.iter().zip(&record.force_n) {
-        if (start..=end).contains(time) {
-            sum += force * force;
-            count += 1.0;
-        }
-    }
-    if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -235,7 +237,7 @@ mod tests {
             let deviation = |a: &[f64], b: &[f64]| {
                 (a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64).sqrt()
             };
-            let rms = rms_of_full_cycles(clean, Drive::new(&clean.point).full_cycles_s());
+            let rms = clean.rms_n(Drive::new(&clean.point).full_cycles_s());
             for (measured, stated) in [
                 (deviation(&clean.force_n, &noisy.force_n), 0.02 * rms + 0.5),
                 (deviation(&clean.displacement_m, &noisy.displacement_m), 2e-6),

@@ -172,6 +172,7 @@ mod tests {
             mean_displacement_m: 0.0,
             side_force_n: 0.0,
             cycles: default_cycles(frequency_hz),
+            road_seed: None,
         }
     }
 

@@ -1,4 +1,4 @@
-//! One test: a sine at constant amplitude and frequency.
+//! One test: a sine at constant amplitude and frequency, or a road-like random motion.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ const CYCLES_LIMIT: u32 = 1000;
 /// Relative difference allowed between the stated peak velocity and 2 pi A f: room for rounded figures in a matrix file.
 const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 
-/// One sine test.
+/// One test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TestPoint {
     /// Name, unique in the matrix; also the record's file name without `.csv`.
@@ -39,6 +39,9 @@ pub struct TestPoint {
     pub side_force_n: f64,
     /// Whole cycles at full amplitude.
     pub cycles: u32,
+    /// Chooses a road-like random motion in place of the sine; `amplitude_m` and `peak_velocity_m_s` are then limits of
+    /// which one is reached, and the motion lasts as long as the sine would.
+    pub road_seed: Option<u64>,
 }
 
 /// Why a test point is refused: the field and the reason.
@@ -62,6 +65,7 @@ impl TestPoint {
             mean_displacement_m: 0.0,
             side_force_n: 0.0,
             cycles: default_cycles(frequency_hz),
+            road_seed: None,
         }
     }
 

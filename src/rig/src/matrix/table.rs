@@ -253,6 +253,7 @@ impl Row<'_> {
             mean_displacement_m: self.number(MEAN_DISPLACEMENT)?.unwrap_or(0.0) * 1e-3,
             side_force_n: self.number(SIDE_FORCE)?.unwrap_or(0.0),
             cycles,
+            road_seed: None,
         };
         point.check().map_err(|fault| self.fault(fault.column, fault.problem))?;
         // Amplitude and frequency rule; the stated peak velocity may be rounded.

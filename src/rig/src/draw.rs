@@ -1,0 +1,71 @@
+//! Random draws that keep a list of what was drawn, so that the truth of a case can be written down.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+/// A random stream of its own for one purpose of one seed.
+#[derive(Debug, Clone)]
+pub(crate) struct Draw {
+    stream: ChaCha8Rng,
+    /// Names (with unit) and values, in the order drawn.
+    pub drawn: Vec<(String, f64)>,
+}
+
+impl Draw {
+    /// The stream depends on seed and purpose only: what else is drawn in a case changes nothing here.
+    pub fn new(seed: u64, purpose: &str) -> Self {
+        let mut key = [0; 32];
+        key[..8].copy_from_slice(&seed.to_le_bytes());
+        key[8..16].copy_from_slice(&fnv1a(purpose.as_bytes()).to_le_bytes());
+        key[16] = 0x5d;
+        Self { stream: ChaCha8Rng::from_seed(key), drawn: Vec::new() }
+    }
+
+    /// Uniform in 0..1; not listed.
+    pub fn unit(&mut self) -> f64 {
+        (self.stream.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Uniform between two values.
+    pub fn between(&mut self, name: &str, low: f64, high: f64) -> f64 {
+        let value = low + (high - low) * self.unit();
+        self.drawn.push((name.into(), value));
+        value
+    }
+
+    /// Between two positive values, every octave equally likely.
+    pub fn ratio(&mut self, name: &str, low: f64, high: f64) -> f64 {
+        let value = low * (high / low).powf(self.unit());
+        self.drawn.push((name.into(), value));
+        value
+    }
+
+    /// One of `count`, all equally likely; not listed.
+    pub fn choice(&mut self, count: usize) -> usize {
+        ((self.unit() * count as f64) as usize).min(count - 1)
+    }
+}
+
+/// FNV-1a: unlike the standard library's hash, the same in every release.
+pub(crate) fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn streams_repeat_differ_and_stay_in_range() {
+        let draw = |seed, purpose| {
+            let mut draw = Draw::new(seed, purpose);
+            (0..200).map(|_| draw.ratio("x", 0.1, 10.0)).collect::<Vec<_>>()
+        };
+        assert_eq!(draw(1, "a"), draw(1, "a"));
+        assert_ne!(draw(1, "a"), draw(1, "b"));
+        assert_ne!(draw(1, "a"), draw(2, "a"));
+        assert!(draw(1, "a").iter().all(|x| (0.1..=10.0).contains(x)));
+        let below = draw(1, "a").iter().filter(|x| **x < 1.0).count();
+        assert!((70..=130).contains(&below), "{below}");
+    }
+}

@@ -1,0 +1,77 @@
+//! Air in the oil: soft while the pressure is low, hardly felt when it is high.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["entrained_in_rebound_chamber", "dissolving_foam"];
+
+struct Aeration {
+    form: usize,
+    /// Compliance of the air at the pressure of rest, m/N.
+    soft_m_n: f64,
+    /// Force of the pressure of rest on the piston, N.
+    rest_n: f64,
+    /// Exponent of the bubbles' compression.
+    exponent: f64,
+    /// Length of the rebound chamber at mid-stroke, m.
+    chamber_m: f64,
+    /// Force at which all air is dissolved, N.
+    dissolved_n: f64,
+    /// Foam builds up over this travel (m) and settles in this time (s).
+    churning_m: f64,
+    settling_s: f64,
+}
+
+impl Hidden for Aeration {
+    fn tolerances(&self) -> &[f64] {
+        if self.form == 1 { &[1e-5] } else { &[] }
+    }
+
+    /// Foam is not lost between tests.
+    fn begin(&self, _rest: &crate::neutral::Rest, _states: &mut [f64]) {}
+
+    fn pause(&self, seconds: f64, states: &mut [f64]) {
+        if let Some(foam) = states.first_mut() {
+            *foam *= (-seconds / self.settling_s).exp();
+        }
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        if self.form == 1 {
+            let travel = here.line.velocity_m_s.abs() / self.churning_m;
+            rates[0] = travel * (1.0 - states[0]) - states[0] / self.settling_s;
+        }
+    }
+
+    fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
+        if self.form == 0 {
+            // Rebound chamber: its pressure rises in rebound, and falls towards zero in compression.
+            let relative = 1.0 + here.oil_n / self.rest_n;
+            // Never quite zero: vapour is not the subject here.
+            let relative = 0.5 * (relative + relative.hypot(0.25));
+            let space = (1.0 - here.position_m / self.chamber_m).max(0.1);
+            self.soft_m_n * space * relative.powf(-1.0 - 1.0 / self.exponent)
+        } else {
+            let share = (1.0 - here.oil_n.abs() / self.dissolved_n).max(0.0);
+            let foam = 0.4 + 0.6 * states[0];
+            self.soft_m_n * foam * share * share * (1.0 + here.oil_n.abs() / self.rest_n).powf(-1.0 / self.exponent)
+        }
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let draw = &mut recipe.draw;
+    let rest_n = draw.ratio("rest_n", 120.0, 350.0);
+    let stroke = draw.between("soft_stroke_m", 0.6e-3, 1.2e-3);
+    Box::new(Aeration {
+        form,
+        soft_m_n: recipe.strength * stroke / rest_n,
+        rest_n,
+        exponent: draw.between("exponent", 1.1, 1.4),
+        chamber_m: draw.between("chamber_m", 0.10, 0.14),
+        dissolved_n: rest_n * draw.between("dissolved_at_rest_pressures", 3.0, 5.0),
+        churning_m: draw.ratio("churning_m", 1.0, 4.0),
+        settling_s: draw.ratio("settling_s", 100.0, 600.0),
+    })
+}

@@ -1,0 +1,86 @@
+//! A rubber mount in the place of the linear series spring: soft, stiffening with deflection, with losses of its own.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Mount};
+
+const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
+/// Force at which a mount's deflection counts as its working deflection, N.
+const WORKING_N: f64 = 1200.0;
+
+struct Bushing {
+    form: usize,
+    strength: f64,
+    /// Working deflection at the stiffness of the series spring, m.
+    working_m: f64,
+    /// How much softer than the series spring at strength 1: stiffness is divided by `1 + strength * softer`.
+    softer: f64,
+    /// Working deflections at which the quintic doubles the force, or at which the stop is touched.
+    hardens: f64,
+    /// Friction in the filler (N) and deflection over which it builds up (m).
+    friction_n: f64,
+    friction_m: f64,
+    /// Relaxing stiffnesses relative to the static one, and their times, s.
+    relaxing: [(f64, f64); 2],
+    tolerances: Vec<f64>,
+}
+
+impl Bushing {
+    fn static_n_m(&self, mount_n_m: f64) -> f64 {
+        mount_n_m / (1.0 + self.strength * self.softer)
+    }
+}
+
+impl Hidden for Bushing {
+    fn tolerances(&self) -> &[f64] {
+        &self.tolerances
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        let rate = here.deflection_m_s;
+        if self.form == 0 {
+            // Bouc & Wen: the filler's load from -1 to 1.
+            rates[0] = (rate - rate.abs() * states[0] * states[0].abs().sqrt()) / self.friction_m;
+        } else {
+            for (index, (_, time)) in self.relaxing.iter().enumerate() {
+                rates[index] = rate - states[index] / time;
+            }
+        }
+    }
+
+    fn mount_n(&self, mount: &Mount, deflection_m: f64, _here: &Here, states: &[f64]) -> Option<f64> {
+        let stiffness = self.static_n_m(mount.stiffness_n_m);
+        let limit = self.hardens * self.working_m;
+        Some(if self.form == 0 {
+            let hardening = 1.0 + self.strength * (deflection_m / limit).powi(4);
+            stiffness * deflection_m * hardening + self.strength * self.friction_n * states[0]
+        } else {
+            let past = (deflection_m.abs() - limit).max(0.0).copysign(deflection_m);
+            let relaxing: f64 = self.relaxing.iter().zip(states).map(|((share, _), d)| share * d).sum();
+            // The stop gives back the stiffness that the rubber has lost.
+            let stop = (mount.stiffness_n_m - stiffness) * past;
+            stiffness * (deflection_m + self.strength * relaxing) + stop
+        })
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let working_m = WORKING_N / recipe.neutral.mount.stiffness_n_m;
+    // A stiff series spring hides its own replacement; the mount is soft against a common scale.
+    let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
+    let draw = &mut recipe.draw;
+    Box::new(Bushing {
+        form,
+        strength: recipe.strength,
+        working_m,
+        softer: softness * draw.between("softer", 0.5, 1.0),
+        hardens: draw.between("hardens_at_working_deflections", 0.8, 1.6),
+        friction_n: draw.between("friction_n", 40.0, 120.0),
+        friction_m: draw.ratio("friction_m", 0.03e-3, 0.12e-3),
+        relaxing: [
+            (draw.between("relaxing_share_1", 0.15, 0.35), draw.ratio("relaxation_1_s", 3e-3, 10e-3)),
+            (draw.between("relaxing_share_2", 0.15, 0.35), draw.ratio("relaxation_2_s", 30e-3, 150e-3)),
+        ],
+        tolerances: if form == 0 { vec![1e-4] } else { vec![1e-8; 2] },
+    })
+}

@@ -1,0 +1,77 @@
+//! The pressure cannot fall below that of vapour: a void opens, the force is capped, and the void must close again before
+//! force returns.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["monotube_compression", "foot_valve_rebound"];
+/// Compliance of vapour, m/N: ten newtons per millimetre.
+const VAPOUR_M_N: f64 = 1e-4;
+
+enum Cavitation {
+    /// In compression the rebound chamber falls to vapour pressure: the force is capped, and stays at the cap until the
+    /// void has closed.
+    Monotube { cap_n: f64, knee_n: f64 },
+    /// In rebound the foot valve does not refill the compression chamber: compression begins with a dead stroke.
+    FootValve { share: f64, free_m_s: f64, knee_m_s: f64, edge_m: f64 },
+}
+
+impl Hidden for Cavitation {
+    fn tolerances(&self) -> &[f64] {
+        match self {
+            Self::Monotube { .. } => &[],
+            // Length of the void, m.
+            Self::FootValve { .. } => &[1e-8],
+        }
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        if let Self::FootValve { share, free_m_s, knee_m_s, edge_m } = self {
+            let softplus = |x: f64| if x > 30.0 { x } else { x.exp().ln_1p() };
+            let v = here.velocity_m_s;
+            let offset = softplus(-free_m_s / knee_m_s);
+            let opens = if v > 0.0 { share * knee_m_s * (softplus((v - free_m_s) / knee_m_s) - offset) } else { 0.0 };
+            // What the piston displaces while the void is open; the last of it closes gradually.
+            let closes = v.min(0.0) * states[0] / (states[0] + edge_m);
+            rates[0] = opens + closes;
+        }
+    }
+
+    fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
+        match self {
+            Self::Monotube { cap_n, knee_n } => {
+                let beyond = (-here.oil_n - cap_n) / knee_n;
+                VAPOUR_M_N / (1.0 + (-beyond).exp())
+            }
+            Self::FootValve { edge_m, .. } => {
+                let void = states[0].max(0.0);
+                let open = void / (void + edge_m);
+                // Only pressure in the compression chamber feels the void.
+                let compression = 1.0 / (1.0 + (here.oil_n / 10.0).exp());
+                VAPOUR_M_N * open * compression
+            }
+        }
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let strength = recipe.strength;
+    let at_1_m_s = -recipe.neutral.valves.force_n(-1.0);
+    let draw = &mut recipe.draw;
+    Box::new(if form == 0 {
+        let cap_n = at_1_m_s * draw.between("cap_share", 0.55, 0.8) / strength;
+        Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.02, 0.04) }
+    } else {
+        Cavitation::FootValve {
+            share: strength * draw.between("share", 0.05, 0.10),
+            free_m_s: draw.between("free_m_s", 0.15, 0.4),
+            knee_m_s: 0.05,
+            edge_m: 20e-6,
+        }
+    })
+}

@@ -1,0 +1,56 @@
+//! The force channel is late against displacement and velocity.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["pure", "second_order_filter"];
+
+struct ChannelDelay {
+    form: usize,
+    delay_s: f64,
+    damping: f64,
+}
+
+impl ChannelDelay {
+    /// The filter is late by `2 zeta / omega` at low frequency.
+    fn omega(&self) -> f64 {
+        2.0 * self.damping / self.delay_s
+    }
+}
+
+impl Hidden for ChannelDelay {
+    fn tolerances(&self) -> &[f64] {
+        // Filtered force, N, and its rate, N/s.
+        if self.form == 1 { &[1e-2, 1e1] } else { &[] }
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        if self.form == 1 {
+            let omega = self.omega();
+            rates[0] = states[1];
+            rates[1] = omega * (omega * (here.rod_n - states[0]) - 2.0 * self.damping * states[1]);
+        }
+    }
+
+    fn delay_s(&self) -> f64 {
+        if self.form == 0 { self.delay_s } else { 0.0 }
+    }
+
+    fn cell_n(&self, force_n: f64, here: &Here, states: &[f64]) -> f64 {
+        // What other artefacts of the cell have added stays on top.
+        if self.form == 1 { force_n - here.rod_n + states[0] } else { force_n }
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    Box::new(ChannelDelay {
+        form,
+        delay_s: recipe.strength * recipe.draw.ratio("delay_s", 0.6e-3, 1.5e-3),
+        damping: recipe.draw.between("filter_damping", 0.6, 0.9),
+    })
+}

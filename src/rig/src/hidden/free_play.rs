@@ -1,0 +1,31 @@
+//! Play in the series element: a stretch of motion that carries no force.
+
+use super::{Hidden, Recipe};
+
+const FORMS: &[&str] = &["hard", "hertz"];
+
+struct FreePlay {
+    form: usize,
+    /// Half of the play, m.
+    half_m: f64,
+    /// Depth over which the contact's damper engages, m.
+    engaging_m: f64,
+    /// Hertz: depth over which the contact grows to its full stiffness, m.
+    contact_m: f64,
+}
+
+impl Hidden for FreePlay {
+    fn gap(&self, deflection_m: f64) -> Option<(f64, f64)> {
+        let depth = (deflection_m.abs() - self.half_m).max(0.0);
+        let engaged = depth / (depth + self.engaging_m);
+        let past = if self.form == 0 { depth } else { depth * (depth / (depth + self.contact_m)).sqrt() };
+        Some((past.copysign(deflection_m), engaged))
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let half_m = recipe.strength * recipe.draw.ratio("half_play_m", 0.06e-3, 0.18e-3);
+    let contact = recipe.draw.between("contact_share", 0.2, 0.8);
+    Box::new(FreePlay { form, half_m, engaging_m: 0.1 * half_m, contact_m: contact * half_m })
+}

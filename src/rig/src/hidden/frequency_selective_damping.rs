@@ -1,0 +1,73 @@
+//! A bypass that closes while the stroke lasts: soft in fast reversals, firm in slow ones.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["filling_chamber", "cross_fade"];
+
+struct FrequencySelective {
+    form: usize,
+    /// Flow of the open bypass at the scale force, m/s.
+    flow_m_s: f64,
+    scale_n: f64,
+    /// Time in which the chamber fills or the valve closes, s, and time in which it springs back.
+    closing_s: f64,
+    opening_s: f64,
+    /// Velocity below which the second form counts as a reversal, m/s.
+    reversal_m_s: f64,
+}
+
+impl Hidden for FrequencySelective {
+    fn tolerances(&self) -> &[f64] {
+        match self.form {
+            // Filling of the control chambers of rebound and compression.
+            0 => &[1e-5, 1e-5],
+            // Closed share.
+            _ => &[1e-5],
+        }
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        if self.form == 0 {
+            for (index, force) in [here.oil_n, -here.oil_n].into_iter().enumerate() {
+                // The chamber fills through a throttle driven by the pressure, and empties through a check valve.
+                let pressure = (force / self.scale_n).max(0.0);
+                let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
+                let idle = 1.0 / (1.0 + (force / (0.02 * self.scale_n)).exp());
+                rates[index] = fills - idle * states[index] / self.opening_s;
+            }
+        } else {
+            let slow = (-(here.velocity_m_s / self.reversal_m_s).powi(2)).exp();
+            rates[0] = (1.0 - states[0]) / self.closing_s - slow * states[0] / self.opening_s;
+        }
+    }
+
+    fn bypass_m_s(&self, here: &Here, states: &[f64]) -> f64 {
+        let force = here.oil_n / self.scale_n;
+        if self.form == 0 {
+            let closed = if force > 0.0 { states[0] } else { states[1] };
+            self.flow_m_s * (1.0 - closed) * force / (force * force + 4e-4).powf(0.25)
+        } else {
+            // A second curve, straight and soft.
+            self.flow_m_s * (1.0 - states[0]) * force
+        }
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let scale_n = recipe.neutral.valves.force_n(0.3);
+    let draw = &mut recipe.draw;
+    Box::new(FrequencySelective {
+        form,
+        flow_m_s: recipe.strength * draw.between("flow_m_s", 0.10, 0.2),
+        scale_n,
+        closing_s: draw.ratio("closing_s", 0.03, 0.10),
+        opening_s: draw.ratio("opening_s", 1e-3, 3e-3),
+        reversal_m_s: draw.between("reversal_m_s", 3e-3, 8e-3),
+    })
+}

@@ -1,0 +1,242 @@
+//! Physical effects that can be hidden in the neutral damper, one file each.
+//!
+//! Every effect has a strength: 0 is absent, 1 a typical strong case, and its trace in the force grows smoothly and steadily
+//! with the strength, so a strength that gives a wanted trace can be found by bisection. Shapes, and the physical form where
+//! there are two, are drawn from the seed and do not depend on the strength.
+
+mod aeration;
+mod bump_stop;
+mod bushing;
+mod cavitation;
+mod channel_delay;
+mod force_drift;
+mod force_offset;
+mod free_play;
+mod frequency_selective_damping;
+mod gas_spring;
+mod moving_mass;
+mod oil_compressibility;
+mod position_dependent_damping;
+mod presliding_friction;
+mod rebound_stop;
+mod side_force_friction;
+mod stop;
+mod stribeck_friction;
+mod temperature_fade;
+mod unknown;
+mod valve_hysteresis;
+
+use crate::RigError;
+use crate::draw::Draw;
+use crate::neutral::{Here, Mount, Neutral, Rest, ValveLaw};
+
+/// Names of the effects that a diagnosis is expected to know.
+///
+/// Viscous friction is not among them: beside a free force-velocity curve it leaves no trace of its own.
+pub const EFFECTS: [&str; 19] = [
+    "gas_spring",
+    "stribeck_friction",
+    "presliding_friction",
+    "side_force_friction",
+    "bushing",
+    "oil_compressibility",
+    "aeration",
+    "cavitation",
+    "temperature_fade",
+    "position_dependent_damping",
+    "bump_stop",
+    "rebound_stop",
+    "free_play",
+    "frequency_selective_damping",
+    "valve_hysteresis",
+    "moving_mass",
+    "channel_delay",
+    "force_offset",
+    "force_drift",
+];
+
+/// Names of effects that are in no catalogue: a diagnosis should answer "none of these".
+pub const UNKNOWN_EFFECTS: [&str; 11] = [
+    "unknown_shear_softening",
+    "unknown_rig_resonance",
+    "unknown_crosshead_tilt",
+    "unknown_load_cell_hysteresis",
+    "unknown_start_up_memory",
+    "unknown_position_lag_loop",
+    "unknown_third_harmonic",
+    "unknown_stick_slip_bursts",
+    "unknown_hose_resonance",
+    "unknown_wear_step",
+    "unknown_self_pumping",
+];
+
+/// The word for the neutral damper.
+pub const NOTHING: &str = "nothing";
+
+/// One effect at work. The defaults do nothing; an effect overrides the places where it acts.
+pub(crate) trait Hidden: Send + Sync {
+    /// One per state: the change that counts as an error in a step, in the unit of the state.
+    fn tolerances(&self) -> &[f64] {
+        &[]
+    }
+    /// At rest before a test. The states come as the last test left them, zero before the first.
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+    /// A pause between tests, for states that last longer than a test.
+    fn pause(&self, _seconds: f64, _states: &mut [f64]) {}
+    /// Rates of the states.
+    fn rates(&self, _here: &Here, _states: &[f64], _rates: &mut [f64]) {}
+
+    /// Added to the level of friction, N.
+    fn friction_n(&self, _here: &Here, _states: &[f64]) -> f64 {
+        0.0
+    }
+    /// Replaces the smooth sign of friction, -1..1.
+    fn friction_direction(&self, _here: &Here, _states: &[f64]) -> Option<f64> {
+        None
+    }
+    /// Force beside the damper, from driven end to ground, N.
+    fn beside_n(&self, _here: &Here, _states: &[f64]) -> f64 {
+        0.0
+    }
+    /// Deflection left for the series element, m, and the share of its damper that is engaged.
+    fn gap(&self, _deflection_m: f64) -> Option<(f64, f64)> {
+        None
+    }
+    /// Replaces the spring of the series element, N.
+    fn mount_n(&self, _mount: &Mount, _deflection_m: f64, _here: &Here, _states: &[f64]) -> Option<f64> {
+        None
+    }
+    /// Compliance added to the oil column, m/N.
+    fn compliance_m_n(&self, _here: &Here, _states: &[f64]) -> f64 {
+        0.0
+    }
+    /// Force at a given flow, relative to the neutral damper.
+    fn resistance(&self, _here: &Here, _states: &[f64]) -> f64 {
+        1.0
+    }
+    /// Flow past the valves, as a velocity, m/s.
+    fn bypass_m_s(&self, _here: &Here, _states: &[f64]) -> f64 {
+        0.0
+    }
+    /// Replaces the flow through the valves, m/s.
+    fn valve_flow_m_s(&self, _valves: &ValveLaw, _force_n: f64, _states: &[f64]) -> Option<f64> {
+        None
+    }
+    /// Mass added behind the series element, kg.
+    fn inertance_kg(&self, _here: &Here) -> f64 {
+        0.0
+    }
+    /// By how much the force channel is late, s.
+    fn delay_s(&self) -> f64 {
+        0.0
+    }
+    /// What the load cell makes of a force, N.
+    fn cell_n(&self, force_n: f64, _here: &Here, _states: &[f64]) -> f64 {
+        force_n
+    }
+}
+
+/// A drawn effect and what the truth says of it.
+pub(crate) struct Drawn {
+    pub name: &'static str,
+    pub form: &'static str,
+    pub strength: f64,
+    /// Names (with unit) and values of the shapes drawn.
+    pub shapes: Vec<(String, f64)>,
+    pub hidden: Box<dyn Hidden>,
+}
+
+/// What an effect is drawn from.
+pub(crate) struct Recipe<'a> {
+    pub strength: f64,
+    pub neutral: &'a Neutral,
+    /// Campaign clock at the end of the last test, s.
+    pub campaign_s: f64,
+    pub draw: Draw,
+    wanted: Option<&'a str>,
+    name: &'static str,
+    /// Form chosen, and the one asked for if there is none of that name.
+    form: &'static str,
+    refused: Option<&'static [&'static str]>,
+}
+
+impl Recipe<'_> {
+    /// Chooses the physical form: by seed, unless one is asked for.
+    fn form(&mut self, forms: &'static [&'static str]) -> usize {
+        // Drawn in any case: asking for a form leaves the shapes as they are.
+        let drawn = self.draw.choice(forms.len());
+        let index = match self.wanted {
+            None => drawn,
+            Some(wanted) => forms.iter().position(|form| *form == wanted).unwrap_or_else(|| {
+                self.refused = Some(forms);
+                0
+            }),
+        };
+        self.form = forms[index];
+        index
+    }
+}
+
+/// Splits `name:form`; refuses names that are in neither list.
+pub(crate) fn split_name(text: &str) -> Result<(&'static str, Option<&str>), RigError> {
+    let (name, form) = text.split_once(':').map_or((text, None), |(name, form)| (name, Some(form)));
+    match EFFECTS.iter().chain(&UNKNOWN_EFFECTS).find(|known| **known == name) {
+        Some(known) => Ok((known, form)),
+        None => Err(RigError::Option {
+            option: "hide",
+            problem: format!(
+                "'{name}' is no effect of the rig; give '{NOTHING}' or some of: {}; {}",
+                EFFECTS.join(", "),
+                UNKNOWN_EFFECTS.join(", ")
+            ),
+        }),
+    }
+}
+
+/// Draws an effect.
+pub(crate) fn draw(
+    text: &str,
+    strength: f64,
+    seed: u64,
+    neutral: &Neutral,
+    campaign_s: f64,
+) -> Result<Drawn, RigError> {
+    let (name, wanted) = split_name(text)?;
+    let draw = Draw::new(seed, name);
+    let mut recipe = Recipe { strength, neutral, campaign_s, draw, wanted, name, form: "", refused: None };
+    let hidden = build(&mut recipe);
+    if let Some(forms) = recipe.refused {
+        return Err(RigError::Option {
+            option: "hide",
+            problem: format!("'{}' is no form of {name}; it has: {}", wanted.unwrap_or_default(), forms.join(", ")),
+        });
+    }
+    Ok(Drawn { name, form: recipe.form, strength, shapes: recipe.draw.drawn, hidden })
+}
+
+fn build(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    match recipe.name {
+        "gas_spring" => gas_spring::draw(recipe),
+        "stribeck_friction" => stribeck_friction::draw(recipe),
+        "presliding_friction" => presliding_friction::draw(recipe),
+        "side_force_friction" => side_force_friction::draw(recipe),
+        "bushing" => bushing::draw(recipe),
+        "oil_compressibility" => oil_compressibility::draw(recipe),
+        "aeration" => aeration::draw(recipe),
+        "cavitation" => cavitation::draw(recipe),
+        "temperature_fade" => temperature_fade::draw(recipe),
+        "position_dependent_damping" => position_dependent_damping::draw(recipe),
+        "bump_stop" => bump_stop::draw(recipe),
+        "rebound_stop" => rebound_stop::draw(recipe),
+        "free_play" => free_play::draw(recipe),
+        "frequency_selective_damping" => frequency_selective_damping::draw(recipe),
+        "valve_hysteresis" => valve_hysteresis::draw(recipe),
+        "moving_mass" => moving_mass::draw(recipe),
+        "channel_delay" => channel_delay::draw(recipe),
+        "force_offset" => force_offset::draw(recipe),
+        "force_drift" => force_drift::draw(recipe),
+        unknown => unknown::draw(unknown, recipe),
+    }
+}

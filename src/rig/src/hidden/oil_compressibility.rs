@@ -1,0 +1,48 @@
+//! Oil and tube yield under pressure, so part of the piston's displacement does not pass the valves.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["rebound_chamber", "two_chambers"];
+
+struct Compressibility {
+    form: usize,
+    /// At mid-stroke and no pressure, m/N.
+    compliance_m_n: f64,
+    /// Lengths of the chambers at mid-stroke, m.
+    rebound_m: f64,
+    compression_m: f64,
+    /// Relative rise of the bulk modulus per newton of pressure on the piston.
+    stiffening_n: f64,
+    /// Share of the wall, which does not stiffen.
+    wall: f64,
+}
+
+impl Hidden for Compressibility {
+    fn compliance_m_n(&self, here: &Here, _states: &[f64]) -> f64 {
+        let rebound = (1.0 - here.position_m / self.rebound_m).max(0.1);
+        let space = if self.form == 0 {
+            rebound
+        } else {
+            let compression = (1.0 + here.position_m / self.compression_m).max(0.1);
+            // Deviations from the pressure at rest share the flow: their compliances add with the chamber in use foremost.
+            let working = 0.5 * (1.0 + here.oil_n / here.oil_n.hypot(50.0));
+            working * rebound + (1.0 - working) * compression
+        };
+        let oil = (1.0 - self.wall) / (1.0 + here.oil_n.abs() / self.stiffening_n);
+        self.compliance_m_n * space * (oil + self.wall)
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let draw = &mut recipe.draw;
+    Box::new(Compressibility {
+        form,
+        compliance_m_n: recipe.strength / draw.ratio("stiffness_n_m", 0.6e6, 1.2e6),
+        rebound_m: draw.between("rebound_m", 0.10, 0.14),
+        compression_m: draw.between("compression_m", 0.10, 0.14),
+        stiffening_n: draw.between("stiffening_n", 8e3, 20e3),
+        wall: draw.between("wall_share", 0.05, 0.2),
+    })
+}

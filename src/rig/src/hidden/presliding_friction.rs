@@ -1,0 +1,71 @@
+//! Friction turns over a distance after each reversal: seal lips and guide bands bend before they slide.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
+const ELEMENTS: usize = 5;
+/// Creep at standstill fades as bristles become soft: the smooth velocity of the neutral friction is divided by
+/// `1 + CREEP_FADES * strength`.
+const CREEP_FADES: f64 = 10.0;
+
+struct Presliding {
+    /// Length over which each element takes up its load (m), and its share of the load. One element in the first form.
+    elements: Vec<(f64, f64)>,
+    /// Share of the load below which a bristle is purely elastic (Dupont's break-away share).
+    elastic: f64,
+    /// Velocity round which an element tells sliding from creeping, m/s.
+    smooth_m_s: f64,
+    tolerances: Vec<f64>,
+}
+
+impl Hidden for Presliding {
+    fn tolerances(&self) -> &[f64] {
+        &self.tolerances
+    }
+
+    /// Loads of the elements, each from -1 to 1.
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        let v = here.line.velocity_m_s;
+        let speed = v.hypot(self.smooth_m_s);
+        for (index, (length, _)) in self.elements.iter().enumerate() {
+            let load = states[index];
+            // Sliding sets in between the elastic share and the full load, and only in the direction of the load.
+            let sliding = if load * v <= 0.0 {
+                0.0
+            } else {
+                let share = ((load.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
+                share * share * (3.0 - 2.0 * share)
+            };
+            // At standstill the load relaxes as the smooth sign of the neutral friction does.
+            let creep = self.smooth_m_s / speed;
+            let plastic = sliding.max(creep * creep);
+            rates[index] = (v - plastic * speed * load) / length;
+        }
+    }
+
+    fn friction_direction(&self, _here: &Here, states: &[f64]) -> Option<f64> {
+        Some(self.elements.iter().zip(states).map(|((_, share), load)| share * load).sum())
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let strength = recipe.strength;
+    let draw = &mut recipe.draw;
+    let length = strength * draw.ratio("length_m", 0.15e-3, 0.5e-3);
+    let (elements, elastic): (Vec<_>, f64) = if form == 0 {
+        (vec![(length, 1.0)], draw.between("elastic_share", 0.2, 0.6))
+    } else {
+        let spread = draw.ratio("length_spread", 1.5, 2.2);
+        let middle = (ELEMENTS / 2) as i32;
+        let elements = (0..ELEMENTS)
+            .map(|i| (length * spread.powi(i as i32 - middle), draw.between("share", 0.1, 0.3)))
+            .collect::<Vec<_>>();
+        let total: f64 = elements.iter().map(|(_, share)| share).sum();
+        (elements.into_iter().map(|(length, share)| (length, share / total)).collect(), 0.9)
+    };
+    let tolerances = vec![1e-5; elements.len()];
+    let smooth_m_s = recipe.neutral.friction.smooth_m_s / (1.0 + CREEP_FADES * strength);
+    Box::new(Presliding { elements, elastic, smooth_m_s, tolerances })
+}

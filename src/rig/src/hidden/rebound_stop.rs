@@ -1,0 +1,7 @@
+//! A stop at the end of rebound: a rubber ring on the rod, or a ring that closes the gap to the tube.
+
+use super::{Hidden, Recipe, stop};
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    stop::draw(1.0, recipe)
+}

@@ -1,0 +1,87 @@
+//! What bump stop and rebound stop have in common: rubber that is pressed, or a gap that closes on the oil.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["rubber", "hydraulic"];
+
+pub(super) struct Stop {
+    form: usize,
+    /// +1 at full extension, -1 at full compression.
+    side: f64,
+    /// Displacement towards the stop at which it is touched, m.
+    touched_m: f64,
+    /// Rubber: `F1 (exp(d / d1) - 1)`.
+    force_n: f64,
+    growth_m: f64,
+    /// Share of a relaxing branch (Zener) and its time, s.
+    relaxing: f64,
+    relaxation_s: f64,
+    /// Hydraulic: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
+    resistance_n: f64,
+    closing_m: f64,
+}
+
+impl Stop {
+    fn depth(&self, here: &Here) -> f64 {
+        (self.side * here.line.displacement_m - self.touched_m).max(0.0)
+    }
+
+    fn rubber_n(&self, depth: f64) -> f64 {
+        self.force_n * (depth / self.growth_m).exp_m1()
+    }
+}
+
+impl Hidden for Stop {
+    fn tolerances(&self) -> &[f64] {
+        // Relaxed part of the compression of the relaxing branch, m.
+        if self.form == 0 { &[1e-7] } else { &[] }
+    }
+
+    fn begin(&self, rest: &Rest, states: &mut [f64]) {
+        for state in states {
+            *state = (self.side * rest.displacement_m - self.touched_m).max(0.0);
+        }
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        if self.form == 0 {
+            rates[0] = (self.depth(here) - states[0]) / self.relaxation_s;
+        }
+    }
+
+    fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
+        let depth = self.depth(here);
+        if depth == 0.0 {
+            return 0.0;
+        }
+        let force = if self.form == 0 {
+            // The relaxing branch has the same curve; rubber pushes but does not pull.
+            (self.rubber_n(depth) + self.relaxing * (self.rubber_n(depth) - self.rubber_n(states[0]))).max(0.0)
+        } else {
+            let speed = (self.side * here.line.velocity_m_s).max(0.0);
+            let left = (1.0 - depth / self.closing_m).max(0.12);
+            // Laminar part with the cube of the gap, orifice part with its square; both with the length under cover.
+            let covered = depth / (depth + 2e-3);
+            self.resistance_n * covered * (0.3 * speed / left.powi(3) + 0.7 * speed * speed / left.powi(2))
+        };
+        self.side * force
+    }
+}
+
+pub(super) fn draw(side: f64, recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let strength = recipe.strength;
+    let draw = &mut recipe.draw;
+    Box::new(Stop {
+        form,
+        side,
+        touched_m: draw.between("touched_m", 26e-3, 38e-3),
+        force_n: strength * draw.ratio("force_n", 80.0, 200.0),
+        growth_m: draw.between("growth_m", 6e-3, 11e-3),
+        relaxing: draw.between("relaxing_share", 0.1, 0.35),
+        relaxation_s: draw.ratio("relaxation_s", 0.01, 0.2),
+        resistance_n: strength * draw.ratio("resistance_n", 500.0, 1200.0),
+        closing_m: draw.between("closing_m", 30e-3, 45e-3),
+    })
+}

@@ -1,0 +1,60 @@
+//! The oil thins as it warms: the laminar share of the force follows viscosity, the rest density.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["vogel", "walther"];
+/// Temperature at which the force is that of the neutral damper, °C.
+const REFERENCE_C: f64 = 25.0;
+const KELVIN: f64 = 273.15;
+/// Thermal expansion of oil, 1/K.
+const EXPANSION: f64 = 7e-4;
+
+struct Fade {
+    form: usize,
+    strength: f64,
+    /// Vogel: `ln mu = B / (T + C)`, K and °C.
+    vogel: (f64, f64),
+    /// Walther (ASTM D341): `lg lg (nu + 0.7) = A - M lg T`, from the viscosities at 40 and 100 °C, mm²/s.
+    walther: (f64, f64),
+    /// Force at which half of the pressure drop is laminar, N.
+    half_n: f64,
+}
+
+impl Fade {
+    fn viscosity(&self, celsius: f64) -> f64 {
+        if self.form == 0 {
+            (self.vogel.0 / (celsius + self.vogel.1)).exp()
+        } else {
+            let (a, m) = self.walther;
+            10f64.powf(10f64.powf(a - m * (celsius + KELVIN).log10())) - 0.7
+        }
+    }
+}
+
+impl Hidden for Fade {
+    fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
+        // Strength works on the exponent: twice the strength is twice the warming on a logarithmic scale.
+        let viscosity = (self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C)).powf(self.strength);
+        let density = (-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C)).exp();
+        let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);
+        laminar * viscosity + (1.0 - laminar) * density
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let at_1_m_s = recipe.neutral.valves.force_n(1.0);
+    let draw = &mut recipe.draw;
+    let (at_40, at_100) =
+        (draw.between("viscosity_40c_mm2_s", 10.0, 16.0), draw.between("viscosity_100c_mm2_s", 2.8, 4.0));
+    let lglg = |nu: f64| (nu + 0.7).log10().log10();
+    let m = (lglg(at_40) - lglg(at_100)) / ((100.0 + KELVIN) / (40.0 + KELVIN)).log10();
+    Box::new(Fade {
+        form,
+        strength: recipe.strength,
+        vogel: (draw.between("vogel_k", 600.0, 900.0), draw.between("vogel_c", 90.0, 110.0)),
+        walther: (lglg(at_40) + m * (40.0 + KELVIN).log10(), m),
+        half_n: at_1_m_s * draw.between("laminar_half_share", 0.4, 1.0),
+    })
+}

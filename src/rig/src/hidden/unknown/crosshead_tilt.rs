@@ -1,0 +1,22 @@
+//! A tilted cross-head turns part of the axial force into side force on the guides.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["tilt"];
+
+struct Tilt {
+    share: f64,
+}
+
+impl Hidden for Tilt {
+    fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
+        // The axial force before friction; smooth round zero.
+        self.share * (here.oil_n.hypot(20.0) - 20.0) * (1.0 + here.line.displacement_m / 0.12)
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    recipe.form(FORMS);
+    Box::new(Tilt { share: recipe.strength * recipe.draw.between("share", 0.04, 0.10) })
+}

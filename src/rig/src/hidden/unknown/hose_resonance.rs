@@ -1,0 +1,46 @@
+//! A hose to an accumulator swallows part of the flow at its own frequency.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["helmholtz"];
+
+struct Hose {
+    /// Volume taken up by the accumulator as a stroke per force, m/N.
+    compliance_m_n: f64,
+    omega: f64,
+    damping: f64,
+}
+
+impl Hidden for Hose {
+    fn tolerances(&self) -> &[f64] {
+        // Flow as a velocity, m/s, and pressure in the accumulator as a force, N.
+        &[1e-5, 1e-1]
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        // Inertia from frequency and compliance: m = 1 / (omega² C).
+        let per_mass = self.omega * self.omega * self.compliance_m_n;
+        rates[0] = per_mass * (here.oil_n - states[1]) - 2.0 * self.damping * self.omega * states[0];
+        rates[1] = states[0] / self.compliance_m_n;
+    }
+
+    fn bypass_m_s(&self, _here: &Here, states: &[f64]) -> f64 {
+        states[0]
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    recipe.form(FORMS);
+    let strength = recipe.strength;
+    let draw = &mut recipe.draw;
+    Box::new(Hose {
+        compliance_m_n: strength * draw.ratio("compliance_m_n", 0.3e-6, 1.0e-6),
+        omega: std::f64::consts::TAU * draw.between("frequency_hz", 9.0, 22.0),
+        damping: draw.between("damping", 0.1, 0.3),
+    })
+}

@@ -1,0 +1,40 @@
+//! After a standstill the damper gives less until some stroke has passed.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest};
+
+const FORMS: &[&str] = &["travel"];
+
+struct StartUp {
+    missing: f64,
+    travel_m: f64,
+}
+
+impl Hidden for StartUp {
+    fn tolerances(&self) -> &[f64] {
+        // Travel since standstill, m.
+        &[1e-5]
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    fn rates(&self, here: &Here, _states: &[f64], rates: &mut [f64]) {
+        rates[0] = here.line.velocity_m_s.abs();
+    }
+
+    fn resistance(&self, _here: &Here, states: &[f64]) -> f64 {
+        1.0 / (1.0 + self.missing * (-states[0] / self.travel_m).exp())
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    recipe.form(FORMS);
+    let strength = recipe.strength;
+    let draw = &mut recipe.draw;
+    Box::new(StartUp {
+        missing: strength * draw.between("missing", 0.4, 0.8),
+        travel_m: draw.ratio("travel_m", 0.15, 0.6),
+    })
+}

@@ -1,0 +1,36 @@
+//! Somewhere in the campaign a shim cracks: from then on one direction gives less.
+
+use super::{Hidden, Recipe};
+use crate::neutral::Here;
+
+const FORMS: &[&str] = &["cracked_shim"];
+
+struct Wear {
+    missing: f64,
+    /// +1: rebound, -1: compression.
+    side: f64,
+    at_s: f64,
+}
+
+impl Hidden for Wear {
+    fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
+        if here.line.clock_s < self.at_s {
+            return 1.0;
+        }
+        let force = self.side * here.oil_n;
+        // The other direction is sound; no kink where they meet.
+        let worn = 0.5 * (1.0 + force / force.hypot(60.0));
+        1.0 / (1.0 + self.missing * worn)
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    recipe.form(FORMS);
+    let (strength, campaign_s) = (recipe.strength, recipe.campaign_s);
+    let draw = &mut recipe.draw;
+    Box::new(Wear {
+        missing: strength * draw.between("missing", 0.10, 0.25),
+        side: if draw.between("side", -1.0, 1.0) < 0.0 { -1.0 } else { 1.0 },
+        at_s: campaign_s * draw.between("at_share", 0.3, 0.7),
+    })
+}

@@ -1,0 +1,80 @@
+//! The blow-off valve opens late and closes late.
+
+use super::{Hidden, Recipe};
+use crate::neutral::{Here, Rest, ValveLaw};
+
+const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
+/// The passage that is always open: its flow follows the law up to this velocity and straight on, m/s.
+const BLEED_M_S: f64 = 0.05;
+
+struct ValveHysteresis {
+    form: usize,
+    /// Spool: natural frequency (rad/s) and damping ratio.
+    omega: f64,
+    damping: f64,
+    /// Play between pressure and valve as a force, N, and the time in which the valve follows beyond it, s.
+    play_n: f64,
+    follows_s: f64,
+    /// Force at which the straight part of the always open passage ends, rebound and compression, N.
+    bleed_n: [f64; 2],
+    tolerances: Vec<f64>,
+}
+
+impl Hidden for ValveHysteresis {
+    fn tolerances(&self) -> &[f64] {
+        &self.tolerances
+    }
+
+    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+        states.fill(0.0);
+    }
+
+    /// The force at which the valve stands, N, and its rate in the first form.
+    fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
+        let lag = here.oil_n - states[0];
+        if self.form == 0 {
+            rates[0] = states[1];
+            // The flow force pulls the spool shut while it passes oil.
+            let flow_force = 1.0 - 0.1 * (here.oil_n / here.oil_n.hypot(500.0)).powi(2);
+            rates[1] =
+                self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
+        } else {
+            // Play follows the relative level of force, so that opening and closing differ by a ratio.
+            let play = self.play_n * here.oil_n.abs() / (here.oil_n.abs() + self.play_n);
+            rates[0] = (lag.abs() - play).max(0.0).copysign(lag) / self.follows_s;
+        }
+    }
+
+    fn valve_flow_m_s(&self, valves: &ValveLaw, force_n: f64, states: &[f64]) -> Option<f64> {
+        let bleed = |force: f64| {
+            let end_n = self.bleed_n[usize::from(force < 0.0)];
+            if force.abs() <= end_n {
+                valves.flow_m_s(force)
+            } else {
+                BLEED_M_S.copysign(force) * (force.abs() / end_n).sqrt()
+            }
+        };
+        let standing = states[0];
+        // A valve for the other direction is shut.
+        let ratio = if standing * force_n > 0.0 { (force_n / standing).min(4.0) } else { 0.0 };
+        let opened = valves.flow_m_s(standing) - bleed(standing);
+        Some(bleed(force_n) + opened * ratio.sqrt())
+    }
+}
+
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+    let form = recipe.form(FORMS);
+    let strength = recipe.strength;
+    let at_knee = recipe.neutral.valves.force_n(0.1);
+    let bleed_n = [BLEED_M_S, -BLEED_M_S].map(|flow| recipe.neutral.valves.force_n(flow).abs());
+    let draw = &mut recipe.draw;
+    Box::new(ValveHysteresis {
+        form,
+        omega: std::f64::consts::TAU * draw.ratio("spool_hz", 60.0, 150.0) / strength,
+        damping: draw.between("spool_damping", 0.5, 0.9),
+        play_n: strength * at_knee * draw.between("play_share", 0.12, 0.25),
+        follows_s: draw.ratio("follows_s", 0.3e-3, 1e-3) * strength,
+        bleed_n,
+        tolerances: if form == 0 { vec![1e-1, 1e2] } else { vec![1e-1] },
+    })
+}

@@ -1,0 +1,66 @@
+//! The neutral damper: the thesis's topology with laws of its own, in which an effect can be hidden.
+//!
+//! From the driven end inward: series spring and damper, a small mass, and behind it the valves and a weak linear spring;
+//! friction and a constant gas preload act beside all that. With nothing hidden, a model of the thesis's kind can follow it
+//! up to the form of its curves; whatever is hidden is what such a model lacks.
+
+mod motion;
+mod valve_law;
+
+pub(crate) use motion::{Here, Line, OWN, Rest, System};
+pub(crate) use valve_law::ValveLaw;
+
+use crate::draw::Draw;
+
+/// A damper of the thesis's topology.
+#[derive(Debug, Clone)]
+pub(crate) struct Neutral {
+    pub valves: ValveLaw,
+    /// Series spring and damper at the driven end.
+    pub mount: Mount,
+    /// Mass between series spring and valves, kg.
+    pub mass_kg: f64,
+    /// Spring beside the valves, N/m.
+    pub spring_n_m: f64,
+    pub friction: Friction,
+    /// Push of the gas, constant, N.
+    pub gas_n: f64,
+}
+
+/// Series spring and damper.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Mount {
+    pub stiffness_n_m: f64,
+    pub damping_n_s_m: f64,
+}
+
+/// Friction with a smooth sign, `v / sqrt(v² + eps²)`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Friction {
+    pub sliding_n: f64,
+    /// Velocity round which the sign changes, m/s.
+    pub smooth_m_s: f64,
+    /// Friction added per side force.
+    pub side_share: f64,
+}
+
+impl Neutral {
+    /// Draws a damper in engineering ranges.
+    pub fn draw(draw: &mut Draw) -> Self {
+        let stiffness_n_m = draw.ratio("series_stiffness_n_m", 0.5e6, 5e6);
+        let mass_kg = draw.ratio("mass_kg", 0.05, 0.5);
+        let ratio = draw.between("series_damping_ratio", 0.1, 0.5);
+        Self {
+            mount: Mount { stiffness_n_m, damping_n_s_m: 2.0 * ratio * (stiffness_n_m * mass_kg).sqrt() },
+            mass_kg,
+            spring_n_m: draw.between("parallel_spring_n_m", 0.0, 1500.0),
+            friction: Friction {
+                sliding_n: draw.between("friction_n", 20.0, 60.0),
+                smooth_m_s: draw.between("friction_smooth_m_s", 0.2e-3, 1.0e-3),
+                side_share: draw.between("friction_side_share", 0.01, 0.04),
+            },
+            gas_n: draw.between("gas_n", 80.0, 300.0),
+            valves: ValveLaw::draw(draw),
+        }
+    }
+}

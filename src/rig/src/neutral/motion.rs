@@ -1,0 +1,207 @@
+//! Equations of the neutral damper with whatever is hidden in it.
+//!
+//! States: deflection of the series spring, velocity of the mass, force of the oil on it. The oil column is given a
+//! stiffness a thousand times that of the series spring, so that the valves can be evaluated from force to flow; a model of
+//! the thesis's kind sees no more of it than a tenth of a percent of series stiffness.
+
+use std::cell::RefCell;
+
+use super::Neutral;
+use crate::hidden::Hidden;
+use crate::solver::Tolerance;
+
+/// Stiffness of the oil column of the neutral damper, N/m.
+const COLUMN_N_M: f64 = 2e9;
+
+const DEFLECTION: usize = 0;
+const VELOCITY: usize = 1;
+const OIL_FORCE: usize = 2;
+/// Number of the neutral damper's own states.
+pub(crate) const OWN: usize = 3;
+
+/// What the rig imposes at one instant.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Line {
+    /// Extension of the driven end from mid-stroke (m), its rate and acceleration.
+    pub displacement_m: f64,
+    pub velocity_m_s: f64,
+    pub acceleration_m_s2: f64,
+    pub side_force_n: f64,
+    /// Campaign clock, s.
+    pub clock_s: f64,
+    /// Peak velocity of the test, m/s.
+    pub peak_velocity_m_s: f64,
+    /// Temperature of the oil, °C.
+    pub oil_c: f64,
+}
+
+/// What a hidden effect can see at one instant.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Here {
+    pub line: Line,
+    /// Position of the mass (m) and its velocity (m/s).
+    pub position_m: f64,
+    pub velocity_m_s: f64,
+    /// Deflection of the series spring (m) and its rate.
+    pub deflection_m: f64,
+    pub deflection_m_s: f64,
+    /// Force of the oil, N.
+    pub oil_n: f64,
+    /// Force on the rod at the driven end, N; known to rates and sensors, zero before.
+    pub rod_n: f64,
+}
+
+/// The damper at rest before a test.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rest {
+    pub displacement_m: f64,
+}
+
+/// The damper and what is hidden in it, as a system of `N` states.
+pub(crate) struct System<'a, const N: usize> {
+    pub neutral: &'a Neutral,
+    pub hidden: &'a [Box<dyn Hidden>],
+    /// First state of each hidden effect.
+    pub first: Vec<usize>,
+    /// Drift of slow quantities within one sample is not integrated: the caller renews them.
+    pub oil_c: &'a RefCell<f64>,
+}
+
+impl<const N: usize> System<'_, N> {
+    fn states<'s>(&self, index: usize, state: &'s [f64; N]) -> &'s [f64] {
+        let first = self.first[index];
+        &state[first..first + self.hidden[index].tolerances().len()]
+    }
+
+    fn each<'s>(&'s self, state: &'s [f64; N]) -> impl Iterator<Item = (&'s dyn Hidden, &'s [f64])> {
+        self.hidden.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
+    }
+
+    /// Error allowed per step.
+    pub fn tolerance(&self) -> Tolerance<N> {
+        let mut absolute = [1.0; N];
+        absolute[DEFLECTION] = 1e-9;
+        absolute[VELOCITY] = 1e-5;
+        absolute[OIL_FORCE] = 1e-2;
+        for (index, hidden) in self.hidden.iter().enumerate() {
+            let own = hidden.tolerances();
+            absolute[self.first[index]..self.first[index] + own.len()].copy_from_slice(own);
+        }
+        Tolerance { absolute, relative: 3e-6 }
+    }
+
+    /// The state after a rest; effects that carry their state from test to test get it back in `carried`.
+    pub fn at_rest(&self, rest: &Rest, carried: &[Vec<f64>]) -> [f64; N] {
+        let mut state = [0.0; N];
+        // The weak spring is balanced by the series spring.
+        state[DEFLECTION] = self.neutral.spring_n_m * rest.displacement_m
+            / (self.neutral.mount.stiffness_n_m + self.neutral.spring_n_m);
+        for (index, hidden) in self.hidden.iter().enumerate() {
+            let first = self.first[index];
+            let own = &mut state[first..first + hidden.tolerances().len()];
+            own.copy_from_slice(&carried[index]);
+            hidden.begin(rest, own);
+        }
+        state
+    }
+
+    /// What is seen, with the force on the rod.
+    fn here(&self, line: &Line, state: &[f64; N]) -> (Here, f64) {
+        let mut here = Here {
+            line: Line { oil_c: *self.oil_c.borrow(), ..*line },
+            position_m: line.displacement_m - state[DEFLECTION],
+            velocity_m_s: state[VELOCITY],
+            deflection_m: state[DEFLECTION],
+            deflection_m_s: line.velocity_m_s - state[VELOCITY],
+            oil_n: state[OIL_FORCE],
+            rod_n: 0.0,
+        };
+        let mount = self.mount_n(&here, state);
+        let (friction, beside) = self.beside_n(&here, state);
+        here.rod_n = mount + friction + beside;
+        (here, mount)
+    }
+
+    /// Force of the series element.
+    fn mount_n(&self, here: &Here, state: &[f64; N]) -> f64 {
+        let mount = &self.neutral.mount;
+        let (mut deflection, mut damped) = (here.deflection_m, 1.0);
+        for (hidden, _) in self.each(state) {
+            if let Some((past_gap, share)) = hidden.gap(deflection) {
+                deflection = past_gap;
+                damped *= share;
+            }
+        }
+        let elastic = self
+            .each(state)
+            .find_map(|(hidden, own)| hidden.mount_n(mount, deflection, here, own))
+            .unwrap_or(mount.stiffness_n_m * deflection);
+        elastic + damped * mount.damping_n_s_m * here.deflection_m_s
+    }
+
+    /// Friction, and the other forces beside the damper.
+    fn beside_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
+        let friction = &self.neutral.friction;
+        let v = here.line.velocity_m_s;
+        let mut level = friction.sliding_n + friction.side_share * here.line.side_force_n.abs();
+        let mut direction = None;
+        let mut beside = -self.neutral.gas_n;
+        for (hidden, own) in self.each(state) {
+            level += hidden.friction_n(here, own);
+            direction = direction.or(hidden.friction_direction(here, own));
+            beside += hidden.beside_n(here, own);
+        }
+        let direction = direction.unwrap_or(v / v.hypot(friction.smooth_m_s));
+        (level * direction, beside)
+    }
+
+    /// What flows past the piston, as a velocity, m/s.
+    fn flow_m_s(&self, here: &Here, state: &[f64; N]) -> f64 {
+        let (mut driving, mut bypass) = (here.oil_n, 0.0);
+        for (hidden, own) in self.each(state) {
+            driving /= hidden.resistance(here, own);
+            bypass += hidden.bypass_m_s(here, own);
+        }
+        let valves = &self.neutral.valves;
+        let through = self
+            .each(state)
+            .find_map(|(hidden, own)| hidden.valve_flow_m_s(valves, driving, own))
+            .unwrap_or_else(|| valves.flow_m_s(driving));
+        through + bypass
+    }
+
+    /// Rates of all states.
+    pub fn rates(&self, line: &Line, state: &[f64; N]) -> [f64; N] {
+        let (here, mount) = self.here(line, state);
+        let (mut compliance, mut mass) = (1.0 / COLUMN_N_M, self.neutral.mass_kg);
+        for (hidden, own) in self.each(state) {
+            compliance += hidden.compliance_m_n(&here, own);
+            mass += hidden.inertance_kg(&here);
+        }
+        let mut rates = [0.0; N];
+        rates[DEFLECTION] = here.deflection_m_s;
+        rates[VELOCITY] = (mount - here.oil_n - self.neutral.spring_n_m * here.position_m) / mass;
+        rates[OIL_FORCE] = (here.velocity_m_s - self.flow_m_s(&here, state)) / compliance;
+        for (index, hidden) in self.hidden.iter().enumerate() {
+            let first = self.first[index];
+            let count = hidden.tolerances().len();
+            if count > 0 {
+                hidden.rates(&here, &state[first..first + count], &mut rates[first..first + count]);
+            }
+        }
+        rates
+    }
+
+    /// What the load cell says, N.
+    pub fn cell_n(&self, line: &Line, state: &[f64; N]) -> f64 {
+        let (here, _) = self.here(line, state);
+        self.each(state).fold(here.rod_n, |force, (hidden, own)| hidden.cell_n(force, &here, own))
+    }
+
+    /// Power that becomes heat in the damper, W.
+    pub fn heat_w(&self, line: &Line, state: &[f64; N]) -> f64 {
+        let (here, _) = self.here(line, state);
+        let (friction, _) = self.beside_n(&here, state);
+        (here.oil_n * self.flow_m_s(&here, state) + friction * line.velocity_m_s).max(0.0)
+    }
+}
