@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 1
+#define DASHPOT_ABI_VERSION 2
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -174,6 +174,9 @@ const char *dashpot_version(void);
 
 // The series spring is softer than the parallel spring somewhere within 100 mm.
 #define DASHPOT_SOFTER_THAN_INNER -29
+
+// The elements that are on have more than 8 private states.
+#define DASHPOT_TOO_MANY_STATES -30
 
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
@@ -357,12 +360,16 @@ typedef struct dashpot_output {
   double primary_force;
   // Force of the springs on the internal mass, N.
   double spring_force;
-  // Friction, N.
+  // Friction, presliding included, N.
   double friction_force;
-  // Gas force, N; negative where it pushes the rod out.
+  // Gas force, gas spring included, N; negative where it pushes the rod out.
   double gas_force;
   // Deflection of the series spring, m.
   double series_deflection;
+  // Force of the stops at the ends of the stroke, N.
+  double stop_force;
+  // Temperature of the oil that the forces belong to, degrees Celsius.
+  double oil_temperature;
 } dashpot_output;
 
 // The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
@@ -555,6 +562,34 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   lag_fast                     time constant at high speed [s, 1e-5 to 1, default 0.001]
 //   lag_v1                       speed at which the time constant starts to change [m/s, 0 to 10, default 0.05]
 //   lag_v2                       speed at which it has changed [m/s, 1e-4 to 20, default 0.5]
+//
+// presliding_friction (element, off by default): friction that turns over within a short travel after each reversal (Dahl)
+//   presliding_force             friction level after long travel, F_c [N, 0 to 10000, default 40]
+//   presliding_length            travel in which the force approaches its level by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
+//
+// gas_spring (element, off by default): growth of the gas force with the displacement of the rod, slow to fast
+//   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e6, default 500]
+//   gas_length                   gas volume at x = 0 over the area of the rod, L: how soon it stiffens [m, 0.05 to 10, default 0.4]
+//   gas_adiabatic_index          ratio of fast to slow stiffness, gamma [-, 1 to 1.67, default 1.4]
+//   gas_thermal_time             time in which the gas takes the temperature of its wall, tau [s, 0.01 to 1000, default 3]
+//
+// moving_mass (element, off by default): mass between load cell and damper, moved by the driven end
+//   moving_mass                  mass, M [kg, 0 to 100, default 2]
+//   moving_mass_time             time by which its force lags, tau; short beside the motion [s, 1e-4 to 0.01, default 2e-4]
+//
+// bump_stop (element, off by default): stop at the end of the compression stroke, rubber or hydraulic
+//   bump_stop_clearance          compression from x = 0 at which the stop is met, as a positive length [m, 0 to 1, default 0.05]
+//   bump_stop_stiffness          stiffness at first contact [N/m, 0 to 1e7, default 50000]
+//   bump_stop_progression        depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
+//   bump_stop_loss               share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
+//   bump_stop_damping            hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
+//
+// rebound_stop (element, off by default): stop at the end of the rebound stroke, rubber or hydraulic
+//   rebound_stop_clearance       extension from x = 0 at which the stop is met [m, 0 to 1, default 0.05]
+//   rebound_stop_stiffness       stiffness at first contact [N/m, 0 to 1e7, default 1e5]
+//   rebound_stop_progression     depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
+//   rebound_stop_loss            share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
+//   rebound_stop_damping         hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
 //
 // integration: settings of the fixed-step integration
 //   method                       method inside a step [0 fourth_order, 1 second_order, 2 euler]

@@ -2,4 +2,5 @@
 
 pub mod cli;
 pub mod header;
+pub mod kernel_campaign;
 pub mod library;

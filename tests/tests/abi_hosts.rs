@@ -69,7 +69,7 @@ fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
         hex(&mut text, &[o.force]);
         if !force_alone {
             hex(&mut text, &[o.force_by_displacement, o.force_by_velocity, o.primary_force, o.spring_force]);
-            hex(&mut text, &[o.friction_force, o.gas_force, o.series_deflection]);
+            hex(&mut text, &[o.friction_force, o.gas_force, o.series_deflection, o.stop_force, o.oil_temperature]);
         }
         hex(&mut text, &[state.displacement, state.velocity, state.mass_displacement, state.mass_velocity]);
         hex(&mut text, &state.memory);

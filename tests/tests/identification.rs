@@ -1,9 +1,9 @@
 //! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
 
-use dashpot_core::{Input, Model, Params, State, evaluate, step};
-use dashpot_lab::accuracy::Sine;
+use dashpot_core::{Model, Params};
 use dashpot_lab::identification::{Fit, FitOptions, Standing, first_guess, fit, segment::segments};
-use dashpot_lab::records::{Noise, Record};
+use dashpot_lab::records::Record;
+use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -14,89 +14,21 @@ fn matrix() -> Vec<Sine> {
         for peak in [0.05236, 0.2618, 0.5236, 1.5708] {
             let frequency = peak / (TAU * amplitude);
             if frequency <= 25.03 {
-                tests.push(Sine { amplitude, frequency });
+                tests.push(Sine::new(amplitude, frequency));
             }
         }
     }
-    tests.extend([0.041, 0.01].map(|frequency| Sine { amplitude: 0.01, frequency }));
+    tests.extend([0.041, 0.01].map(|frequency| Sine::new(0.01, frequency)));
     tests
 }
 
-/// A small generator of its own (xorshift64*), so that the data never changes with a library.
-struct Random(u64);
-
-impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (TAU * self.uniform()).cos()
-    }
-}
-
-/// Simulates the campaign with steps four times finer than the samples, and adds white noise of `noise` times each
-/// test's root-mean-square force. `side` is the side force of each test.
+/// The campaign with `noise` times each test's root-mean-square force; `side` is the side force of each test.
 fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
-    const FINER: usize = 4;
-    let model = Model::new(params).unwrap();
-    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-    (0..20).for_each(|_| {
-        random.uniform();
-    });
-    matrix()
-        .into_iter()
-        .enumerate()
-        .map(|(k, sine)| {
-            let rate = (400.0 * sine.frequency).clamp(20.0, 1000.0);
-            let per_cycle = (rate / sine.frequency).round() as usize;
-            let count = 3 * per_cycle + 1;
-            let motion = sine.motion();
-            // Cycles begin where the displacement rises through its mean.
-            let start = 0.25 / sine.frequency;
-            let input = |t: f64| {
-                let (x, v) = motion(t);
-                Input { side_force: side(k).unwrap_or(0.0), ..Input::motion(x, v) }
-            };
-            let mut state: State = model.settled(&input(start));
-            let mut record = Record {
-                name: format!("test{k:02}"),
-                amplitude: sine.amplitude,
-                frequency: sine.frequency,
-                peak_velocity: TAU * sine.frequency * sine.amplitude,
-                cycles: (0..3).map(|c| c * per_cycle..(c + 1) * per_cycle).collect(),
-                side_force: side(k).map(|f| vec![f; count]),
-                ..Record::default()
-            };
-            for i in 0..count {
-                let t = start + i as f64 / rate;
-                let force = if i == 0 {
-                    evaluate(&model, &state, &input(t)).0.force
-                } else {
-                    (1..=FINER).fold(0.0, |_, j| {
-                        let at = t + (j as f64 / FINER as f64 - 1.0) / rate;
-                        let (next, output) = step(&model, &state, &input(at), 1.0 / rate / FINER as f64);
-                        state = next;
-                        output.force
-                    })
-                };
-                let (x, v) = motion(t);
-                record.time.push(t);
-                record.displacement.push(x);
-                record.velocity.push(v);
-                record.force.push(force);
-            }
-            let rms = (record.force.iter().map(|f| f * f).sum::<f64>() / count as f64).sqrt();
-            record.noise = Noise { force_rms: noise * rms, ..Noise::default() };
-            for f in &mut record.force {
-                *f += noise * rms * random.normal();
-            }
-            record
-        })
-        .collect()
+    let mut tests = matrix();
+    for (k, test) in tests.iter_mut().enumerate() {
+        test.side_force = side(k);
+    }
+    kernel_campaign::campaign(params, &tests, seed, noise)
 }
 
 /// The default model without the viscous term (a free FV curve takes that up), its FV table at the velocities that a fit

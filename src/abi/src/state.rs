@@ -41,12 +41,16 @@ pub struct dashpot_output {
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
     pub spring_force: f64,
-    /// Friction, N.
+    /// Friction, presliding included, N.
     pub friction_force: f64,
-    /// Gas force, N; negative where it pushes the rod out.
+    /// Gas force, gas spring included, N; negative where it pushes the rod out.
     pub gas_force: f64,
     /// Deflection of the series spring, m.
     pub series_deflection: f64,
+    /// Force of the stops at the ends of the stroke, N.
+    pub stop_force: f64,
+    /// Temperature of the oil that the forces belong to, degrees Celsius.
+    pub oil_temperature: f64,
 }
 
 // The kernel's own structures under C names: the same bytes, so that a step writes straight to the host.
@@ -66,6 +70,8 @@ const _: () = {
     assert!(offset_of!(dashpot_output, friction_force) == offset_of!(Output, friction_force));
     assert!(offset_of!(dashpot_output, gas_force) == offset_of!(Output, gas_force));
     assert!(offset_of!(dashpot_output, series_deflection) == offset_of!(Output, series_deflection));
+    assert!(offset_of!(dashpot_output, stop_force) == offset_of!(Output, stop_force));
+    assert!(offset_of!(dashpot_output, oil_temperature) == offset_of!(Output, oil_temperature));
 };
 
 /// Refuses a state that holds NaN or infinity.

@@ -76,12 +76,14 @@ pub const DASHPOT_FILE_TOO_LONG: i32 = -27;
 pub const DASHPOT_NO_SUCH_ROW: i32 = -28;
 /// The series spring is softer than the parallel spring somewhere within 100 mm.
 pub const DASHPOT_SOFTER_THAN_INNER: i32 = -29;
+/// The elements that are on have more than 8 private states.
+pub const DASHPOT_TOO_MANY_STATES: i32 = -30;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 33] = [
+static TEXTS: [(i32, [u8; LENGTH]); 34] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -118,6 +120,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 33] = [
     (DASHPOT_FALLS, padded(Reason::Falls.text())),
     (DASHPOT_ORDER, padded(Reason::Order.text())),
     (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
+    (DASHPOT_TOO_MANY_STATES, padded(Reason::TooManyStates.text())),
     (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
     (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
     (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
@@ -164,6 +167,7 @@ impl From<Reason> for Refused {
             Reason::Falls => DASHPOT_FALLS,
             Reason::Order => DASHPOT_ORDER,
             Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,
+            Reason::TooManyStates => DASHPOT_TOO_MANY_STATES,
         })
     }
 }

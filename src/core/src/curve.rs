@@ -134,7 +134,7 @@ impl Curve {
     /// increasing, or `f` falling anywhere.
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<Curve, Reason> {
         let n = u.len();
-        if n < 2 || n > MAX_POINTS {
+        if !(2..=MAX_POINTS).contains(&n) {
             return Err(Reason::PointCount);
         }
         if f.len() != n {

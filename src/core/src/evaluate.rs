@@ -50,13 +50,15 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
-    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    let (friction, preload, stops) = (e.friction(&outer), e.preload(&outer), e.stops(&outer));
     let mut output = Output {
         friction_force: friction.force,
         gas_force: preload.force,
-        force: friction.force + preload.force,
-        force_by_displacement: friction.by_x + preload.by_x,
-        force_by_velocity: friction.by_v + preload.by_v,
+        stop_force: stops.force,
+        oil_temperature: input.temperature,
+        force: friction.force + preload.force + stops.force,
+        force_by_displacement: friction.by_x + preload.by_x + stops.by_x,
+        force_by_velocity: friction.by_v + preload.by_v + stops.by_v,
         ..Output::ZERO
     };
     let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
@@ -77,6 +79,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     e.each_memory(|place, element| {
         let z = state.memory.get(place).copied().unwrap_or(0.0);
         let recall = element.recall(&outer, z);
+        output.count(element.share(), recall.force);
         output.force += recall.force;
         output.force_by_displacement += recall.by_x;
         output.force_by_velocity += recall.by_v;

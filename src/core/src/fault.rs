@@ -37,6 +37,8 @@ pub enum Reason {
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives it.
     SofterThanInner,
+    /// The elements that are on have more private states than a state has room for.
+    TooManyStates,
 }
 
 impl Reason {
@@ -55,6 +57,9 @@ impl Reason {
             Reason::Order => "must be larger than the limit below it",
             Reason::SofterThanInner => {
                 "is softer than the parallel spring somewhere within 100 mm; the model is made for stiff series springs"
+            }
+            Reason::TooManyStates => {
+                "the elements that are on have more than 8 private states; switch some of them off"
             }
         }
     }

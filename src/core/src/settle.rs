@@ -69,6 +69,16 @@ impl Model {
             output.force_by_displacement += share * inner.by_x - k;
             output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
         }
+        // A private state that is drawn to where it settles follows the input there.
+        let outer = Motion { displacement: state.displacement, ..at };
+        e.each_memory(|place, element| {
+            let recall = element.recall(&outer, state.memory.get(place).copied().unwrap_or(0.0));
+            if recall.rate_by_memory < 0.0 {
+                let follows = -recall.by_memory / recall.rate_by_memory;
+                output.force_by_displacement += follows * recall.rate_by_x;
+                output.force_by_velocity += follows * recall.rate_by_v;
+            }
+        });
         output
     }
 }

@@ -1,6 +1,6 @@
 //! What the damper remembers between steps, and what it answers.
 
-use crate::elements::MAX_MEMORY;
+use crate::elements::{MAX_MEMORY, Share};
 
 /// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
 /// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
@@ -51,12 +51,16 @@ pub struct Output {
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
     pub spring_force: f64,
-    /// Friction, N.
+    /// Friction, presliding included, N.
     pub friction_force: f64,
-    /// Gas force, N; negative where it pushes the rod out.
+    /// Gas force, gas spring included, N; negative where it pushes the rod out.
     pub gas_force: f64,
     /// Deflection of the series spring, m.
     pub series_deflection: f64,
+    /// Force of the stops at the ends of the stroke, N.
+    pub stop_force: f64,
+    /// Temperature of the oil that the forces belong to, °C.
+    pub oil_temperature: f64,
 }
 
 impl Output {
@@ -70,5 +74,18 @@ impl Output {
         friction_force: 0.0,
         gas_force: 0.0,
         series_deflection: 0.0,
+        stop_force: 0.0,
+        oil_temperature: 0.0,
     };
+}
+
+impl Output {
+    /// Counts the force of an element beside the damper where it belongs, besides the total.
+    pub(crate) fn count(&mut self, share: Share, force: f64) {
+        match share {
+            Share::Total => {}
+            Share::Friction => self.friction_force += force,
+            Share::Gas => self.gas_force += force,
+        }
+    }
 }

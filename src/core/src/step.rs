@@ -72,8 +72,8 @@ impl Integration {
     /// None beyond the bounds of the table.
     pub fn prepare(params: &Params) -> Result<Integration, Fault> {
         let method = match params.scalar("method") {
-            m if m == 1.0 => Method::Second,
-            m if m == 2.0 => Method::Euler,
+            1.0 => Method::Second,
+            2.0 => Method::Euler,
             _ => Method::Fourth,
         };
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
@@ -472,18 +472,21 @@ fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut 
     mass
 }
 
-/// Advances all private states along the path; returns the force of their elements at its end, with its slopes.
+/// Advances all private states beside the damper along the path; returns the force of their elements and of the stops
+/// at its end, with its slopes, and counts their shares in `output`.
 ///
 /// Apart, so that a damper without such elements does not pay for them.
 #[inline(never)]
-fn advance_memories<T: Tableau>(
+fn advance_extras<T: Tableau>(
     elements: &Elements,
     path: &Path,
     substeps: u32,
     end: &Motion,
     memory: &mut [f64; MAX_MEMORY],
+    output: &mut Output,
 ) -> Response {
-    let mut sum = Response::NONE;
+    let mut sum = elements.stops(end);
+    output.stop_force = sum.force;
     elements.each_memory(|place, element| {
         let Some(slot) = memory.get_mut(place) else {
             return;
@@ -492,6 +495,7 @@ fn advance_memories<T: Tableau>(
             advance_memory::<T>(substeps, element, *slot, path, path.length(), (end.side_force, end.temperature));
         *slot = z;
         let recall = element.recall(end, z);
+        output.count(element.share(), recall.force);
         sum.force += recall.force;
         sum.by_x += recall.by_x + recall.by_memory * by_end[0];
         sum.by_v += recall.by_v + recall.by_memory * by_end[1];
@@ -571,7 +575,7 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 /// As [`step`], moving a state on where it is.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
-    if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_mass_alone() {
+    if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass() {
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
@@ -591,7 +595,7 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
         *output = model.static_output(&Input { displacement: Some(x), ..*to });
         return;
     }
-    let plain = model.integration.substeps(dt) == 1 && !model.elements.has_memory();
+    let plain = model.integration.substeps(dt) == 1 && !model.elements.has_extras();
     match (model.integration.method, plain) {
         (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
         (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output),
@@ -643,6 +647,8 @@ fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input,
     }
     output.friction_force = friction.force;
     output.gas_force = preload.force;
+    output.stop_force = 0.0;
+    output.oil_temperature = to.temperature;
     let beside = friction.force + preload.force;
     let (by_x_beside, by_v_beside) = (friction.by_x + preload.by_x, friction.by_v + preload.by_v);
 
@@ -680,7 +686,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A step with its exact slopes. `PLAIN`: in one substep and without private states, as most steps are. Not inlined, so
+/// A step with its exact slopes. `PLAIN`: in one substep and without extras, as most steps are. Not inlined, so
 /// that each has the registers to itself.
 #[inline(never)]
 fn answer<T: Tableau, const PLAIN: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
@@ -726,6 +732,8 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     output: &mut Output,
 ) {
     let e = &model.elements;
+    output.stop_force = 0.0;
+    output.oil_temperature = to.temperature;
     let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
@@ -766,10 +774,10 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     force += friction.force + preload.force;
     by_x += friction.by_x + preload.by_x;
     by_v += friction.by_v + preload.by_v;
-    if !PLAIN && e.has_memory() {
+    if !PLAIN && e.has_extras() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum = advance_memories::<T>(e, &path, substeps, &outer, &mut state.memory);
+        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
         force += sum.force;
         by_x += sum.by_x;
         by_v += sum.by_v;

@@ -9,16 +9,6 @@ use dashpot_core::{Input, Model, Params, State, evaluate};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// A model with these elements alone, without series compliance: its force is theirs.
-fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
-    let mut p = params(changes);
-    p.disable_all();
-    for element in elements {
-        p.enable(element, true).unwrap();
-    }
-    Model::new(&p).unwrap()
-}
-
 fn force(model: &Model, v: f64) -> f64 {
     evaluate(model, &State::ZERO, &Input { side_force: 500.0, ..Input::motion(0.0, v) }).0.force
 }
@@ -93,7 +83,9 @@ proptest! {
     fn without_series_compliance_the_damper_is_algebraic(params in any_params(), x in -0.02..0.02f64, v in -1.0..1.0f64, dt in 1e-5..1e-2f64) {
         let mut p = params;
         p.enable("series_compliance", false).unwrap();
-        p.enable("lagged_polynomial", false).unwrap();
+        for element in WITH_STATES {
+            p.enable(element, false).unwrap();
+        }
         let model = Model::new(&p).unwrap();
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.settled(&Input::motion(0.0, 0.0)), &input, dt).1;

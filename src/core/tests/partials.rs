@@ -44,6 +44,21 @@ fn variants() -> Vec<(&'static str, Params)> {
         ("lookup spring", lookup(base)),
         ("lag", with(&[], &["lagged_polynomial"])),
         ("no series", algebraic),
+        ("presliding", with(&[], &["presliding_friction"])),
+        ("gas spring", with(&[("gas_stiffness", 5e4), ("gas_thermal_time", 0.01)], &["gas_spring"])),
+        ("moving mass", with(&[], &["moving_mass", "lagged_polynomial"])),
+        (
+            "stops",
+            with(
+                &[
+                    ("bump_stop_clearance", 0.002),
+                    ("rebound_stop_clearance", 0.004),
+                    ("bump_stop_damping", 5e3),
+                    ("rebound_stop_damping", 5e3),
+                ],
+                &["bump_stop", "rebound_stop"],
+            ),
+        ),
         ("stiff", with(&[("series_stiffness", 1e7), ("internal_mass", 0.1)], &[])),
         ("soft", with(&[("series_stiffness", 1e5), ("internal_mass", 2.0), ("series_damping", 2000.0)], &[])),
     ]
@@ -110,10 +125,10 @@ proptest! {
                 continue;
             }
             let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, memory: [0.0; 8] };
-            state.memory[0] = z;
+            // A memory of millimetres, of shares or of forces: whatever it is, its slopes are exact.
+            state.memory = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
             let p = partials(&model, &state, &input(Some(x), v));
-            let lag = usize::from(model.elements().has_memory());
-            let states = 2 + lag;
+            let states = 2 + model.elements().memories();
             let moved = |i: usize, h: f64| {
                 let mut s = state;
                 match i {
@@ -126,9 +141,11 @@ proptest! {
             // Force and rates in one row.
             let row = |state: &State, x: f64, v: f64| {
                 let (output, rate) = evaluate(&model, state, &input(Some(x), v));
-                [output.force, rate.mass_displacement, rate.mass_velocity, rate.memory[0]]
+                let mut row = vec![output.force, rate.mass_displacement, rate.mass_velocity];
+                row.extend(rate.memory);
+                row
             };
-            for (column, size) in [(0, 1e-5), (1, 1e-4), (2, 1.0)].into_iter().take(states) {
+            for (column, size) in (0..states).map(|i| (i, [1e-5, 1e-4].get(i).copied().unwrap_or(1e-4))) {
                 for out in 0..=states {
                     let wanted = difference(|h| row(&moved(column, h), x, v)[out], size);
                     let got = if out == 0 { p.force_by_state[column] } else { p.rate_by_state[out - 1][column] };

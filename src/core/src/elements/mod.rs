@@ -5,21 +5,30 @@
 //!
 //! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
 //! - `friction` and `preload`: beside the whole damper, driven by the input motion;
-//! - `memory`: beside the whole damper, with one private state.
+//! - `memory`: beside the whole damper, with one private state;
+//! - `stops`: beside the whole damper, at the ends of its stroke.
 //!
 //! `primary` (the FV curve) and `series` (the compliance with its mass) make the frame they act in.
+//!
+//! Private states take a place in [`crate::State::memory`] in the order of the list, those of elements that are on only.
 
+mod bump_stop;
 mod coulomb_friction;
+mod end_stop;
 mod fv_curve;
 mod gas_preload;
+mod gas_spring;
 mod lagged_polynomial;
+mod moving_mass;
 mod parallel_spring;
+mod presliding_friction;
+mod rebound_stop;
 mod series_compliance;
 mod side_force_friction;
 mod stribeck_friction;
 mod viscous_friction;
 
-use crate::fault::Fault;
+use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::parameter::{Group, Parameter, Params, View};
 
 /// The motion that an element sees, and what surrounds it.
@@ -125,8 +134,23 @@ pub trait Force {
     }
 }
 
+/// Where the answer counts the force of an element beside the damper, besides the total.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// Nowhere else.
+    Total,
+    /// In the friction.
+    Friction,
+    /// In the gas force.
+    Gas,
+}
+
 /// An element with one private state z.
 pub trait Memory {
+    /// Where the answer counts its force.
+    fn share(&self) -> Share {
+        Share::Total
+    }
     /// Force, state rate and all slopes at state `z`.
     fn recall(&self, at: &Motion, z: f64) -> Recall;
     /// The state after the motion has been held long enough.
@@ -145,13 +169,14 @@ macro_rules! elements {
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
         memory { $($memory:ident: $Memory:ty,)* }
+        stops { $($stop:ident: $Stop:ty,)* }
         default { $($default:ident,)* }
         settings { $settings:ident: $Settings:ty }
     ) => {
         /// Places of the elements in the table's groups.
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
-        enum Place { $primary, $series, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $settings }
+        enum Place { $primary, $series, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
         pub const GROUPS: &[Group] = &[
@@ -161,6 +186,7 @@ macro_rules! elements {
             $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
             $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
             $(Group { name: stringify!($memory), meaning: <$Memory>::MEANING, parameters: <$Memory>::PARAMETERS },)*
+            $(Group { name: stringify!($stop), meaning: <$Stop>::MEANING, parameters: <$Stop>::PARAMETERS },)*
             Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
         ];
 
@@ -183,6 +209,7 @@ macro_rules! elements {
             $($friction: $Friction,)*
             $($preload: $Preload,)*
             $($memory: $Memory,)*
+            $($stop: $Stop,)*
         }
 
         impl Elements {
@@ -201,7 +228,7 @@ macro_rules! elements {
                         }
                     };
                 }
-                Ok(Elements {
+                let elements = Elements {
                     on,
                     $primary: ready!($primary, $Primary),
                     $series: ready!($series, $Series),
@@ -209,7 +236,12 @@ macro_rules! elements {
                     $($friction: ready!($friction, $Friction),)*
                     $($preload: ready!($preload, $Preload),)*
                     $($memory: ready!($memory, $Memory),)*
-                })
+                    $($stop: ready!($stop, $Stop),)*
+                };
+                if elements.memories() > MAX_MEMORY {
+                    return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
+                }
+                Ok(elements)
             }
 
             #[inline(always)]
@@ -271,25 +303,43 @@ macro_rules! elements {
                 Some(sum)
             }
 
-            /// Whether any element with a private state is on.
-            #[inline(always)]
-            pub fn has_memory(&self) -> bool {
-                false $(|| self.has(Place::$memory))*
+            /// Sum of the stops at the ends of the stroke.
+            pub fn stops(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
+                sum
             }
 
-            /// Whether the internal mass is there and nothing else has a state.
+            /// Number of private states.
+            pub fn memories(&self) -> usize {
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                (self.on & MEMORY).count_ones() as usize
+            }
+
+            /// Whether an element beside the damper is on that most dampers do not have: one with a private state, or a
+            /// stop.
             #[inline(always)]
-            pub fn is_mass_alone(&self) -> bool {
+            pub fn has_extras(&self) -> bool {
+                const EXTRAS: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & EXTRAS != 0
+            }
+
+            /// Whether the internal mass is there and nothing that its plain step does not know.
+            #[inline(always)]
+            pub fn is_plain_mass(&self) -> bool {
                 const MASS: u64 = 1 << Place::$series as usize;
-                const STATES: u64 = MASS $(| 1 << Place::$memory as usize)*;
-                self.on & STATES == MASS
+                const REST: u64 = MASS $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & REST == MASS
             }
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
             pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {
                 let mut place = 0;
-                $(if self.has(Place::$memory) { visit(place, &self.$memory); } place += 1;)*
+                $(if self.has(Place::$memory) {
+                    visit(place, &self.$memory);
+                    place += 1;
+                })*
                 debug_assert!(place <= MAX_MEMORY);
             }
         }
@@ -313,6 +363,13 @@ elements! {
     }
     memory {
         lagged_polynomial: lagged_polynomial::LaggedPolynomial,
+        presliding_friction: presliding_friction::PreslidingFriction,
+        gas_spring: gas_spring::GasSpring,
+        moving_mass: moving_mass::MovingMass,
+    }
+    stops {
+        bump_stop: bump_stop::BumpStop,
+        rebound_stop: rebound_stop::ReboundStop,
     }
     default { fv_curve, series_compliance, parallel_spring, stribeck_friction, viscous_friction, gas_preload, }
     settings { integration: crate::step::Integration }

@@ -13,6 +13,9 @@ pub const SEED: u64 = 1;
 
 pub const METHODS: [Method; 3] = [Method::Euler, Method::Second, Method::Fourth];
 
+/// The elements with private states.
+pub const WITH_STATES: [&str; 4] = ["lagged_polynomial", "presliding_friction", "gas_spring", "moving_mass"];
+
 /// The default model with some numbers changed.
 pub fn model(changes: &[(&str, f64)]) -> Model {
     Model::new(&params(changes)).unwrap()
@@ -101,6 +104,25 @@ pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
     let largest = forces.iter().zip(exact).fold(0.0f64, |m, (f, e)| m.max((f - e).abs()));
     ((square / exact.len() as f64).sqrt() / top, largest / top)
+}
+
+/// A model with these elements alone.
+pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
+    let mut p = params(changes);
+    p.disable_all();
+    for element in elements {
+        p.enable(element, true).unwrap();
+    }
+    Model::new(&p).unwrap()
+}
+
+/// The default model with these elements on as well.
+pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
+    let mut p = params(changes);
+    for element in elements {
+        p.enable(element, true).unwrap();
+    }
+    Model::new(&p).unwrap()
 }
 
 /// Any parameter set that the table and the elements allow: each number anywhere between its bounds (evenly, or evenly

@@ -58,7 +58,7 @@ fn radau_step(model: &Model, from: &State, input: &impl Fn(f64) -> Input, t: f64
         [(296.0 + 169.0 * s6) / 1800.0, (88.0 + 7.0 * s6) / 360.0, (-2.0 - 3.0 * s6) / 225.0],
         [(16.0 - s6) / 36.0, (16.0 + s6) / 36.0, 1.0 / 9.0],
     ];
-    let memory = usize::from(model.elements().has_memory());
+    let memory = model.elements().memories();
     let n = 2 + memory;
     let y0 = pack(from, memory);
     let mut stages = vec![y0.clone(); 3];

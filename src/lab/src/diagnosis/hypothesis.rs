@@ -166,24 +166,35 @@ impl Hypothesis {
         let rows = at.len();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (unknowns, values, places) = self.unknowns(theta);
-        let model = self.model(theta)?;
-        // The run's own derivatives know nothing of a rig that delays, nor of heating.
-        let plain = self.cooling(theta).is_none()
-            && !self.numbers.iter().any(|n| n.free == Free::Rig(Artefact::Delay))
-            && !model.elements().has_memory();
+        // The run's own derivatives know nothing of heating.
+        let plain = self.cooling(theta).is_none();
         let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
         if plain {
+            let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
             let run = Run::new(&unknowns, &values, Accuracy::Full)?;
-            let parts: Vec<DMatrix<f64>> =
-                tests.par_iter().map(|test| run.jacobian(&test.segment, &unknowns, &values).1).collect();
-            let mut row = 0;
-            for (test, part) in tests.iter().zip(&parts) {
-                for i in 0..test.count() {
-                    for (k, place) in places.iter().enumerate() {
-                        matrix[(row, *place)] = part[(k, test.segment.from + i)] / test.allowed[i];
+            let parts: Vec<DMatrix<f64>> = tests
+                .par_iter()
+                .map(|test| {
+                    let (_, rows) = run.jacobian(&test.segment, &unknowns, &values);
+                    let mut columns = rows.transpose();
+                    if let Some((_, tau)) = delay {
+                        // A delayed force has delayed derivatives.
+                        for mut column in columns.column_iter_mut() {
+                            Artefact::Delay.apply(*tau, test, column.as_mut_slice());
+                        }
                     }
-                    row += 1;
+                    for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
+                        row /= *allowed;
+                    }
+                    columns.rows(test.segment.from, test.count()).into_owned()
+                })
+                .collect();
+            let mut row = 0;
+            for part in &parts {
+                for (k, place) in places.iter().enumerate() {
+                    matrix.view_mut((row, *place), (part.nrows(), 1)).copy_from(&part.column(k));
                 }
+                row += part.nrows();
             }
             by_difference.retain(|place| !places.contains(place));
         }

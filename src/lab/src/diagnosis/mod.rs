@@ -433,3 +433,21 @@ pub fn meaning(effect: &str) -> String {
         _ => GROUPS.iter().find(|g| g.name == effect).map_or_else(String::new, |g| g.meaning.to_owned()),
     }
 }
+
+/// What refitting a model leaves of noise-free records, in units of the noise stated for each: root mean square over all
+/// samples. `None` where the model gives no finite force.
+pub fn unabsorbed(records: &[&Record], noise: &[f64], params: &Params) -> Option<f64> {
+    let mut tests = samples::tests(records);
+    for test in &mut tests {
+        let noise = noise[test.record];
+        test.allowed.iter_mut().for_each(|a| *a = noise);
+    }
+    let base = Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: None };
+    let found = refit::refit(&base, &tests, &base.start(), None, refit::Effort::FINE)?;
+    Some(rms(found.residual.as_slice()))
+}
+
+/// The mean cycle's force of every record, by name, at the samples that a diagnosis looks at.
+pub fn mean_cycles(records: &[&Record]) -> Vec<(String, Vec<f64>)> {
+    samples::tests(records).iter().map(|t| (t.segment.name.clone(), t.forces().to_vec())).collect()
+}

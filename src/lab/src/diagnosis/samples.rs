@@ -93,6 +93,14 @@ fn of_record(place: usize, record: &Record) -> Vec<Test> {
         .collect()
 }
 
+/// When the displacement rises through its mean near a sample: cycles are cut at samples, and a mean cycle needs better.
+fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
+    let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
+    let ahead = (mean - motion.displacement[index]) / motion.velocity[index];
+    // Beside the crossing the displacement is as good as straight; anything far off is no crossing.
+    if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
+}
+
 /// A channel at a time, on a straight line between samples.
 fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     let right = time.partition_point(|x| *x <= t).clamp(1, time.len() - 1);
@@ -115,7 +123,8 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
     let in_cycle = cycles[0].len().max(1);
     let count = in_cycle.min(PER_CYCLE);
     let averaged = ((in_cycle as f64 * WINDOW) as usize / 2) * 2 + 1;
-    let bounds: Vec<(f64, f64)> = cycles.iter().map(|c| (time[c.start], time[c.end.min(last)])).collect();
+    let crossing = |index: usize| crossing(time, motion, record.mean_displacement, index.min(last));
+    let bounds: Vec<(f64, f64)> = cycles.iter().map(|c| (crossing(c.start), crossing(c.end))).collect();
     let period = bounds.iter().map(|(a, b)| b - a).sum::<f64>() / bounds.len() as f64;
     let mean = |values: &[f64], phase: f64| {
         bounds.iter().map(|(a, b)| at(time, values, a + phase * (b - a))).sum::<f64>() / bounds.len() as f64

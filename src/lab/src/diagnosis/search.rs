@@ -16,6 +16,11 @@ use rayon::prelude::*;
 const REFITTED: usize = 7;
 /// Confidence from which an effect is added.
 pub const NAMED: f64 = 0.5;
+/// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
+/// steps of finite length leave as much.
+const SMALLEST: f64 = 0.15;
+/// Mean excess per independent sample, in σ², below which nothing is missing that matters.
+pub const QUIET: f64 = 0.05;
 /// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
 /// often only the form of that effect, which another name would soak up.
 const LATER_REMAINING: f64 = 0.25;
@@ -111,7 +116,7 @@ pub fn search(
         let before = round.before;
         found.rounds.push(round);
         let Some(best) = best else { break };
-        if found.added.len() >= limits.effects || best.confidence < NAMED {
+        if found.added.len() >= limits.effects || best.confidence < NAMED || best.evidence.size < SMALLEST {
             break;
         }
         if !found.added.is_empty() {
@@ -194,7 +199,8 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
         let evidence = Evidence {
             chi2_fall,
             bic_fall: chi2_fall - free * count,
-            share: chi2_fall / excess,
+            share: chi2_fall / excess.max(QUIET * effective_count(tests)),
+            size: (chi2_fall.max(0.0) / effective_count(tests)).sqrt(),
             margin: 0.0,
             log_fall: (at.chi2 / refit.chi2.max(1e-9)).ln(),
             left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,

@@ -3,10 +3,8 @@
 use super::evidence::effective_count;
 use super::outcome::{Rival, Verdict};
 use super::samples::Test;
-use super::search::{NAMED, Round, Search, Tried};
+use super::search::{NAMED, QUIET, Round, Search, Tried};
 
-/// Mean excess per independent sample, in σ², below which nothing is missing that matters.
-const QUIET: f64 = 0.12;
 /// Share of the excess that a suspect must explain.
 const SUSPECT_SHARE: f64 = 0.5;
 /// Share of the remaining excess within which a rival explains as much as the best.

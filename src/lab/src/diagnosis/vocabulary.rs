@@ -407,19 +407,30 @@ fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
     }
 }
 
+/// Masses of a rod with what moves with it, kg. A free internal mass would stand for any mass on the rig.
+const ROD: (f64, f64) = (0.02, 0.6);
+
+fn rod_mass(base: &Params) -> Number {
+    let mut base = *base;
+    let _ = base.set("internal_mass", base.scalar("internal_mass").clamp(ROD.0, ROD.1));
+    Number { bounds: (ROD.0.ln(), ROD.1.ln()), ..number(&base, Unknown::Log("internal_mass"), Some(1.0)) }
+}
+
 /// The numbers of the base model that a refit may change.
 pub fn base_numbers(base: &Params) -> Vec<Number> {
     use crate::identification::unknowns::{CurveName, Unknowns};
     let mut list = Vec::new();
+    let on = |name: &str| base.is_on(name);
+    if on("series_compliance") {
+        list.push(rod_mass(base));
+    }
     let mut add = |unknown: Unknown, prior: Option<f64>| list.push(number(base, unknown, prior));
     for rise in Unknowns::rises(base, CurveName::Fv) {
         add(rise, None);
     }
-    let on = |name: &str| base.is_on(name);
     if on("series_compliance") {
         add(Unknown::Log("series_stiffness"), Some(1.5));
         add(Unknown::Linear("series_damping"), Some(0.5 * base.scalar("series_damping").abs().max(200.0)));
-        add(Unknown::Log("internal_mass"), Some(0.5));
     }
     if on("parallel_spring") {
         for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {

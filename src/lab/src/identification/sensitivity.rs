@@ -152,8 +152,11 @@ impl Run {
             differences: Vec::new(),
             unknowns: unknowns.list.len(),
         };
+        // Elements that the stages do not tell of: every derivative is then a difference of two runs.
+        let differ = model.elements().has_extras();
         for (column, unknown) in unknowns.list.iter().enumerate() {
             let direction = match unknown {
+                _ if differ => None,
                 Unknown::Log(name) | Unknown::Linear(name) => match *name {
                     "series_stiffness" => Some(Direction::SeriesStiffness),
                     "series_damping" => Some(Direction::SeriesDamping),
@@ -182,7 +185,7 @@ impl Run {
                 prepare(&unknowns.params(&theta))
             };
             let (plus, minus) = (moved(step)?, moved(-step)?);
-            if model.elements().has_memory() {
+            if differ {
                 run.differences.push((column, plus, minus, 0.5 / step));
             } else {
                 run.beside.push(Beside { column, plus, minus, per: 0.5 / step });

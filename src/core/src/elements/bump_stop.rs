@@ -1,0 +1,60 @@
+//! Bump stop: the end of the compression stroke.
+
+use crate::elements::end_stop::EndStop;
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F = −P(−x, −v): pushes the rod out; P is the law of [`EndStop`].
+#[derive(Clone, Copy, Debug)]
+pub struct BumpStop(EndStop);
+
+impl Describe for BumpStop {
+    const MEANING: &'static str = "stop at the end of the compression stroke, rubber or hydraulic";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar(
+            "bump_stop_clearance",
+            "m",
+            &[0.05],
+            (0.0, 1.0),
+            "compression from x = 0 at which the stop is met, as a positive length",
+        ),
+        Parameter::scalar("bump_stop_stiffness", "N/m", &[50000.0], (0.0, 1e7), "stiffness at first contact"),
+        Parameter::scalar(
+            "bump_stop_progression",
+            "m",
+            &[0.02],
+            (1e-3, 1.0),
+            "depth at which the spring has twice the force of a straight one",
+        ),
+        Parameter::scalar(
+            "bump_stop_loss",
+            "-",
+            &[0.15],
+            (0.0, 0.9),
+            "share of the spring force that is lost on the way in and again on the way out",
+        ),
+        Parameter::scalar(
+            "bump_stop_damping",
+            "N s/m",
+            &[0.0],
+            (0.0, 1e6),
+            "hydraulic damping on the way in, at the depth of the progression",
+        ),
+    ];
+}
+
+impl Prepare for BumpStop {
+    const OFF: Self = BumpStop(EndStop::OFF);
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(BumpStop(EndStop::prepare(p)))
+    }
+}
+
+impl Force for BumpStop {
+    fn force(&self, at: &Motion) -> Response {
+        let push = self.0.push(-at.displacement, -at.velocity);
+        Response { force: -push.force, ..push }
+    }
+}

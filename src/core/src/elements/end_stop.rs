@@ -1,0 +1,71 @@
+//! The law of a stop at one end of the stroke, rubber or hydraulic; `bump_stop` and `rebound_stop` are its two ends.
+
+use crate::elements::Response;
+use crate::math::tanh;
+use crate::parameter::View;
+
+/// With the depth d beyond the clearance and the speed s into the stop,
+///
+/// ```text
+/// P = k d̃ (1 + d̃/p) (1 + η tanh(s/s_0)) + c (d̃/p) s₊²/(s₊ + s_0),   d̃ = d²/(d + d_0)
+/// ```
+///
+/// a stiffening spring that gives back less than it took, and oil that is pressed out on the way in only. Slopes are
+/// continuous everywhere: d̃ sets in softly over d_0, the oil over s_0.
+#[derive(Clone, Copy, Debug)]
+pub struct EndStop {
+    clearance: f64,
+    stiffness: f64,
+    per_progression: f64,
+    loss: f64,
+    damping: f64,
+}
+
+/// d_0: a contact is soft for so many metres.
+const CONTACT: f64 = 5e-4;
+/// s_0: the speed, m/s, over which the losses change sign.
+const TURNING: f64 = 0.02;
+
+impl EndStop {
+    /// A stop that is not there.
+    pub const OFF: EndStop = EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0 };
+
+    /// From rows of the order clearance, stiffness, progression, loss, damping.
+    pub fn prepare(p: &View) -> EndStop {
+        EndStop {
+            clearance: p.number(0),
+            stiffness: p.number(1),
+            per_progression: 1.0 / p.number(2),
+            loss: p.number(3),
+            damping: p.number(4),
+        }
+    }
+
+    /// The push P at travel `x` towards the stop and speed `s` into it, with its slopes over both.
+    pub fn push(&self, x: f64, s: f64) -> Response {
+        let beyond = x - self.clearance;
+        if beyond <= 0.0 {
+            return Response::NONE;
+        }
+        let per = 1.0 / (beyond + CONTACT);
+        let depth = beyond * beyond * per;
+        let depth_by_x = beyond * (beyond + 2.0 * CONTACT) * per * per;
+        let spring = self.stiffness * depth * (1.0 + depth * self.per_progression);
+        let spring_by_depth = self.stiffness * (1.0 + 2.0 * depth * self.per_progression);
+        let turned = tanh(s * (1.0 / TURNING));
+        let gain = 1.0 + self.loss * turned;
+        let gain_by_s = self.loss * (1.0 - turned * turned) * (1.0 / TURNING);
+        let (mut flow, mut flow_by_s) = (0.0, 0.0);
+        if s > 0.0 {
+            let per = 1.0 / (s + TURNING);
+            flow = s * s * per;
+            flow_by_s = s * (s + 2.0 * TURNING) * per * per;
+        }
+        let oil = self.damping * self.per_progression;
+        Response {
+            force: spring * gain + oil * depth * flow,
+            by_x: (spring_by_depth * gain + oil * flow) * depth_by_x,
+            by_v: spring * gain_by_s + oil * depth * flow_by_s,
+        }
+    }
+}

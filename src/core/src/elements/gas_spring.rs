@@ -1,0 +1,97 @@
+//! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
+
+use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
+use crate::fault::Fault;
+use crate::math::power;
+use crate::parameter::{Parameter, View};
+
+/// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
+///
+/// The state is z = p V^γ/(p_0 V_0^γ) − 1, which adiabatic motion keeps. With the gas temperature θ = T/T_0 =
+/// (1 + z) ξ^(1−γ), heat through the wall, dT/dt = (T_0 − T)/τ at constant volume, makes it
+/// dz/dt = (ξ^(γ−1) − 1 − z)/τ.
+#[derive(Clone, Copy, Debug)]
+pub struct GasSpring {
+    /// k L.
+    push: f64,
+    /// 1/L.
+    per_length: f64,
+    /// γ.
+    index: f64,
+    /// 1/τ.
+    per_time: f64,
+}
+
+/// The gas is not compressed further than to this share of its volume; the powers run on straight from there.
+const SMALLEST: f64 = 0.05;
+
+impl Describe for GasSpring {
+    const MEANING: &'static str = "growth of the gas force with the displacement of the rod, slow to fast";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("gas_stiffness", "N/m", &[500.0], (0.0, 1e6), "slow (isothermal) stiffness at x = 0, k"),
+        Parameter::scalar(
+            "gas_length",
+            "m",
+            &[0.4],
+            (0.05, 10.0),
+            "gas volume at x = 0 over the area of the rod, L: how soon it stiffens",
+        ),
+        Parameter::scalar("gas_adiabatic_index", "-", &[1.4], (1.0, 1.67), "ratio of fast to slow stiffness, gamma"),
+        Parameter::scalar(
+            "gas_thermal_time",
+            "s",
+            &[3.0],
+            (0.01, 1e3),
+            "time in which the gas takes the temperature of its wall, tau",
+        ),
+    ];
+}
+
+impl Prepare for GasSpring {
+    const OFF: Self = GasSpring { push: 0.0, per_length: 0.0, index: 1.0, per_time: 0.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let (stiffness, length) = (p.number(0), p.number(1));
+        Ok(GasSpring {
+            push: stiffness * length,
+            per_length: 1.0 / length,
+            index: p.number(2),
+            per_time: 1.0 / p.number(3),
+        })
+    }
+}
+
+impl GasSpring {
+    /// ξ^e and its slope over x.
+    fn volume_to(&self, x: f64, e: f64) -> (f64, f64) {
+        let ratio = 1.0 + x * self.per_length;
+        let inside = if ratio > SMALLEST { ratio } else { SMALLEST };
+        let value = power(inside, e);
+        let slope = e * value / inside;
+        (value + slope * (ratio - inside), slope * self.per_length)
+    }
+}
+
+impl Memory for GasSpring {
+    fn share(&self) -> Share {
+        Share::Gas
+    }
+
+    fn recall(&self, at: &Motion, z: f64) -> Recall {
+        let (pressure, pressure_by_x) = self.volume_to(at.displacement, -self.index);
+        let (isothermal, isothermal_by_x) = self.volume_to(at.displacement, self.index - 1.0);
+        Recall {
+            force: self.push * (1.0 - (1.0 + z) * pressure),
+            by_x: -self.push * (1.0 + z) * pressure_by_x,
+            by_memory: -self.push * pressure,
+            rate: (isothermal - 1.0 - z) * self.per_time,
+            rate_by_x: isothermal_by_x * self.per_time,
+            rate_by_memory: -self.per_time,
+            ..Recall::NONE
+        }
+    }
+
+    fn settled(&self, at: &Motion) -> f64 {
+        self.volume_to(at.displacement, self.index - 1.0).0 - 1.0
+    }
+}

@@ -1,0 +1,59 @@
+//! Rebound (top-out) stop: the end of the rebound stroke.
+
+use crate::elements::end_stop::EndStop;
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F = P(x, v): holds the rod back; P is the law of [`EndStop`].
+#[derive(Clone, Copy, Debug)]
+pub struct ReboundStop(EndStop);
+
+impl Describe for ReboundStop {
+    const MEANING: &'static str = "stop at the end of the rebound stroke, rubber or hydraulic";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar(
+            "rebound_stop_clearance",
+            "m",
+            &[0.05],
+            (0.0, 1.0),
+            "extension from x = 0 at which the stop is met",
+        ),
+        Parameter::scalar("rebound_stop_stiffness", "N/m", &[100000.0], (0.0, 1e7), "stiffness at first contact"),
+        Parameter::scalar(
+            "rebound_stop_progression",
+            "m",
+            &[0.02],
+            (1e-3, 1.0),
+            "depth at which the spring has twice the force of a straight one",
+        ),
+        Parameter::scalar(
+            "rebound_stop_loss",
+            "-",
+            &[0.15],
+            (0.0, 0.9),
+            "share of the spring force that is lost on the way in and again on the way out",
+        ),
+        Parameter::scalar(
+            "rebound_stop_damping",
+            "N s/m",
+            &[0.0],
+            (0.0, 1e6),
+            "hydraulic damping on the way in, at the depth of the progression",
+        ),
+    ];
+}
+
+impl Prepare for ReboundStop {
+    const OFF: Self = ReboundStop(EndStop::OFF);
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        Ok(ReboundStop(EndStop::prepare(p)))
+    }
+}
+
+impl Force for ReboundStop {
+    fn force(&self, at: &Motion) -> Response {
+        self.0.push(at.displacement, at.velocity)
+    }
+}

@@ -1,0 +1,234 @@
+//! The elements beside the damper that remember, and the stops: what each one is, seen from outside.
+
+mod common;
+use common::*;
+use dashpot_core::step::{Integration, step};
+use dashpot_core::{Input, Model, Reason, State, evaluate};
+use std::f64::consts::TAU;
+
+/// Displacement, force and time over a run at step `dt`, from the settled start of the motion.
+fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64)> {
+    let (x, v) = motion(0.0);
+    let mut state = model.settled(&Input::motion(x, v));
+    (1..=steps)
+        .map(|i| {
+            let (x, v) = motion(i as f64 * dt);
+            let (next, output) = step(model, &state, &Input::motion(x, v), dt);
+            state = next;
+            (x, output.force)
+        })
+        .collect()
+}
+
+/// Work over the last of `cycles` cycles.
+fn loop_area(model: &Model, amplitude: f64, frequency: f64, cycles: usize) -> f64 {
+    let n = 2000;
+    let points = run(model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, cycles * n);
+    let last = &points[((cycles - 1) * n).saturating_sub(1)..];
+    last.windows(2).map(|p| 0.5 * (p[0].1 + p[1].1) * (p[1].0 - p[0].0)).sum()
+}
+
+#[test]
+fn presliding_does_not_know_the_speed() {
+    let model = only(&["presliding_friction"], &[("presliding_force", 50.0), ("presliding_length", 2e-4)]);
+    for amplitude in [1e-4, 3e-4, 5e-3] {
+        let n = 2000;
+        let of = |frequency: f64| run(&model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, 2 * n);
+        let (slow, fast) = (of(0.1), of(10.0));
+        for ((x, a), (_, b)) in slow.iter().zip(&fast) {
+            assert!((a - b).abs() < 1e-3 * 50.0, "at {x}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn presliding_turns_over_as_the_exponential_of_travel() {
+    let (level, length) = (50.0, 2e-4);
+    let model = only(&["presliding_friction"], &[("presliding_force", level), ("presliding_length", length)]);
+    // At constant speed from the unbent contact: F = F_c (1 − exp(−x/z_0)), at any step.
+    for (v, dt) in [(0.001, 1e-3), (0.05, 1e-3), (0.05, 1e-4)] {
+        let mut state = State { velocity: v, ..State::ZERO };
+        for i in 1..=50 {
+            let x = v * dt * i as f64;
+            let (next, output) = step(&model, &state, &Input::motion(x, v), dt);
+            state = next;
+            let exact = level * (1.0 - (-x / length).exp());
+            assert!((output.force - exact).abs() < 2e-3 * level, "at {x}: {} for {exact}", output.force);
+            assert_eq!(output.friction_force, output.force);
+        }
+    }
+}
+
+#[test]
+fn gas_is_soft_when_slow_and_stiff_when_fast() {
+    let (k, length, index, time) = (500.0, 0.4, 1.4, 3.0);
+    let model = only(
+        &["gas_spring"],
+        &[("gas_stiffness", k), ("gas_length", length), ("gas_adiabatic_index", index), ("gas_thermal_time", time)],
+    );
+    // Slow: p V stays, fast: p V^γ stays.
+    for (frequency, e) in [(1e-4, 1.0), (30.0, index)] {
+        let points = run(&model, &sine(0.05, frequency), 1.0 / frequency / 400.0, 400);
+        let cold = (1.0 - 0.05 / length as f64).powf(e - 1.0);
+        for (x, force) in points {
+            let ratio = 1.0 + x / length;
+            let pressure = if e == 1.0 { 1.0 / ratio } else { cold * ratio.powf(-e) };
+            let exact = k * length * (1.0 - pressure);
+            // A hundredth of the thermal time is one fast cycle.
+            assert!((force - exact).abs() < 0.015 * k * 0.05, "{frequency} Hz at {x}: {force} for {exact}");
+        }
+    }
+    // Between the two, heat that crosses the wall is lost: most where the motion takes as long as the wall.
+    let area = |f: f64| loop_area(&model, 0.05, f, 4);
+    let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
+    assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
+    // Static is isothermal.
+    let held = step(&model, &State::ZERO, &Input::motion(0.05, 0.0), 0.0).1;
+    assert!((held.gas_force - k * length * (1.0 - 1.0 / (1.0 + 0.05 / length))).abs() < 1e-9);
+}
+
+#[test]
+fn a_gas_spring_pressed_beyond_its_volume_stays_finite_and_rises() {
+    let model = only(&["gas_spring"], &[("gas_length", 0.05), ("gas_stiffness", 1e6)]);
+    let mut last = f64::MIN;
+    for i in -400..=400 {
+        let force = evaluate(&model, &State::ZERO, &Input::motion(i as f64 * 1e-3, 0.0)).0.force;
+        assert!(force.is_finite() && force > last);
+        last = force;
+    }
+}
+
+/// A mass of 5 kg up to 30 Hz at host steps of 0.25 to 2 ms, default time: its force within 6 % of M a, from both.
+#[test]
+fn moving_mass_is_a_mass() {
+    let mass = 5.0;
+    let model = only(&["moving_mass"], &[("moving_mass", mass)]);
+    for frequency in [1.0, 5.0, 12.0, 20.0, 30.0] {
+        let w = TAU * frequency;
+        let amplitude = 1.0 / w;
+        for dt in [0.25e-3, 0.5e-3, 1e-3, 2e-3] {
+            let steps = (3.0 / frequency / dt) as usize;
+            let forces = run(&model, &sine(amplitude, frequency), dt, steps);
+            let skip = steps / 3;
+            let (mut square, mut n) = (0.0, 0.0);
+            for (i, (_, force)) in forces.iter().enumerate().skip(skip) {
+                let exact = mass * w * (w * (i + 1) as f64 * dt).cos();
+                square += (force - exact) * (force - exact);
+                n += 1.0;
+            }
+            let off = (square / n as f64).sqrt() / (mass * w);
+            assert!(off < 0.06, "{frequency} Hz, {dt} s: {off}");
+        }
+    }
+}
+
+#[test]
+fn moving_mass_takes_no_energy_but_to_heat() {
+    let model = only(&["moving_mass"], &[("moving_mass", 5.0), ("moving_mass_time", 1e-3)]);
+    for frequency in [1.0, 10.0, 100.0] {
+        assert!(loop_area(&model, 0.5 / frequency / TAU, frequency, 2) > 0.0);
+    }
+}
+
+#[test]
+fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
+    for (element, sign) in [("bump_stop", -1.0), ("rebound_stop", 1.0)] {
+        let name = |p: &str| format!("{element}_{p}");
+        let changes = [
+            (name("clearance"), 0.03),
+            (name("stiffness"), 4e4),
+            (name("progression"), 0.02),
+            (name("loss"), 0.2),
+            (name("damping"), 3e3),
+        ];
+        let changes: Vec<_> = changes.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+        let model = only(&[element], &changes);
+        let at = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(sign * x, sign * v)).0;
+        let force = |x: f64, v: f64| sign * at(x, v).force;
+        for v in [-1.0, 0.0, 1.0] {
+            assert_eq!(force(0.03, v), 0.0);
+            assert_eq!(force(-0.1, v), 0.0);
+            assert_eq!(at(0.05, v).force, at(0.05, v).stop_force);
+        }
+        // Statically the stiffening spring, less what the soft contact takes of its depth.
+        let static_force = |d: f64| 4e4 * d * (1.0 + d / 0.02);
+        let d = 0.02;
+        let soft = d * d / (d + 5e-4);
+        assert!((force(0.03 + d, 0.0) - static_force(soft)).abs() < 1e-6);
+        assert!((force(0.03 + d, 0.0) / static_force(d) - 1.0).abs() < 0.04);
+        // More on the way in than on the way out: the loss both ways, the oil on the way in.
+        assert!((force(0.05, -1.0) / force(0.05, 0.0) - 0.8).abs() < 1e-9);
+        assert!(force(0.05, 1.0) > 1.2 * force(0.05, 0.0) + 0.9 * 3e3);
+        let mut last = 0.0;
+        for i in 0..500 {
+            let now = force(0.03 + i as f64 * 1e-4, 0.1);
+            assert!(now >= last);
+            last = now;
+        }
+        // Slopes are continuous at the contact and at standstill.
+        for (x, v, dx, dv) in [(0.03, 0.5, 1e-9, 0.0), (0.05, 0.0, 0.0, 1e-9)] {
+            let (a, b) = (at(x - dx, v - dv), at(x + dx, v + dv));
+            assert!((a.force_by_displacement - b.force_by_displacement).abs() < 1.0, "{element} {x}");
+            assert!((a.force_by_velocity - b.force_by_velocity).abs() < 1e-2, "{element} {x}");
+        }
+        let area = loop_area(&model, 0.06, 1.0, 1);
+        assert!(area > 0.0);
+    }
+}
+
+/// The private states take the first free places in the order of the list, and eight are enough for any of these.
+#[test]
+fn states_are_compact() {
+    let model = only(&["moving_mass", "presliding_friction"], &[]);
+    let settled = model.settled(&Input::motion(0.0, 0.3));
+    assert_eq!(model.elements().memories(), 2);
+    assert_eq!(settled.memory[..3], [3e-4, 0.3, 0.0]);
+    assert!(!Reason::TooManyStates.text().is_empty());
+}
+
+/// The fourth-order step against a finer explicit solution, each element on with the default damper, at 1 ms.
+#[test]
+fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
+    for (elements, changes) in [
+        (&["presliding_friction"][..], &[("presliding_force", 100.0)][..]),
+        (&["gas_spring"], &[("gas_stiffness", 3e3)]),
+        (&["moving_mass"], &[("moving_mass", 5.0), ("moving_mass_time", 1e-3)]),
+        (&["bump_stop", "rebound_stop"], &[("bump_stop_clearance", 0.004), ("rebound_stop_clearance", 0.004)]),
+    ] {
+        let model = with(elements, changes);
+        for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.002, 0.2618), (0.002, 0.052)] {
+            let motion = sine(amplitude, peak / (TAU * amplitude));
+            let exact = reference_forces(&model, &motion, 1e-3, 120, 500);
+            let (rms, largest) = errors(&step_forces(&model, &motion, 1e-3, 120, false), &exact);
+            assert!(rms <= 1e-3 && largest <= 1e-2, "{elements:?} {amplitude} {peak}: {rms:.2e} {largest:.2e}");
+        }
+    }
+}
+
+/// Where the element is smooth the order of the method shows; presliding has the kink of |v| at every reversal and
+/// is held to order 2 between reversals.
+#[test]
+fn order_of_the_step_with_each_element() {
+    for (elements, changes, orders) in [
+        (&["gas_spring"][..], &[("gas_stiffness", 3e3), ("gas_thermal_time", 0.05)][..], [0.9, 1.9, 3.5]),
+        (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 3.5]),
+        (&["presliding_friction"], &[("presliding_length", 5e-3)], [0.9, 1.9, 3.0]),
+    ] {
+        let model = only(elements, changes);
+        // No reversal inside.
+        let motion = |t: f64| (0.3 * t + 0.01 * (20.0 * t).sin(), 0.3 + 0.2 * (20.0 * t).cos());
+        let exact = reference_forces(&model, &motion, 8e-3, 30, 2000);
+        for (method, order) in METHODS.into_iter().zip(orders) {
+            let model = model.with_integration(Integration::fixed(method, 1));
+            let error = |finer: usize| {
+                let forces = step_forces(&model, &motion, 8e-3 / finer as f64, 30 * finer, false);
+                let forces: Vec<f64> = forces.into_iter().skip(finer - 1).step_by(finer).collect();
+                errors(&forces, &exact).0
+            };
+            let (coarse, fine) = (error(1), error(2));
+            let slope = (coarse / fine).log2();
+            // Four orders of the path: the motion itself is a cubic inside a step.
+            assert!(slope > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {slope}");
+        }
+    }
+}

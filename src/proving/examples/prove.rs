@@ -1,0 +1,68 @@
+//! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
+
+use dashpot_proving::case::Case;
+use dashpot_proving::suite::{Entry, OTHER_FORM, Size, suite};
+use dashpot_proving::{outcome, score};
+use rayon::prelude::*;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let what = args.first().map_or("short", String::as_str);
+    let seed: u64 = args.get(1).and_then(|s| s.parse().ok()).unwrap_or(1000);
+    let entries: Vec<Entry> = match what {
+        "full" => suite(Size::FULL, seed),
+        "short" => suite(Size::SHORT, seed),
+        _ => {
+            let count: u64 = args.get(2).and_then(|s| s.parse().ok()).unwrap_or(1);
+            (0..count)
+                .map(|k| {
+                    let case = what.split(',').filter(|w| *w != "nothing").fold(Case::nothing(seed + k), |case, word| {
+                        let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
+                        case.hiding(name, severity.parse().unwrap_or(1.5))
+                    });
+                    Entry { block: if what == "nothing" { "null_white" } else { "single" }, case }
+                })
+                .collect()
+        }
+    };
+    let outcomes: Vec<outcome::Outcome> = entries
+        .par_iter()
+        .filter_map(|entry| {
+            let mut entry = entry.clone();
+            entry.case.effects.retain(|(name, _)| name != OTHER_FORM);
+            match outcome::run(entry.block, &entry.case) {
+                Ok((o, _, found)) => {
+                    eprintln!(
+                        "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
+                        o.block, o.hidden, o.forms, o.seed, o.verdict, o.named, o.suspects, o.gap_closed, o.clean_before, o.clean_after, o.seconds
+                    );
+                    for round in &found.rounds {
+                        let words: Vec<String> = round
+                            .iter()
+                            .take(4)
+                            .map(|t| {
+                                format!(
+                                    "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3}",
+                                    t.effect,
+                                    t.form,
+                                    t.confidence,
+                                    t.evidence.bic_fall,
+                                    t.evidence.share,
+                                    t.evidence.size,
+                                    t.evidence.left_out_gain
+                                )
+                            })
+                            .collect();
+                        eprintln!("    {}", words.join("; "));
+                    }
+                    Some(o)
+                }
+                Err(error) => {
+                    eprintln!("{} {:?} seed {}: {error}", entry.block, entry.case.effects, entry.case.options.seed);
+                    None
+                }
+            }
+        })
+        .collect();
+    println!("{}\n{}", score::table(&outcomes), score::confusion(&outcomes));
+}

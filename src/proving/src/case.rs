@@ -1,0 +1,119 @@
+//! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
+
+use crate::ProvingError;
+use crate::severity;
+use dashpot_core::Params;
+use dashpot_lab::identification::{FitOptions, fit};
+use dashpot_lab::records::{self, Record};
+use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Options, Plan, Truth};
+
+/// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
+pub const BASE: [&str; 4] = ["fv_curve", "series_compliance", "coulomb_friction", "gas_preload"];
+
+/// What is asked for.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Names with their severities; `name:form` asks for a form.
+    pub effects: Vec<(String, f64)>,
+    /// The tests.
+    pub plan: Plan,
+    /// Seed, noise, channels.
+    pub options: Options,
+}
+
+/// A case that has been measured and whose base model has been identified.
+pub struct Measured {
+    /// The records, noisy, as a user reads them.
+    pub records: Vec<Record>,
+    /// Force without noise at each record's samples, N.
+    pub clean: Vec<Record>,
+    /// Tests that no refit sees.
+    pub held_out: Vec<bool>,
+    /// The identified base model.
+    pub base: Params,
+    /// What is hidden.
+    pub truth: Truth,
+}
+
+impl Case {
+    /// Nothing hidden, 2 % noise.
+    pub fn nothing(seed: u64) -> Case {
+        let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
+        Case { effects: Vec::new(), plan: Plan::Diagnosis, options }
+    }
+
+    /// One more effect hidden.
+    #[must_use]
+    pub fn hiding(mut self, effect: &str, severity: f64) -> Case {
+        self.effects.push((effect.to_owned(), severity));
+        self
+    }
+
+    fn at(&self, strengths: &[f64]) -> Result<HiddenCampaign, ProvingError> {
+        let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
+        Ok(HiddenCase { effects, plan: self.plan, options: self.options.clone() }.run()?)
+    }
+
+    /// Finds the strengths, measures, and identifies the base model.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    pub fn measure(&self) -> Result<Measured, ProvingError> {
+        let mut strengths = vec![0.0; self.effects.len()];
+        if !self.effects.is_empty() {
+            // Each effect by itself; together they are what they are.
+            let neutral = self.at(&strengths)?;
+            let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent)?;
+            for (k, (name, wanted)) in self.effects.iter().enumerate() {
+                let mut alone = vec![0.0; self.effects.len()];
+                strengths[k] = ground.strength(name, *wanted, |strength| {
+                    alone[k] = strength;
+                    Ok(self.at(&alone)?.campaign)
+                })?;
+            }
+        }
+        let hidden = self.at(&strengths)?;
+        let noisy = read(&hidden.campaign)?;
+        let clean = read(&without_noise(&hidden.campaign))?;
+        let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
+        let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
+        let mut base = base_model(&seen)?;
+        if self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
+            let _ = base.enable("side_force_friction", false);
+        }
+        Ok(Measured { records: noisy, clean, held_out, base, truth: hidden.truth })
+    }
+}
+
+/// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.
+pub fn base_model(records: &[&Record]) -> Result<Params, ProvingError> {
+    let options = FitOptions { elements: Some(BASE.map(String::from).to_vec()), ..FitOptions::default() };
+    let mut params = fit(records, &options, |_| ())?.params;
+    for name in ["series_compliance", "coulomb_friction", "side_force_friction", "parallel_spring", "gas_preload"] {
+        // Names of the kernel's own list.
+        let _ = params.enable(name, true);
+    }
+    for (name, value) in [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)] {
+        let _ = params.set(name, value);
+    }
+    Ok(params)
+}
+
+/// The same campaign with ideal force sensors.
+pub fn without_noise(campaign: &Campaign) -> Campaign {
+    let mut clean = campaign.clone();
+    for record in &mut clean.records {
+        record.force_n.clone_from(&record.clean_force_n);
+    }
+    clean
+}
+
+/// The records as a user reads them: written to files and loaded.
+pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("campaign");
+    campaign.write(&path)?;
+    let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
+    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| ProvingError::Records(e.to_string()))?;
+    Ok(loaded.records)
+}

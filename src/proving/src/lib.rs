@@ -1,0 +1,49 @@
+//! The proving ground of the diagnosis: dampers with effects hidden in them at a stated severity, and how often the right
+//! name comes back.
+//!
+//! The only place that knows both sides: the rig that hides and the laboratory that looks. Severity is what refitting the
+//! base model cannot absorb, in units of the noise; any other measure would count effects that no data can show.
+//!
+//! | file | what |
+//! |---|---|
+//! | [`case`] | a case: what is hidden at which severity, and which model is diagnosed |
+//! | [`severity`] | the strength that makes a severity |
+//! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
+//! | [`suite`] | the cases of the benchmark |
+//! | [`score`] | the table of figures and the confusion matrix |
+
+pub mod case;
+pub mod outcome;
+pub mod score;
+pub mod severity;
+pub mod suite;
+
+/// Why a case cannot be run.
+#[derive(Debug, thiserror::Error)]
+pub enum ProvingError {
+    /// The rig refuses it.
+    #[error(transparent)]
+    Rig(#[from] dashpot_rig::RigError),
+    /// Its records cannot be read back.
+    #[error("reading the case's own records: {0}")]
+    Records(String),
+    /// The base model cannot be fitted.
+    #[error(transparent)]
+    Fit(#[from] dashpot_lab::identification::FitError),
+    /// The diagnosis refuses it.
+    #[error(transparent)]
+    Diagnosis(#[from] dashpot_lab::diagnosis::DiagnosisError),
+    /// No folder for the records.
+    #[error("no folder for the records: {0}")]
+    Folder(#[from] std::io::Error),
+    /// No strength makes this severity with these tests.
+    #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
+    OutOfReach {
+        /// The effect.
+        effect: String,
+        /// The largest severity found.
+        reached: f64,
+        /// The severity asked for.
+        wanted: f64,
+    },
+}

@@ -1,0 +1,110 @@
+//! What the diagnosis answered in one case, beside the sealed truth.
+
+use crate::ProvingError;
+use crate::case::{Case, Measured};
+use dashpot_lab::diagnosis::{Diagnosis, Evidence, Options, Verdict, diagnose};
+use dashpot_lab::records::Record;
+use serde::Serialize;
+
+/// One scored case.
+#[derive(Debug, Clone, Serialize)]
+pub struct Outcome {
+    /// Block of the suite that it belongs to.
+    pub block: &'static str,
+    /// Seed.
+    pub seed: u64,
+    /// Hidden effects with their severities.
+    pub hidden: Vec<(String, f64)>,
+    /// Forms that the rig drew.
+    pub forms: Vec<String>,
+    /// The answer.
+    pub verdict: Verdict,
+    /// Names given, with their confidences, in order.
+    pub named: Vec<(String, f64)>,
+    /// For an answer without a name: the suspects.
+    pub suspects: Vec<String>,
+    /// Error against the noise-free force of the left-out tests, before and after, N.
+    pub clean_before: f64,
+    /// After.
+    pub clean_after: f64,
+    /// Share of the gap closed on left-out tests, as the diagnosis says.
+    pub gap_closed: Option<f64>,
+    /// Seconds.
+    pub seconds: f64,
+    /// The likeliest name of every round with the figures behind it, whether it was given or not.
+    pub evidence: Vec<(String, f64, Evidence)>,
+    /// Effects that the diagnosis says these records cannot show.
+    pub could_not_test: Vec<String>,
+}
+
+impl Outcome {
+    /// The first hidden effect, without its form.
+    pub fn truth(&self) -> Option<&str> {
+        self.hidden.first().map(|(name, _)| plain(name))
+    }
+
+    /// Whether any name given is hidden.
+    pub fn is_hidden(&self, name: &str) -> bool {
+        self.hidden.iter().any(|(hidden, _)| plain(hidden) == name)
+    }
+}
+
+/// A name without its form.
+pub fn plain(name: &str) -> &str {
+    name.split(':').next().unwrap_or(name)
+}
+
+/// Runs and scores one case.
+///
+/// # Errors
+/// What rig, reader, fit or diagnosis refuse.
+pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), ProvingError> {
+    let measured = case.measure()?;
+    let records: Vec<&Record> = measured.records.iter().collect();
+    let start = std::time::Instant::now();
+    let found = diagnose(&records, &measured.held_out, &measured.base, &Options::default(), &|_, _| ())?;
+    let seconds = start.elapsed().as_secs_f64();
+    let (clean_before, clean_after) = against_clean(&measured, &found);
+    let outcome = Outcome {
+        block,
+        seed: case.options.seed,
+        hidden: case.effects.clone(),
+        forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
+        verdict: found.verdict,
+        named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
+        suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),
+        clean_before,
+        clean_after,
+        gap_closed: found.gap_closed,
+        seconds,
+        evidence: found
+            .rounds
+            .iter()
+            .filter_map(|r| r.first())
+            .map(|t| (t.effect.to_owned(), t.confidence, t.evidence))
+            .collect(),
+        could_not_test: found.could_not_test.iter().map(|c| c.effect.to_owned()).collect(),
+    };
+    Ok((outcome, measured, found))
+}
+
+/// Root mean square error against the noise-free force of the left-out tests, before and after.
+fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
+    let records: Vec<&Record> = measured.clean.iter().collect();
+    let clean = dashpot_lab::diagnosis::mean_cycles(&records);
+    let (mut before, mut after, mut count) = (0.0, 0.0, 0.0);
+    for test in found.tests.iter().filter(|t| t.held_out) {
+        let Some((_, forces)) = clean.iter().find(|(name, f)| *name == test.test && f.len() == test.curves.before.len())
+        else {
+            continue;
+        };
+        let mean = |model: &[f64]| {
+            model.iter().zip(forces).map(|(m, c)| (m - c).powi(2)).sum::<f64>() / forces.len().max(1) as f64
+        };
+        before += mean(&test.curves.before);
+        after += mean(&test.curves.after);
+        count += 1.0;
+    }
+    let count = f64::max(count, 1.0);
+    ((before / count).sqrt(), (after / count).sqrt())
+}

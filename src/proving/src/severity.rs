@@ -1,0 +1,114 @@
+//! Severity: what refitting the base model cannot absorb of an effect, in units of the noise; and the strength that makes
+//! it.
+
+use crate::ProvingError;
+use crate::case::{base_model, read, without_noise};
+use dashpot_core::Params;
+use dashpot_lab::diagnosis::unabsorbed;
+use dashpot_lab::records::Record;
+use dashpot_rig::{CHECK_PREFIX, Campaign};
+
+/// How near the severity must come.
+const NEAR: f64 = 0.08;
+/// Most strengths tried.
+const TRIES: usize = 7;
+/// Strengths a case may have.
+const STRENGTHS: (f64, f64) = (1e-3, 12.0);
+/// Constant part of the rig's force noise, N.
+const LEAST_NOISE: f64 = 0.5;
+
+/// The neutral damper's campaign, against which an effect is measured.
+pub struct Ground {
+    base: Params,
+    percent: f64,
+    /// What the neutral damper itself leaves, in units of the noise.
+    own: f64,
+}
+
+fn seen(records: &[Record]) -> Vec<&Record> {
+    records.iter().filter(|r| !r.name.starts_with(CHECK_PREFIX)).collect()
+}
+
+impl Ground {
+    /// From the neutral damper's campaign.
+    ///
+    /// # Errors
+    /// What reader or fit refuse.
+    pub fn new(neutral: &Campaign, percent: f64) -> Result<Ground, ProvingError> {
+        let clean = read(&without_noise(neutral))?;
+        let base = base_model(&seen(&clean))?;
+        let mut ground = Ground { base, percent, own: 0.0 };
+        ground.own = ground.left(&clean);
+        Ok(ground)
+    }
+
+    fn left(&self, clean: &[Record]) -> f64 {
+        let records = seen(clean);
+        let noise: Vec<f64> = records
+            .iter()
+            .map(|r| {
+                let rms = (r.force.iter().map(|f| f * f).sum::<f64>() / r.force.len().max(1) as f64).sqrt();
+                0.01 * self.percent * rms + LEAST_NOISE
+            })
+            .collect();
+        unabsorbed(&records, &noise, &self.base).unwrap_or(f64::INFINITY)
+    }
+
+    /// Severity of a campaign.
+    ///
+    /// # Errors
+    /// What the reader refuses.
+    pub fn severity(&self, campaign: &Campaign) -> Result<f64, ProvingError> {
+        let left = self.left(&read(&without_noise(campaign))?);
+        Ok((left * left - self.own * self.own).max(0.0).sqrt())
+    }
+
+    /// The strength at which an effect has the severity asked for.
+    ///
+    /// # Errors
+    /// What rig or reader refuse; a severity out of reach.
+    pub fn strength(
+        &self,
+        effect: &str,
+        wanted: f64,
+        mut campaign: impl FnMut(f64) -> Result<Campaign, ProvingError>,
+    ) -> Result<f64, ProvingError> {
+        if wanted <= 0.0 {
+            return Ok(0.0);
+        }
+        // The trace grows steadily with strength: regula falsi on logarithms, inside what is known.
+        let (mut low, mut high): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+        let mut strength: f64 = 0.3;
+        let mut best = (f64::INFINITY, strength, 0.0);
+        for _ in 0..TRIES {
+            let found = self.severity(&campaign(strength)?)?.max(1e-3);
+            let off = (found / wanted).ln();
+            if off.abs() < best.0 {
+                best = (off.abs(), strength, found);
+            }
+            if off.abs() < NEAR {
+                return Ok(strength);
+            }
+            if off < 0.0 {
+                low = Some((strength.ln(), off));
+            } else {
+                high = Some((strength.ln(), off));
+            }
+            let next = match (low, high) {
+                (Some((a, fa)), Some((b, fb))) => a + (b - a) * (-fa / (fb - fa)).clamp(0.15, 0.85),
+                (Some((a, fa)), None) => a - fa.max(-2.3),
+                (None, Some((b, fb))) => b - fb.min(3.5),
+                (None, None) => strength.ln(),
+            };
+            let next = next.exp().clamp(STRENGTHS.0, STRENGTHS.1);
+            if (next / strength).ln().abs() < 1e-3 {
+                break;
+            }
+            strength = next;
+        }
+        if best.0 < 0.35 {
+            return Ok(best.1);
+        }
+        Err(ProvingError::OutOfReach { effect: effect.to_owned(), reached: best.2, wanted })
+    }
+}

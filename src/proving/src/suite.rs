@@ -1,0 +1,95 @@
+//! The cases of the benchmark.
+
+use crate::case::Case;
+use crate::outcome::plain;
+use dashpot_rig::{EFFECTS, Plan, UNKNOWN_EFFECTS};
+
+/// A case with the block that it belongs to.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Block.
+    pub block: &'static str,
+    /// Case.
+    pub case: Case,
+}
+
+/// Blocks in the order of the table.
+pub const BLOCKS: [&str; 7] = ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor"];
+
+/// How many cases of each kind.
+#[derive(Debug, Clone, Copy)]
+pub struct Size {
+    /// Seeds per effect and severity.
+    pub seeds: u64,
+    /// Severities of single effects.
+    pub severities: &'static [f64],
+    /// Cases of each kind with nothing hidden.
+    pub nothing: u64,
+    /// Seeds per unknown effect and severity.
+    pub unknown: u64,
+    /// Pairs.
+    pub pairs: u64,
+    /// Cases on poor plans.
+    pub poor: u64,
+}
+
+impl Size {
+    /// Hundreds of cases.
+    pub const FULL: Size =
+        Size { seeds: 3, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 60, unknown: 2, pairs: 60, poor: 40 };
+    /// A few minutes.
+    pub const SHORT: Size = Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4 };
+}
+
+/// All cases of a size, from a first seed on; no two share a seed.
+pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
+    let mut seed = first_seed;
+    let mut next = || {
+        seed += 1;
+        Case::nothing(seed)
+    };
+    let mut all = Vec::new();
+    let mut add = |block: &'static str, case: Case| all.push(Entry { block, case });
+    for effect in EFFECTS {
+        for severity in size.severities {
+            for _ in 0..size.seeds {
+                add("single", next().hiding(effect, *severity));
+            }
+        }
+    }
+    for _ in 0..size.nothing {
+        add("null_white", next());
+        let mut coloured = next();
+        coloured.options.noise_colour = 0.5 + 0.45 * ((coloured.options.seed % 10) as f64 / 9.0);
+        coloured.options.hum_n = 2.0;
+        coloured.options.bits = Some(14);
+        add("null_coloured", coloured);
+        add("null_form", next().hiding(OTHER_FORM, 0.0));
+    }
+    for effect in UNKNOWN_EFFECTS.iter().filter(|e| plain(e) != OTHER_FORM) {
+        for severity in [1.0, 3.0] {
+            for _ in 0..size.unknown {
+                add("unknown", next().hiding(effect, severity));
+            }
+        }
+    }
+    for k in 0..size.pairs {
+        let n = EFFECTS.len() as u64;
+        let (a, b) = ((7 * k + 3) % n, (11 * k + 3 + 1 + k / n) % n);
+        if a != b {
+            let [a, b] = [a, b].map(|i| EFFECTS[i as usize]);
+            add("pair", next().hiding(a, 2.0).hiding(b, 2.0));
+        }
+    }
+    let plans = [Plan::OneAmplitude, Plan::OneFrequency, Plan::NoSlowTests, Plan::Centred, Plan::NoSideForce];
+    for k in 0..size.poor {
+        let mut case = next().hiding(EFFECTS[(5 * k as usize + 2) % EFFECTS.len()], 2.0);
+        case.plan = plans[k as usize % plans.len()];
+        case.options.temperature_channel = k % 2 == 0;
+        add("poor", case);
+    }
+    all
+}
+
+/// Stands for the neutral damper with another form of FV curve.
+pub const OTHER_FORM: &str = "other_form";

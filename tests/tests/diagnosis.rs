@@ -1,0 +1,120 @@
+//! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
+
+use dashpot_core::Params;
+use dashpot_lab::diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_lab::records::Record;
+use dashpot_tests::kernel_campaign::{Sine, campaign};
+use std::f64::consts::TAU;
+
+/// Strokes and speeds, mean positions, side forces, slow tests.
+fn tests() -> Vec<Sine> {
+    let mut tests = Vec::new();
+    for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
+        for peak in [0.052, 0.13, 0.26, 0.52, 1.05, 1.57] {
+            let frequency = peak / (TAU * amplitude);
+            if frequency <= 25.1 {
+                tests.push(Sine { side_force: Some(0.0), ..Sine::new(amplitude, frequency) });
+            }
+        }
+    }
+    for (mean, side) in [(-0.03, 0.0), (-0.015, 0.0), (0.015, 0.0), (0.03, 0.0), (0.0, 500.0), (0.0, 1000.0)] {
+        for (amplitude, peak) in [(0.01, 0.2), (0.02, 0.6)] {
+            tests.push(Sine { mean, side_force: Some(side), ..Sine::new(amplitude, peak / (TAU * amplitude)) });
+        }
+    }
+    for frequency in [0.008, 0.03, 0.1] {
+        tests.push(Sine { side_force: Some(0.0), ..Sine::new(0.01, frequency) });
+    }
+    tests
+}
+
+/// FV curve, series compliance, dry friction, a linear spring and gas: the model that the data is compared with.
+fn base() -> Params {
+    let mut params = Params::new();
+    params.disable_all();
+    for name in ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"] {
+        params.enable(name, true).unwrap();
+    }
+    params.set("spring_quadratic", 0.0).unwrap();
+    params.set("spring_linear", 800.0).unwrap();
+    params
+}
+
+fn diagnosed(truth: &Params, model: &Params, seed: u64) -> Diagnosis {
+    let records = campaign(truth, &tests(), seed, 0.02);
+    of(&records, model)
+}
+
+fn of(records: &[Record], model: &Params) -> Diagnosis {
+    let refs: Vec<&Record> = records.iter().collect();
+    diagnose(&refs, &choose_held_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
+}
+
+fn told(d: &Diagnosis) -> String {
+    let rounds: Vec<String> = d
+        .rounds
+        .iter()
+        .map(|r| {
+            r.iter()
+                .take(5)
+                .map(|t| {
+                    format!(
+                        "{} {} p {:.2} bic {:.0} share {:.2} loo {:.3}",
+                        t.effect, t.form, t.confidence, t.evidence.bic_fall, t.evidence.share, t.evidence.left_out_gain
+                    )
+                })
+                .collect::<Vec<_>>()
+                .join("; ")
+        })
+        .collect();
+    format!("{:?} {} | {}\n{}", d.verdict, d.summary, d.notes.join("; "), rounds.join("\n"))
+}
+
+#[test]
+fn nothing_is_missing_where_nothing_is() {
+    for seed in 1..=5 {
+        let found = diagnosed(&base(), &base(), seed);
+        println!("{}", told(&found));
+        assert_eq!(found.verdict, Verdict::NothingMissing, "{}", told(&found));
+    }
+}
+
+/// Hides one element in the data and asks for its name.
+fn names(effect: &str, set: &[(&str, f64)]) {
+    let mut truth = base();
+    truth.enable(effect, true).unwrap();
+    for (name, value) in set {
+        truth.set(name, *value).unwrap();
+    }
+    let found = diagnosed(&truth, &base(), 11);
+    println!("{effect}: {}", told(&found));
+    assert_eq!(found.verdict, Verdict::Named, "{}", told(&found));
+    assert_eq!(found.findings[0].effect, effect, "{}", told(&found));
+    assert_eq!(found.findings.len(), 1, "{}", told(&found));
+    assert!(found.gap_closed.unwrap() > 0.9, "{:?}", found.gap_closed);
+    for (name, value) in set {
+        if let Some(v) = found.findings[0].parameters.get(name) {
+            assert!((v.value / value - 1.0).abs() < 0.3, "{name} {v:?} for {value}");
+        }
+    }
+}
+
+#[test]
+fn friction_under_side_force_is_named() {
+    names("side_force_friction", &[("side_force_coefficient", 0.05)]);
+}
+
+#[test]
+fn a_bristle_before_sliding_is_named() {
+    names("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]);
+}
+
+#[test]
+fn a_bump_stop_is_named() {
+    names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
+}
+
+#[test]
+fn a_mass_between_load_cell_and_damper_is_named() {
+    names("moving_mass", &[("moving_mass", 2.0)]);
+}
