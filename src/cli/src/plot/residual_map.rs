@@ -71,8 +71,7 @@ fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[O
         if let Some(value) = value {
             let (column, row) = (k % CELLS[0], k / CELLS[0]);
             let at = [left + column as f64 * size[0], bottom - (row + 1) as f64 * size[1]];
-            // A little larger than the cell, so that no seam shows between neighbours.
-            svg.cell(at, [size[0] + 0.3, size[1] + 0.3], &signed(value / end));
+            svg.tile(at, size, &signed(value / end));
         }
     }
     let (x_ticks, y_ticks) = (axes[0].ticks(9), axes[1].ticks(8));
@@ -110,7 +109,7 @@ fn bar(svg: &mut Svg, corner: [f64; 2], end: f64) {
     let tall = MAP[1] / STEPS as f64;
     for k in 0..STEPS {
         let place = 1.0 - 2.0 * (k as f64 + 0.5) / STEPS as f64;
-        svg.cell([corner[0], corner[1] + k as f64 * tall], [14.0, tall + 0.3], &signed(place));
+        svg.tile([corner[0], corner[1] + k as f64 * tall], [14.0, tall], &signed(place));
     }
     let decimals = (1.0 - end.log10().floor()).clamp(0.0, 6.0) as usize;
     for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {

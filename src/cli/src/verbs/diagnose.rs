@@ -56,7 +56,7 @@ pub struct Args {
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
-fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
+pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
         return Ok(choose_held_out(&records, seed));

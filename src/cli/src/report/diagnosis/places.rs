@@ -2,7 +2,7 @@
 
 use crate::plot::{residual, residual_map};
 use crate::report::blocks::{Block, Column, Figure, Section, Table};
-use crate::report::numbers::{digits, milli};
+use crate::report::numbers::{beside, digits};
 use dashpot_lab::diagnosis::{Diagnosis, Region};
 
 /// Regions, maps and curves.
@@ -45,7 +45,10 @@ pub fn section(found: &Diagnosis) -> Section {
 fn table(regions: &[Region]) -> Table {
     let in_words = |word: &str| word.replace('_', " ");
     let span = |ends: [f64; 2]| match ends[0].is_finite() && ends[1].is_finite() {
-        true => format!("{} … {}", milli(ends[0]), milli(ends[1])),
+        true => {
+            let widest = 1e3 * ends[0].abs().max(ends[1].abs());
+            format!("{} … {}", beside(1e3 * ends[0], widest), beside(1e3 * ends[1], widest))
+        }
         false => "–".to_owned(),
     };
     let rows = regions
