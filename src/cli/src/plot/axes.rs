@@ -150,7 +150,8 @@ impl Plane {
         svg.frame(&zero, 0.8);
         svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
         for (value, label) in &x_ticks.at {
-            svg.text([at_x(*value), bottom + 15.0], label, TextStyle::faint(TICK, Anchor::Middle));
+            let last = width - 0.5 * text_width(label, TICK) - 1.0;
+            svg.text([at_x(*value).min(last), bottom + 15.0], label, TextStyle::faint(TICK, Anchor::Middle));
         }
         for (value, label) in &y_ticks.at {
             svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));

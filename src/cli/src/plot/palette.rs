@@ -157,13 +157,14 @@ mod tests {
             [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
             [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
         ];
-        let roles = [Role::Measured, Role::Model, Role::FvOnly, Role::Before];
+        // The curve alone and a model before its improvement are never in one figure.
+        let figures = [[Role::Measured, Role::Model, Role::FvOnly], [Role::Measured, Role::Model, Role::Before]];
         for sight in sights {
             let seen = |colour: &str| {
                 let rgb = linear(colour);
                 lab(sight.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0)))
             };
-            for shade in [Role::light, Role::dark] {
+            for (shade, roles) in [Role::light, Role::dark].into_iter().flat_map(|s| figures.map(|roles| (s, roles))) {
                 for (i, a) in roles.iter().enumerate() {
                     for b in &roles[i + 1..] {
                         let (p, q) = (seen(shade(*a)), seen(shade(*b)));

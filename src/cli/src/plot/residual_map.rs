@@ -59,7 +59,7 @@ fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> V
 /// The next round number.
 fn round_up(value: f64) -> f64 {
     let decade = 10f64.powf(value.max(1e-3).log10().floor());
-    [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= value).unwrap_or(value)
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= 0.999 * value).unwrap_or(value)
 }
 
 fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[Option<f64>], end: f64) {

@@ -53,18 +53,20 @@ impl Ticks {
         if low <= 0.0 && high >= 0.0 {
             at.push((0.0, number(0.0, 0)));
         }
-        let top = low.abs().max(high.abs());
-        for sign in [1.0, -1.0] {
-            let mut last = 0.0;
-            let first = (0.25 * room * room).log10().floor() as i32;
-            for exponent in first..=top.log10().ceil() as i32 {
-                for factor in [1.0, 2.0, 5.0] {
+        for (sign, end) in [(1.0, high), (-1.0, -low)] {
+            // From the end inwards, so that the widest range is marked best.
+            let mut last = f64::INFINITY;
+            let mut exponent = end.max(f64::MIN_POSITIVE).log10().floor() as i32;
+            while place(10f64.powi(exponent + 1)) >= 0.8 * room {
+                for factor in [5.0, 2.0, 1.0] {
                     let value = sign * factor * 10f64.powi(exponent);
-                    if (low..=high).contains(&value) && place(value.abs()) - last >= 0.8 * room {
+                    let here = place(value.abs());
+                    if (low..=high).contains(&value) && here >= 0.8 * room && last - here >= 0.8 * room {
                         at.push((value, number(value, (-exponent).max(0) as usize)));
-                        last = place(value.abs());
+                        last = here;
                     }
                 }
+                exponent -= 1;
             }
         }
         at.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -121,10 +123,7 @@ mod tests {
 
     #[test]
     fn a_root_axis_is_marked_on_both_sides_of_zero() {
-        assert_eq!(
-            labels(&Ticks::root(-1600.0, 1600.0, 9)),
-            ["−1000", "−500", "−200", "−50", "0", "50", "200", "500", "1000"]
-        );
+        assert_eq!(labels(&Ticks::root(-1600.0, 1600.0, 9)), ["−1000", "−500", "−200", "0", "200", "500", "1000"]);
         assert_eq!(labels(&Ticks::root(3.0, 30.0, 4)).len(), 3);
         assert!(Ticks::root(0.0, 0.0, 5).at.is_empty());
     }

@@ -45,13 +45,13 @@ pub struct Args {
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
     /// Most effects to add
-    #[arg(long, value_name = "N", default_value_t = 3)]
+    #[arg(long, value_name = "N", default_value_t = 3, allow_negative_numbers = true)]
     max_effects: usize,
     /// Effects that may be named, separated by commas; all if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     candidates: Option<Vec<String>>,
     /// Chooses which tests are left out
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
 }
 

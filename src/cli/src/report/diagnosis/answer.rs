@@ -113,10 +113,20 @@ pub fn picture(found: &Diagnosis) -> Option<String> {
     let size = |name: &str| -> f64 {
         errors.split(&format!(" {name}=\"")).nth(1).and_then(|t| t.split('"').next()?.parse().ok()).unwrap_or(0.0)
     };
-    let title = format!("{} Test {}{}:", headline(found), shown.test, if shown.held_out { ", left out" } else { "" });
-    let top = 30.0;
+    let named: Vec<String> =
+        found.findings.iter().map(|f| format!("{} ({} sure)", f.effect, share(f.confidence))).collect();
+    let title = match found.verdict {
+        Verdict::Named => format!("Missing: {}", named.join(", ")),
+        Verdict::NothingMissing => "Nothing is missing".to_owned(),
+        Verdict::CannotTell => "Something is missing, and these records cannot tell what".to_owned(),
+        Verdict::UnknownEffect => "Something is missing that no known effect explains".to_owned(),
+    };
+    let kind = if shown.held_out { "left out of every refit" } else { "fitted" };
+    let top = 48.0;
     let mut svg = Svg::new((2.0 * wide).max(size("width")), top + tall + size("height"), &title);
-    svg.text([20.0, 19.0], &title, TextStyle { bold: true, ..TextStyle::plain(14.0, Anchor::Start) });
+    svg.text([20.0, 20.0], &title, TextStyle { bold: true, ..TextStyle::plain(15.0, Anchor::Start) });
+    let below = format!("Above: test {}, {kind}. Below: every test.", shown.test);
+    svg.text([20.0, 38.0], &below, TextStyle::faint(12.0, Anchor::Start));
     svg.inside([0.0, top], &before_after::force_velocity(shown));
     svg.inside([wide, top], &before_after::residual_velocity(shown));
     svg.inside([0.0, top + tall], &errors);

@@ -65,7 +65,7 @@ fn one(place: usize, finding: &Finding) -> Vec<Block> {
         Block::Paragraph(format!("{}. {to_what}{gap}", capital(&finding.meaning))),
         Block::Paragraph(format!(
             "Why: it explains {} of what was beyond the noise at that point (χ² falls by {}, by {} after the price of its \
-             numbers); left-out by left-out, {} of the tests are predicted better with it.",
+             numbers); leaving out one test at a time, {} of them are predicted better with it.",
             share(e.share),
             digits(e.chi2_fall, 3),
             digits(e.bic_fall, 3),

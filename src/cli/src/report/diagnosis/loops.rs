@@ -41,7 +41,8 @@ pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
     worst(tests, held_out).first().map(|place| &tests[*place])
 }
 
-/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest force.
+/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest force; tests
+/// without cycles, whose loops nobody can read, last.
 fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     let gap = |test: &TestOutcome| {
         let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));
@@ -52,7 +53,8 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     };
     let mut places: Vec<usize> =
         (0..tests.len()).filter(|k| tests[*k].held_out == held_out && whole(&tests[*k])).collect();
-    places.sort_by(|a, b| gap(&tests[*b]).total_cmp(&gap(&tests[*a])).then(a.cmp(b)));
+    let cyclic = |k: usize| tests[k].curves.frequency > 0.0;
+    places.sort_by(|a, b| cyclic(*b).cmp(&cyclic(*a)).then(gap(&tests[*b]).total_cmp(&gap(&tests[*a]))).then(a.cmp(b)));
     places
 }
 
@@ -82,8 +84,10 @@ mod tests {
         large.before_rmse_n = 40.0;
         let mut lost = outcome("lost", false);
         lost.after_rmse_n = f64::NAN;
-        let tests = [outcome("a", false), lost, large, outcome("out", true)];
-        assert_eq!(worst(&tests, false), [2, 0]);
+        let mut road = large.clone();
+        road.curves.frequency = 0.0;
+        let tests = [outcome("a", false), lost, large, outcome("out", true), road];
+        assert_eq!(worst(&tests, false), [2, 0, 4]);
         assert_eq!(largest(&tests, true).unwrap().test, "out");
         assert!(largest(&tests[..1], true).is_none());
         assert!(in_words(&tests[0]).contains("97\u{a0}% of the gap"), "{}", in_words(&tests[0]));

@@ -36,15 +36,19 @@ pub fn section(found: &Diagnosis, records: &[&Record]) -> Option<Section> {
     Some(Section::new("matrix", "Errors by amplitude and peak velocity", blocks))
 }
 
-fn figures(validation: &Validation, changed: bool) -> Option<Block> {
-    let before = overview::error_map_of(validation, "Error before, % of largest force", |e| e.fv_only.error_percent)?;
-    let after = overview::error_map_of(validation, "Error after, % of largest force", |e| e.model.error_percent)?;
-    let mut figures =
-        vec![Figure::new("matrix-before", before).saying("One cell per amplitude and peak velocity; dark is far off.")];
-    if changed {
-        figures.push(Figure::new("matrix-after", after).saying("The same with what was found, in the same colours."));
-    }
-    Some(Block::Figures(figures))
+fn figures(validation: &Validation, changed: bool) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let before = overview::error_map_of(validation, "Error before, % of largest force", |e| e.fv_only.error_percent);
+    blocks.extend(before.map(|svg| {
+        Block::Wide(
+            Figure::new("matrix-before", svg).saying("One cell per amplitude and peak velocity; dark is far off."),
+        )
+    }));
+    let after = overview::error_map_of(validation, "Error after, % of largest force", |e| e.model.error_percent);
+    blocks.extend(after.filter(|_| changed).map(|svg| {
+        Block::Wide(Figure::new("matrix-after", svg).saying("The same with what was found, in the same colours."))
+    }));
+    blocks
 }
 
 /// One record per test, made of its mean cycles, with the force before and after and whether it was left out.
