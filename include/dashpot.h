@@ -178,6 +178,9 @@ const char *dashpot_version(void);
 // The elements that are on have more than 8 private states.
 #define DASHPOT_TOO_MANY_STATES -30
 
+// Free play or a bushing is on, and series_compliance, which they belong to, is off.
+#define DASHPOT_NEEDS_SERIES -31
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);
@@ -523,6 +526,54 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   series_stiffness             stiffness of the series spring, k_s [N/m, 10000 to 1e8, default 3e6]
 //   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e5, default 200]
 //   internal_mass                moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
+//
+// free_play (element, off by default): free play in an eye or mount; needs series_compliance
+//   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
+//   free_play_force              force at which the gap is half closed, F_0: softness of the contact [N, 0.1 to 10000, default 20]
+//
+// bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
+//   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]
+//   bushing_loss_stiffness       share of the series stiffness that fast motion adds, k_1/k_s [-, 0 to 3, default 0.3]
+//   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 10, default 0.01]
+//
+// oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
+//   oil_stiffness                stiffness of the oil column, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
+//
+// aeration (element, off by default): air in the oil: the oil column is soft while the force is small
+//   aeration_stroke              stroke that the air takes up to each side, d_a [m, 0 to 0.005, default 3e-4]
+//   aeration_force               force at which half of that stroke is taken, F_a [N, 1 to 10000, default 150]
+//
+// cavitation (element, off by default): cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed
+//   cavitation_force             largest hydraulic force of that stroke, C [N, 10 to 1e6, default 1500]
+//   cavitation_side              stroke whose force is capped [0 compression, 1 rebound]
+//   cavitation_return            share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke [-, 0 to 1, default 0]
+//
+// position_dependent_damping (element, off by default): damping that is weaker (bypass) or firmer over a part of the stroke
+//   bypass_share                 share of the FV force that is missing in the zone, a; negative: a firmer zone [-, -4 to 0.95, default 0.3]
+//   bypass_centre                displacement at the middle of the zone, c [m, -1 to 1, default 0]
+//   bypass_half_width            half the length of the zone, w [m, 0.001 to 1, default 0.02]
+//   bypass_blend                 length over which the zone fades out, b [m, 5e-4 to 0.5, default 0.005]
+//   bypass_strokes               strokes on which it acts [0 both, 1 rebound, 2 compression]
+//
+// temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
+//   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
+//   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.05, default 0.003]
+//   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
+//   heat_capacity                heat capacity of oil and body, C [J/K, 50 to 1e5, default 1500]
+//   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
+//
+// frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
+//   fsd_form                     lagging share, or bypass that closes within each stroke [0 filter, 1 stroke]
+//   fsd_share                    share of the force that fast strokes lose, a [-, 0 to 0.9, default 0.3]
+//   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
+//   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
+//
+// valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises
+//   valve_hysteresis_share       share of the force that lateness adds [-, 0 to 0.8, default 0.15]
+//   valve_opening_force          force at which the valve opens [N, 1 to 1e5, default 600]
+//   valve_closing_ratio          force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
+//   valve_time                   time in which it moves, tau [s, 1e-4 to 1, default 0.002]
+//   valve_width                  force over which it opens, b [N, 10 to 1e5, default 100]
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
 //   spring_linear                k_p of k_p x [N/m, 0 to 1e7, default 0]

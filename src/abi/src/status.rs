@@ -78,12 +78,14 @@ pub const DASHPOT_NO_SUCH_ROW: i32 = -28;
 pub const DASHPOT_SOFTER_THAN_INNER: i32 = -29;
 /// The elements that are on have more than 8 private states.
 pub const DASHPOT_TOO_MANY_STATES: i32 = -30;
+/// Free play or a bushing is on, and series_compliance, which they belong to, is off.
+pub const DASHPOT_NEEDS_SERIES: i32 = -31;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 34] = [
+static TEXTS: [(i32, [u8; LENGTH]); 35] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -121,6 +123,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 34] = [
     (DASHPOT_ORDER, padded(Reason::Order.text())),
     (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
     (DASHPOT_TOO_MANY_STATES, padded(Reason::TooManyStates.text())),
+    (DASHPOT_NEEDS_SERIES, padded(Reason::NeedsSeries.text())),
     (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
     (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
     (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
@@ -168,6 +171,7 @@ impl From<Reason> for Refused {
             Reason::Order => DASHPOT_ORDER,
             Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,
             Reason::TooManyStates => DASHPOT_TOO_MANY_STATES,
+            Reason::NeedsSeries => DASHPOT_NEEDS_SERIES,
         })
     }
 }

@@ -1,5 +1,7 @@
 //! The damper at one instant: force, state rates and exact partials. Pure: for hosts whose own solver integrates.
 
+pub(crate) mod paths;
+
 use crate::elements::{MAX_MEMORY, Motion};
 use crate::input::Input;
 use crate::model::Model;
@@ -62,6 +64,18 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
         ..Output::ZERO
     };
     let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
+    if e.has_paths() {
+        let through = paths::force(e, state, input);
+        output.primary_force = through.primary;
+        output.spring_force = through.inner;
+        output.series_deflection = x - x_m;
+        output.oil_temperature += through.heat;
+        output.force += through.force;
+        output.force_by_displacement += through.by_input[0];
+        output.force_by_velocity += through.by_input[1];
+        memories(model, state, &outer, &mut output);
+        return output;
+    }
     let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));
     output.primary_force = primary.value;
     output.spring_force = inner.force;
@@ -76,15 +90,20 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
         output.force_by_displacement += inner.by_x;
         output.force_by_velocity += primary.slope + inner.by_v;
     }
-    e.each_memory(|place, element| {
+    memories(model, state, &outer, &mut output);
+    output
+}
+
+/// Adds the elements beside the damper that have private states.
+fn memories(model: &Model, state: &State, outer: &Motion, output: &mut Output) {
+    model.elements.each_memory(|place, element| {
         let z = state.memory.get(place).copied().unwrap_or(0.0);
-        let recall = element.recall(&outer, z);
+        let recall = element.recall(outer, z);
         output.count(element.share(), recall.force);
         output.force += recall.force;
         output.force_by_displacement += recall.by_x;
         output.force_by_velocity += recall.by_v;
     });
-    output
 }
 
 /// Force and state rates at a state. `rate.velocity` is 0: it is no state but the last input.
@@ -92,7 +111,9 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let mut rate = State { displacement: v, ..State::ZERO };
-    if e.has_series() {
+    if e.has_paths() {
+        paths::rates(e, state, input, &mut rate);
+    } else if e.has_series() {
         let s = &e.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
         let series = s.stiffness * (x - x_m) + s.damping * (v - v_m);
@@ -114,7 +135,9 @@ pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     let (x, v) = (displacement(state, input), input.velocity);
     let output = force(model, state, input);
     let mut p = Partials { force_by_input: [output.force_by_displacement, output.force_by_velocity], ..Partials::ZERO };
-    if e.has_series() {
+    if e.has_paths() {
+        paths::partials(e, state, input, &mut p);
+    } else if e.has_series() {
         let s = &e.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
         let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));

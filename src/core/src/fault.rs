@@ -39,6 +39,8 @@ pub enum Reason {
     SofterThanInner,
     /// The elements that are on have more private states than a state has room for.
     TooManyStates,
+    /// An element that bends the series compliance, without it.
+    NeedsSeries,
 }
 
 impl Reason {
@@ -58,6 +60,7 @@ impl Reason {
             Reason::SofterThanInner => {
                 "is softer than the parallel spring somewhere within 100 mm; the model is made for stiff series springs"
             }
+            Reason::NeedsSeries => "belongs to an element that needs series_compliance, which is off",
             Reason::TooManyStates => {
                 "the elements that are on have more than 8 private states; switch some of them off"
             }

@@ -13,6 +13,9 @@
 //! F = F_s + F_friction(v_in) + F_gas                     [`elements`: the rest]
 //! ```
 //!
+//! Free play and rubber in the series compliance, and oil, air, voids and valves before the FV curve make F_s and F_d
+//! more than that: [`paths`].
+//!
 //! [`evaluate`] gives force, state rates and partials at one instant, [`step`] advances over one host step.
 
 #![no_std]
@@ -22,6 +25,7 @@
 extern crate std;
 
 pub mod curve;
+pub mod dual;
 pub mod elements;
 pub mod evaluate;
 pub mod fault;
@@ -31,6 +35,7 @@ pub mod model;
 pub mod model_file;
 pub mod number;
 pub mod parameter;
+pub mod paths;
 pub mod settle;
 pub mod state;
 pub mod step;

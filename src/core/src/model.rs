@@ -43,7 +43,8 @@ impl Model {
             let parameter = find("series_stiffness").map_or(NO_PARAMETER, |row| row.index as u16);
             return Err(Fault { parameter, reason: Reason::SofterThanInner });
         }
-        Ok(Model { elements, integration: Integration::prepare(params)? })
+        let integration = Integration::prepare(params, &elements)?;
+        Ok(Model { elements, integration })
     }
 
     /// The prepared elements.

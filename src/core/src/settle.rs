@@ -3,10 +3,14 @@
 use crate::elements::Motion;
 use crate::input::Input;
 use crate::model::Model;
+use crate::paths;
 use crate::state::{Output, State};
 
 /// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
 const STEPS: usize = 100;
+
+/// Half the distance over which static slopes are taken where no formula gives them, m and m/s.
+const NEAR: f64 = 1e-6;
 
 impl Model {
     /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
@@ -23,15 +27,20 @@ impl Model {
             temperature: input.temperature,
         };
         let mut x_m = x;
+        let (states, primary) = if e.has_paths() {
+            crate::evaluate::paths::settled(e, x, v, input.temperature)
+        } else {
+            ([0.0; paths::STATES], e.fv_curve.at(v).value)
+        };
         if e.has_series() {
-            let k = e.series_compliance.stiffness;
-            let primary = e.fv_curve.at(v).value;
             // The springs never fall, so that the series spring alone would go further than both together.
-            let furthest = x - (primary + e.inner(&motion(x)).force) / k;
+            let alone = primary + e.inner(&motion(x)).force;
+            let furthest = x - paths::series::furthest(e, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
             for _ in 0..STEPS {
                 let inner = e.inner(&motion(x_m));
-                let left = k * (x - x_m) - primary - inner.force;
+                let (series, k) = paths::series::held(e, x - x_m);
+                let left = series - primary - inner.force;
                 if left > 0.0 {
                     low = x_m;
                 } else {
@@ -47,7 +56,9 @@ impl Model {
                 *z = element.settled(&motion(x));
             }
         });
-        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, memory }
+        let mut state = State { memory, ..State::ZERO };
+        e.slots().write(&states, &mut state);
+        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
 
     /// The static force at `input`, with its slopes: the state settled there, evaluated.
@@ -61,6 +72,17 @@ impl Model {
             temperature: input.temperature,
         };
         let e = &self.elements;
+        if e.has_paths() {
+            // Slopes of what has settled, the elements with memory beside the damper included.
+            let force = |x: f64, v: f64| {
+                let input = Input { displacement: Some(x), velocity: v, ..*input };
+                crate::evaluate::force(self, &self.settled(&input), &input).force
+            };
+            let (x, v) = (state.displacement, input.velocity);
+            output.force_by_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);
+            output.force_by_velocity = (force(x, v + NEAR) - force(x, v - NEAR)) / (2.0 * NEAR);
+            return output;
+        }
         if e.has_series() {
             // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
             let k = e.series_compliance.stiffness;

@@ -15,6 +15,7 @@
 //! The cheap step is a method of its own: see [`cheap`].
 
 mod cheap;
+pub mod paths;
 
 use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Response};
 use crate::fault::Fault;
@@ -70,7 +71,7 @@ impl Integration {
     ///
     /// # Errors
     /// None beyond the bounds of the table.
-    pub fn prepare(params: &Params) -> Result<Integration, Fault> {
+    pub fn prepare(params: &Params, elements: &Elements) -> Result<Integration, Fault> {
         let method = match params.scalar("method") {
             1.0 => Method::Second,
             2.0 => Method::Euler,
@@ -78,8 +79,11 @@ impl Integration {
         };
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3).
-        let frequency = libm::sqrt(params.scalar("series_stiffness") / params.scalar("internal_mass"));
-        Ok(Integration::new(method, params.scalar("substeps") as u32, 0.4 * frequency))
+        let stiffness = params.scalar("series_stiffness") * (1.0 + elements.bushing.share);
+        let frequency = libm::sqrt(stiffness / params.scalar("internal_mass"));
+        // Elements in the paths bend the forces more sharply within a step.
+        let sharpness = if elements.has_paths() { 2.0 } else { 1.0 };
+        Ok(Integration::new(method, params.scalar("substeps") as u32, 0.4 * sharpness * frequency))
     }
 
     /// So many substeps of this method, whatever the step.
@@ -595,6 +599,10 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
         *output = model.static_output(&Input { displacement: Some(x), ..*to });
         return;
     }
+    if model.elements.has_paths() {
+        step_through_paths(model, state, to, dt, output);
+        return;
+    }
     let plain = model.integration.substeps(dt) == 1 && !model.elements.has_extras();
     match (model.integration.method, plain) {
         (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
@@ -603,6 +611,57 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
         (Method::Second, false) => answer::<Second, false>(model, state, to, dt, output),
         (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output),
     }
+}
+
+/// A step of a damper with elements in its series or hydraulic path, with exact slopes.
+#[inline(never)]
+fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+    let mut by_end = paths::PathsByEnd::new();
+    advance_paths(model, state, to, dt, &mut by_end, output);
+    if to.displacement.is_none() {
+        output.force_by_velocity += 0.5 * paths::held(dt) * output.force_by_displacement;
+    }
+}
+
+/// As [`advance`], for a damper with elements in its series or hydraulic path ([`Elements::has_paths`]).
+pub fn advance_paths(
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    follow: &mut impl paths::FollowPaths,
+    output: &mut Output,
+) {
+    match model.integration.method {
+        Method::Fourth => advance_paths_by::<Fourth>(model, state, to, dt, follow, output),
+        Method::Second => advance_paths_by::<Second>(model, state, to, dt, follow, output),
+        Method::Euler => advance_paths_by::<Euler>(model, state, to, dt, follow, output),
+    }
+}
+
+fn advance_paths_by<T: Tableau>(
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    follow: &mut impl paths::FollowPaths,
+    output: &mut Output,
+) {
+    let e = &model.elements;
+    let substeps = model.integration.substeps(dt);
+    let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
+    let (x, v) = path.end();
+    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
+    let through = paths::advance::<T>(model, &path, substeps, to.temperature, state, output, follow);
+    state.displacement = x;
+    state.velocity = v;
+    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    output.friction_force = friction.force;
+    output.gas_force = preload.force;
+    let extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
+    output.force = through.force + friction.force + preload.force + extras.force;
+    output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
+    output.force_by_velocity = through.by_v + friction.by_v + preload.by_v + extras.by_v;
 }
 
 /// A cheap step in which some element takes its time.
@@ -697,7 +756,9 @@ fn answer<T: Tableau, const PLAIN: bool>(model: &Model, state: &mut State, to: &
     }
 }
 
-/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass still.
+/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass still. A damper with
+/// elements in its series or hydraulic path has stages of another kind: `follow` is told nothing of them, see
+/// [`advance_paths`].
 #[inline(always)]
 pub fn advance(
     model: &Model,
@@ -709,6 +770,10 @@ pub fn advance(
     output: &mut Output,
 ) {
     *state = *from;
+    if model.elements.has_paths() {
+        advance_paths(model, state, to, dt, &mut (), output);
+        return;
+    }
     match model.integration.method {
         Method::Fourth => advance_by::<Fourth, false>(model, to, dt, follow, state, output),
         Method::Second => advance_by::<Second, false>(model, to, dt, follow, state, output),

@@ -34,7 +34,8 @@ fn variants() -> Vec<(&'static str, Params)> {
     };
     let mut algebraic = with(&[], &["lagged_polynomial"]);
     algebraic.enable("series_compliance", false).unwrap();
-    vec![
+    let mut all = paths();
+    all.extend([
         ("thesis", base),
         ("linear interpolation", with(&[("fv_interpolation", 1.0)], &[])),
         ("piecewise", with(&[("fv_form", 1.0)], &[])),
@@ -61,7 +62,8 @@ fn variants() -> Vec<(&'static str, Params)> {
         ),
         ("stiff", with(&[("series_stiffness", 1e7), ("internal_mass", 0.1)], &[])),
         ("soft", with(&[("series_stiffness", 1e5), ("internal_mass", 2.0), ("series_damping", 2000.0)], &[])),
-    ]
+    ]);
+    all
 }
 
 fn input(x: Option<f64>, v: f64) -> Input {
@@ -104,7 +106,13 @@ proptest! {
                         ("dF/dv", output.force_by_velocity, by_v, k * dt),
                         ("dF/dv, velocity alone", alone, by_v_alone, k * dt),
                     ] {
-                        let tolerance = 1e-6 * (wanted.abs() + scale);
+                        // The paths bend within a few micrometres and millimetres per second: differences are no better there.
+                        let share = match model.elements().has_paths() {
+                            true if params.is_on("cavitation") => 1e-3,
+                            true => 1e-4,
+                            false => 1e-6,
+                        };
+                        let tolerance = share * (wanted.abs() + scale);
                         prop_assert!((got - wanted).abs() <= tolerance, "{name} {method:?} {substeps} {dt}: {what} {got} {wanted} x {x1} v {v1} u {}", end.mass_velocity);
                     }
                 }
@@ -121,13 +129,20 @@ proptest! {
         for (name, params) in variants() {
             let model = Model::new(&params).unwrap();
             let knees = [params.list("fv_velocity"), &[0.0, -0.13, 0.13, 0.4, 0.05, -0.05, 0.5, -0.5]].concat();
-            if near(u, &knees, 0.003) || near(v, &knees, 0.003) {
+            if near(u, &knees, 0.003) || near(v, &knees, 0.003) || near(e, &[0.0], 1e-5) {
                 continue;
             }
             let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, memory: [0.0; 8] };
             // A memory of millimetres, of shares or of forces: whatever it is, its slopes are exact.
             state.memory = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
+            let paths = model.elements().has_paths();
+            if paths {
+                // Deflections, shares and kelvins that an oil column, a void and a valve can have.
+                state.memory = [1e-6, 0.7e-6, 1.2e-6, 0.9e-6, 1e-6, 1.1e-6, 0.8e-6, 1e-6].map(|m| m * z);
+            }
             let p = partials(&model, &state, &input(Some(x), v));
+            let share = if paths { 2e-5 } else { 1e-6 };
+            let small = if paths { 1e-10 } else { 1e-8 };
             let states = 2 + model.elements().memories();
             let moved = |i: usize, h: f64| {
                 let mut s = state;
@@ -145,20 +160,20 @@ proptest! {
                 row.extend(rate.memory);
                 row
             };
-            for (column, size) in (0..states).map(|i| (i, [1e-5, 1e-4].get(i).copied().unwrap_or(1e-4))) {
+            for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {
                     let wanted = difference(|h| row(&moved(column, h), x, v)[out], size);
                     let got = if out == 0 { p.force_by_state[column] } else { p.rate_by_state[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
-                    prop_assert!((got - wanted).abs() <= 1e-6 * (wanted.abs() + 1.0) + 1e-8 * value / size, "{name}: row {out} by state {column}: {got} {wanted}");
+                    prop_assert!((got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size, "{name}: row {out} by state {column}: {got} {wanted}");
                 }
             }
-            for (column, size) in [(0, 1e-5), (1, 1e-4)] {
+            for (column, size) in [(0, 2e-6), (1, 1e-4)] {
                 for out in 0..=states {
                     let wanted = difference(|h| row(&state, x + if column == 0 { h } else { 0.0 }, v + if column == 1 { h } else { 0.0 })[out], size);
                     let got = if out == 0 { p.force_by_input[column] } else { p.rate_by_input[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
-                    prop_assert!((got - wanted).abs() <= 1e-6 * (wanted.abs() + 1.0) + 1e-8 * value / size, "{name}: row {out} by input {column}: {got} {wanted}");
+                    prop_assert!((got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size, "{name}: row {out} by input {column}: {got} {wanted}");
                 }
             }
         }

@@ -21,9 +21,13 @@ proptest! {
     ) {
         let mut params = params;
         for element in dashpot_core::elements::names() {
+            // More than all that is below would be too many states: those stay as they were drawn.
+            let drawn = WITH_STATES.contains(&element) && params.is_on(element);
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
-            params.enable(element, keep).unwrap();
+            params.enable(element, keep && (drawn || !WITH_STATES.contains(&element))).unwrap();
         }
+        // A bushing that hardens within a millimetre rings faster than steps can tell its work.
+        params.set("bushing_hardening", 1.0).unwrap();
         // A FV curve through the origin takes energy by itself; an offset would be a preload.
         let (u, f) = (params.list("fv_velocity").to_vec(), params.list("fv_force").to_vec());
         let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
@@ -54,9 +58,9 @@ proptest! {
         }
         // The trapezoid of the work errs by the square of the steps per cycle.
         let blur = 40.0 / (per_cycle * per_cycle) as f64 * gross;
-        prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J");
+        prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
         let third = work - cycle_work;
-        prop_assert!(third >= -blur - held, "third cycle returned {third} J of {gross} J, {held} J were held");
+        prop_assert!(third >= -blur - held, "third cycle returned {third} J of {gross} J, {held} J were held, at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
     }
 }
 

@@ -63,18 +63,6 @@ fn run(
     Ok(())
 }
 
-/// The set without its silent elements, for the message of a failure.
-fn told(params: &dashpot_core::Params) -> String {
-    let mut text = String::new();
-    for row in dashpot_core::parameter::table() {
-        let group = dashpot_core::elements::GROUPS[row.group].name;
-        if params.is_on(group) || group == "integration" {
-            text += &format!("{} {:?}; ", row.parameter.name, params.get(&row));
-        }
-    }
-    text
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
 

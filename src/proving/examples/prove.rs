@@ -36,6 +36,38 @@ fn main() {
                         "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
                         o.block, o.hidden, o.forms, o.seed, o.verdict, o.named, o.suspects, o.gap_closed, o.clean_before, o.clean_after, o.seconds
                     );
+                    if what.contains("nothing") || args.iter().any(|a| a == "-v") {
+                        for f in &found.findings {
+                            eprintln!("   {} {:?}", f.effect, f.parameters);
+                        }
+                        for t in &found.tests {
+                            eprintln!(
+                                "   {} {:.3} Hz: {:.2} -> {:.2}, noise {:.2}",
+                                t.test, t.curves.frequency, t.before_rmse_n, t.after_rmse_n, t.noise_n
+                            );
+                        }
+                        if let Ok(path) = std::env::var("CURVES") {
+                            let mut text = String::new();
+                            for t in &found.tests {
+                                for i in 0..t.curves.measured.len() {
+                                    text += &format!(
+                                        "{},{},{},{},{},{}\n",
+                                        t.test,
+                                        t.curves.displacement[i],
+                                        t.curves.velocity[i],
+                                        t.curves.measured[i],
+                                        t.curves.before[i],
+                                        t.curves.after[i]
+                                    );
+                                }
+                            }
+                            let _ = std::fs::write(path, text);
+                            eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
+                        }
+                        for s in &found.shifts {
+                            eprintln!("   {s:?}");
+                        }
+                    }
                     for round in &found.rounds {
                         let words: Vec<String> = round
                             .iter()

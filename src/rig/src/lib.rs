@@ -4,6 +4,9 @@
 //! identified: chambers with compressible oil instead of a spring, valves instead of a force-velocity table, a bristle seal
 //! instead of a friction curve.
 //!
+//! For a diagnosis there is a second, *neutral* damper of the model's own topology, in which physical effects can be hidden:
+//! [`HiddenCase`].
+//!
 //! SI units; extension (rebound) displacement and velocity positive, tension force positive.
 //!
 //! ```

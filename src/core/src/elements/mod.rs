@@ -6,30 +6,42 @@
 //! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
 //! - `friction` and `preload`: beside the whole damper, driven by the input motion;
 //! - `memory`: beside the whole damper, with one private state;
-//! - `stops`: beside the whole damper, at the ends of its stroke.
+//! - `stops`: beside the whole damper, at the ends of its stroke;
+//! - `series_law`: bends the law of the series compliance (see [`crate::paths::series`]);
+//! - `hydraulic`: between the internal mass and the FV curve (see [`crate::paths::hydraulic`]).
 //!
 //! `primary` (the FV curve) and `series` (the compliance with its mass) make the frame they act in.
 //!
 //! Private states take a place in [`crate::State::memory`] in the order of the list, those of elements that are on only.
 
+mod aeration;
 mod bump_stop;
+mod bushing;
+mod cavitation;
 mod coulomb_friction;
 mod end_stop;
+mod free_play;
+mod frequency_selective_damping;
 mod fv_curve;
 mod gas_preload;
 mod gas_spring;
 mod lagged_polynomial;
 mod moving_mass;
+mod oil_compressibility;
 mod parallel_spring;
+mod position_dependent_damping;
 mod presliding_friction;
 mod rebound_stop;
 mod series_compliance;
 mod side_force_friction;
 mod stribeck_friction;
+mod temperature_fade;
+mod valve_hysteresis;
 mod viscous_friction;
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::parameter::{Group, Parameter, Params, View};
+use crate::paths::{self, Slots};
 
 /// The motion that an element sees, and what surrounds it.
 #[derive(Clone, Copy, Debug)]
@@ -165,6 +177,8 @@ macro_rules! elements {
     (
         primary { $primary:ident: $Primary:ty }
         series { $series:ident: $Series:ty }
+        series_law { $($law:ident: $Law:ty,)* }
+        hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
@@ -176,12 +190,18 @@ macro_rules! elements {
         /// Places of the elements in the table's groups.
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
-        enum Place { $primary, $series, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
+        enum Place { $primary, $series, $($law,)* $($hydraulic,)* $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
         pub const GROUPS: &[Group] = &[
             Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
             Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
+            $(Group { name: stringify!($law), meaning: <$Law>::MEANING, parameters: <$Law>::PARAMETERS },)*
+            $(Group {
+                name: stringify!($hydraulic),
+                meaning: <$Hydraulic>::MEANING,
+                parameters: <$Hydraulic>::PARAMETERS,
+            },)*
             $(Group { name: stringify!($inner), meaning: <$Inner>::MEANING, parameters: <$Inner>::PARAMETERS },)*
             $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
             $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
@@ -205,11 +225,15 @@ macro_rules! elements {
             pub $primary: $Primary,
             /// The series compliance.
             pub $series: $Series,
+            $(pub(crate) $law: $Law,)*
+            $(pub(crate) $hydraulic: $Hydraulic,)*
             $($inner: $Inner,)*
             $($friction: $Friction,)*
             $($preload: $Preload,)*
             $($memory: $Memory,)*
             $($stop: $Stop,)*
+            /// Where the states of the coupled paths are kept.
+            slots: Slots,
         }
 
         impl Elements {
@@ -228,16 +252,25 @@ macro_rules! elements {
                         }
                     };
                 }
-                let elements = Elements {
+                let mut elements = Elements {
                     on,
                     $primary: ready!($primary, $Primary),
                     $series: ready!($series, $Series),
+                    $($law: ready!($law, $Law),)*
+                    $($hydraulic: ready!($hydraulic, $Hydraulic),)*
                     $($inner: ready!($inner, $Inner),)*
                     $($friction: ready!($friction, $Friction),)*
                     $($preload: ready!($preload, $Preload),)*
                     $($memory: ready!($memory, $Memory),)*
                     $($stop: ready!($stop, $Stop),)*
+                    slots: Slots::NONE,
                 };
+                if !elements.has_series() {
+                    $(if elements.has(Place::$law) {
+                        return Err(View::new(params, Place::$law as usize).fault(0, Reason::NeedsSeries));
+                    })*
+                }
+                elements.slots = paths::slots(&elements);
                 if elements.memories() > MAX_MEMORY {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
@@ -313,14 +346,22 @@ macro_rules! elements {
             /// Number of private states.
             pub fn memories(&self) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
-                (self.on & MEMORY).count_ones() as usize
+                self.slots.count() + (self.on & MEMORY).count_ones() as usize
             }
 
-            /// Whether an element beside the damper is on that most dampers do not have: one with a private state, or a
-            /// stop.
+            /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
+            #[inline(always)]
+            pub fn has_paths(&self) -> bool {
+                const PATHS: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
+                self.on & PATHS != 0
+            }
+
+            /// Whether an element is on that most dampers do not have: one beside the damper with a private state, a stop,
+            /// or one of the coupled paths.
             #[inline(always)]
             pub fn has_extras(&self) -> bool {
-                const EXTRAS: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                const EXTRAS: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
+                    $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & EXTRAS != 0
             }
 
@@ -328,14 +369,15 @@ macro_rules! elements {
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
                 const MASS: u64 = 1 << Place::$series as usize;
-                const REST: u64 = MASS $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                const REST: u64 = MASS $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
+                    $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & REST == MASS
             }
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
             pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {
-                let mut place = 0;
+                let mut place = self.slots.count();
                 $(if self.has(Place::$memory) {
                     visit(place, &self.$memory);
                     place += 1;
@@ -349,6 +391,19 @@ macro_rules! elements {
 elements! {
     primary { fv_curve: fv_curve::FvCurve }
     series { series_compliance: series_compliance::SeriesCompliance }
+    series_law {
+        free_play: free_play::FreePlay,
+        bushing: bushing::Bushing,
+    }
+    hydraulic {
+        oil_compressibility: oil_compressibility::OilCompressibility,
+        aeration: aeration::Aeration,
+        cavitation: cavitation::Cavitation,
+        position_dependent_damping: position_dependent_damping::PositionDependentDamping,
+        temperature_fade: temperature_fade::TemperatureFade,
+        frequency_selective_damping: frequency_selective_damping::FrequencySelectiveDamping,
+        valve_hysteresis: valve_hysteresis::ValveHysteresis,
+    }
     inner {
         parallel_spring: parallel_spring::ParallelSpring,
     }
@@ -373,6 +428,56 @@ elements! {
     }
     default { fv_curve, series_compliance, parallel_spring, stribeck_friction, viscous_friction, gas_preload, }
     settings { integration: crate::step::Integration }
+}
+
+/// What the coupled paths ask for.
+impl Elements {
+    #[inline(always)]
+    pub(crate) fn has_free_play(&self) -> bool {
+        self.has(Place::free_play)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_bushing(&self) -> bool {
+        self.has(Place::bushing)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_cavitation(&self) -> bool {
+        self.has(Place::cavitation)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_position(&self) -> bool {
+        self.has(Place::position_dependent_damping)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_fade(&self) -> bool {
+        self.has(Place::temperature_fade)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_frequency_selective(&self) -> bool {
+        self.has(Place::frequency_selective_damping)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_valve(&self) -> bool {
+        self.has(Place::valve_hysteresis)
+    }
+
+    /// Whether there is an oil column that yields.
+    #[inline(always)]
+    pub(crate) fn has_column(&self) -> bool {
+        self.has(Place::oil_compressibility) || self.has(Place::aeration)
+    }
+
+    /// Where the states of the coupled paths are kept.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> &Slots {
+        &self.slots
+    }
 }
 
 /// The bit of the element called `name`.

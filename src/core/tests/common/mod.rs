@@ -14,7 +14,98 @@ pub const SEED: u64 = 1;
 pub const METHODS: [Method; 3] = [Method::Euler, Method::Second, Method::Fourth];
 
 /// The elements with private states.
-pub const WITH_STATES: [&str; 4] = ["lagged_polynomial", "presliding_friction", "gas_spring", "moving_mass"];
+pub const WITH_STATES: [&str; 11] = [
+    "lagged_polynomial",
+    "presliding_friction",
+    "gas_spring",
+    "moving_mass",
+    "bushing",
+    "oil_compressibility",
+    "aeration",
+    "cavitation",
+    "temperature_fade",
+    "frequency_selective_damping",
+    "valve_hysteresis",
+];
+
+/// Models with every element of the coupled paths, alone and together.
+pub fn paths() -> Vec<(&'static str, Params)> {
+    let of = |on: &[&str], changes: &[(&str, f64)]| {
+        let mut p = params(changes);
+        for element in on {
+            p.enable(element, true).unwrap();
+        }
+        p
+    };
+    let without_series = |mut p: Params| {
+        p.enable("series_compliance", false).unwrap();
+        p
+    };
+    let capped = [("cavitation_force", 900.0)];
+    let heats = [("fade_source", 1.0), ("heat_capacity", 300.0)];
+    let stroke = [("fsd_form", 1.0)];
+    vec![
+        ("free play", of(&["free_play"], &[])),
+        ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
+        ("both in series", of(&["free_play", "bushing"], &[])),
+        ("oil", of(&["oil_compressibility"], &[])),
+        ("oil alone", without_series(of(&["oil_compressibility"], &[]))),
+        ("aeration", of(&["aeration"], &[])),
+        ("oil and air alone", without_series(of(&["oil_compressibility", "aeration"], &[]))),
+        ("cavitation", of(&["cavitation"], &capped)),
+        ("cavitation alone", without_series(of(&["cavitation"], &capped))),
+        (
+            "cavitation in rebound, gas pushes",
+            of(&["cavitation"], &[("cavitation_side", 1.0), ("cavitation_return", 1.0)]),
+        ),
+        ("cavitation with oil", of(&["cavitation", "oil_compressibility"], &capped)),
+        ("position", of(&["position_dependent_damping"], &[("bypass_half_width", 0.01)])),
+        (
+            "position, firmer in rebound",
+            of(&["position_dependent_damping"], &[("bypass_share", -1.0), ("bypass_strokes", 1.0)]),
+        ),
+        ("fade", of(&["temperature_fade"], &[("fade_reference", 60.0)])),
+        ("self-heating", of(&["temperature_fade"], &heats)),
+        ("filter", of(&["frequency_selective_damping"], &[])),
+        ("stroke", of(&["frequency_selective_damping"], &stroke)),
+        ("stroke alone", without_series(of(&["frequency_selective_damping"], &stroke))),
+        ("valve", of(&["valve_hysteresis"], &[])),
+        ("valve, time alone", of(&["valve_hysteresis"], &[("valve_closing_ratio", 1.0), ("valve_time", 5e-3)])),
+        (
+            "hydraulics",
+            of(
+                &[
+                    "oil_compressibility",
+                    "aeration",
+                    "cavitation",
+                    "position_dependent_damping",
+                    "temperature_fade",
+                    "frequency_selective_damping",
+                    "valve_hysteresis",
+                ],
+                &[("fade_source", 1.0), ("cavitation_force", 900.0), ("fsd_form", 1.0)],
+            ),
+        ),
+        (
+            "paths and memory",
+            of(
+                &[
+                    "free_play",
+                    "bushing",
+                    "oil_compressibility",
+                    "cavitation",
+                    "frequency_selective_damping",
+                    "valve_hysteresis",
+                    "presliding_friction",
+                    "gas_spring",
+                    "moving_mass",
+                    "bump_stop",
+                ],
+                &[("bump_stop_clearance", 0.005)],
+            ),
+        ),
+    ]
+}
 
 /// The default model with some numbers changed.
 pub fn model(changes: &[(&str, f64)]) -> Model {
@@ -176,4 +267,16 @@ pub fn any_params() -> impl Strategy<Value = Params> {
             Model::new(&params).ok().map(|_| params)
         },
     )
+}
+
+/// The set without its silent elements, for the message of a failure.
+pub fn told(params: &Params) -> String {
+    let mut text = String::new();
+    for row in table() {
+        let group = dashpot_core::elements::GROUPS[row.group].name;
+        if params.is_on(group) || group == "integration" {
+            text += &format!("{} {:?}; ", row.parameter.name, params.get(&row));
+        }
+    }
+    text
 }

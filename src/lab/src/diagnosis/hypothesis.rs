@@ -8,6 +8,7 @@ use crate::identification::segment::Segment;
 use crate::identification::sensitivity::{Accuracy, Run, forces};
 use crate::identification::unknowns::{Unknown, Unknowns};
 use dashpot_core::parameter::find;
+use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -114,7 +115,8 @@ impl Hypothesis {
         if self.heating.is_some() {
             let _ = params.set("fade_source", 0.0);
         }
-        Model::new(&params).ok()
+        let model = Model::new(&params).ok()?;
+        Some(model.with_integration(Integration::fixed(Method::Fourth, 1)))
     }
 
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
@@ -171,7 +173,7 @@ impl Hypothesis {
         let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
         if plain {
             let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
-            let run = Run::new(&unknowns, &values, Accuracy::Full)?;
+            let run = Run::new(&unknowns, &values, Accuracy::Single)?;
             let parts: Vec<DMatrix<f64>> = tests
                 .par_iter()
                 .map(|test| {

@@ -101,12 +101,22 @@ fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
 }
 
-/// A channel at a time, on a straight line between samples.
+/// A channel at a time: on a cubic through the four samples around it, so that a coarsely sampled flank keeps its shape.
 fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
-    let right = time.partition_point(|x| *x <= t).clamp(1, time.len() - 1);
-    let (a, b) = (time[right - 1], time[right]);
-    let share = ((t - a) / (b - a)).clamp(0.0, 1.0);
-    values[right - 1] + share * (values[right] - values[right - 1])
+    let n = time.len();
+    let right = time.partition_point(|x| *x <= t).clamp(1, n - 1);
+    let first = right.saturating_sub(2).min(n.saturating_sub(4));
+    let around = first..(first + 4).min(n);
+    // Lagrange's form; beyond the ends it holds the last value.
+    let t = t.clamp(time[0], time[n - 1]);
+    around
+        .clone()
+        .map(|i| {
+            let weight: f64 =
+                around.clone().filter(|j| *j != i).map(|j| (t - time[j]) / (time[i] - time[j])).product();
+            weight * values[i]
+        })
+        .sum()
 }
 
 /// Variance of the mean of `count` neighbours in units of one sample's, for noise whose autocorrelation falls off
@@ -127,7 +137,12 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
     let bounds: Vec<(f64, f64)> = cycles.iter().map(|c| (crossing(c.start), crossing(c.end))).collect();
     let period = bounds.iter().map(|(a, b)| b - a).sum::<f64>() / bounds.len() as f64;
     let mean = |values: &[f64], phase: f64| {
-        bounds.iter().map(|(a, b)| at(time, values, a + phase * (b - a))).sum::<f64>() / bounds.len() as f64
+        // A record may be cut a part of a sample inside its first or last cycle.
+        let inside = || bounds.iter().map(|(a, b)| a + phase * (b - a)).filter(|t| (time[0]..=time[last]).contains(t));
+        match inside().count() {
+            0 => at(time, values, bounds[0].0 + phase * (bounds[0].1 - bounds[0].0)),
+            count => inside().map(|t| at(time, values, t)).sum::<f64>() / count as f64,
+        }
     };
     let step = 1.0 / count as f64;
     let force_at = |phase: f64| {

@@ -3,7 +3,7 @@
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
-const FORMS: &[&str] = &["entrained_in_rebound_chamber", "dissolving_foam"];
+const FORMS: &[&str] = &["entrained", "dissolving_foam"];
 
 struct Aeration {
     form: usize,
@@ -13,8 +13,9 @@ struct Aeration {
     rest_n: f64,
     /// Exponent of the bubbles' compression.
     exponent: f64,
-    /// Length of the rebound chamber at mid-stroke, m.
+    /// Length of both chambers at mid-stroke, m, and air in the compression chamber relative to that in the rebound chamber.
     chamber_m: f64,
+    compression_share: f64,
     /// Force at which all air is dissolved, N.
     dissolved_n: f64,
     /// Foam builds up over this travel (m) and settles in this time (s).
@@ -45,12 +46,12 @@ impl Hidden for Aeration {
 
     fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
         if self.form == 0 {
-            // Rebound chamber: its pressure rises in rebound, and falls towards zero in compression.
-            let relative = 1.0 + here.oil_n / self.rest_n;
-            // Never quite zero: vapour is not the subject here.
-            let relative = 0.5 * (relative + relative.hypot(0.25));
-            let space = (1.0 - here.position_m / self.chamber_m).max(0.1);
-            self.soft_m_n * space * relative.powf(-1.0 - 1.0 / self.exponent)
+            // Merritt's mixture in either chamber: the one under pressure takes up the flow.
+            let working = 0.5 * (1.0 + here.oil_n / here.oil_n.hypot(0.2 * self.rest_n));
+            let rebound = (1.0 - here.position_m / self.chamber_m).max(0.1);
+            let compression = self.compression_share * (1.0 + here.position_m / self.chamber_m).max(0.1);
+            let space = working * rebound + (1.0 - working) * compression;
+            self.soft_m_n * space * (1.0 + here.oil_n.abs() / self.rest_n).powf(-1.0 - 1.0 / self.exponent)
         } else {
             let share = (1.0 - here.oil_n.abs() / self.dissolved_n).max(0.0);
             let foam = 0.4 + 0.6 * states[0];
@@ -70,6 +71,7 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
         rest_n,
         exponent: draw.between("exponent", 1.1, 1.4),
         chamber_m: draw.between("chamber_m", 0.10, 0.14),
+        compression_share: draw.between("compression_share", 0.3, 0.8),
         dissolved_n: rest_n * draw.between("dissolved_at_rest_pressures", 3.0, 5.0),
         churning_m: draw.ratio("churning_m", 1.0, 4.0),
         settling_s: draw.ratio("settling_s", 100.0, 600.0),

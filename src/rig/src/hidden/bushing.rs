@@ -4,8 +4,8 @@ use super::{Hidden, Recipe};
 use crate::neutral::{Here, Mount};
 
 const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
-/// Force at which a mount's deflection counts as its working deflection, N.
-const WORKING_N: f64 = 1200.0;
+/// Velocity whose rebound force gives the working deflection, m/s.
+const WORKING_M_S: f64 = 0.5;
 
 struct Bushing {
     form: usize,
@@ -51,7 +51,9 @@ impl Hidden for Bushing {
         let stiffness = self.static_n_m(mount.stiffness_n_m);
         let limit = self.hardens * self.working_m;
         Some(if self.form == 0 {
-            let hardening = 1.0 + self.strength * (deflection_m / limit).powi(4);
+            // A quintic at first, levelling off where rubber would be squeezed out.
+            let quartic = (deflection_m / limit).powi(4);
+            let hardening = 1.0 + 2.0 * self.strength * quartic / (1.0 + quartic);
             stiffness * deflection_m * hardening + self.strength * self.friction_n * states[0]
         } else {
             let past = (deflection_m.abs() - limit).max(0.0).copysign(deflection_m);
@@ -65,7 +67,7 @@ impl Hidden for Bushing {
 
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
-    let working_m = WORKING_N / recipe.neutral.mount.stiffness_n_m;
+    let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
     // A stiff series spring hides its own replacement; the mount is soft against a common scale.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;

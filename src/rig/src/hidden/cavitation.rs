@@ -7,6 +7,8 @@ use crate::neutral::{Here, Rest};
 const FORMS: &[&str] = &["monotube_compression", "foot_valve_rebound"];
 /// Compliance of vapour, m/N: ten newtons per millimetre.
 const VAPOUR_M_N: f64 = 1e-4;
+/// Length of a void that is open for good, m.
+const VOID_M: f64 = 0.2e-3;
 
 enum Cavitation {
     /// In compression the rebound chamber falls to vapour pressure: the force is capped, and stays at the cap until the
@@ -47,9 +49,9 @@ impl Hidden for Cavitation {
                 let beyond = (-here.oil_n - cap_n) / knee_n;
                 VAPOUR_M_N / (1.0 + (-beyond).exp())
             }
-            Self::FootValve { edge_m, .. } => {
+            Self::FootValve { .. } => {
                 let void = states[0].max(0.0);
-                let open = void / (void + edge_m);
+                let open = (void / (void + VOID_M)).powi(2);
                 // Only pressure in the compression chamber feels the void.
                 let compression = 1.0 / (1.0 + (here.oil_n / 10.0).exp());
                 VAPOUR_M_N * open * compression
@@ -61,11 +63,12 @@ impl Hidden for Cavitation {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
-    let at_1_m_s = -recipe.neutral.valves.force_n(-1.0);
+    let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        let cap_n = at_1_m_s * draw.between("cap_share", 0.55, 0.8) / strength;
-        Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.02, 0.04) }
+        // The root: a cap above all forces leaves no trace at all, so the onset must not be far from strength 1.
+        let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
+        Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {
         Cavitation::FootValve {
             share: strength * draw.between("share", 0.05, 0.10),

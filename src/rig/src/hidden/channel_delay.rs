@@ -24,8 +24,11 @@ impl Hidden for ChannelDelay {
         if self.form == 1 { &[1e-2, 1e1] } else { &[] }
     }
 
-    fn begin(&self, _rest: &Rest, states: &mut [f64]) {
+    fn begin(&self, rest: &Rest, states: &mut [f64]) {
         states.fill(0.0);
+        if let Some(force_n) = states.first_mut() {
+            *force_n = rest.rod_n;
+        }
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {

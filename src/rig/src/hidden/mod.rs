@@ -20,6 +20,8 @@ mod position_dependent_damping;
 mod presliding_friction;
 mod rebound_stop;
 mod side_force_friction;
+#[cfg(test)]
+mod signatures;
 mod stop;
 mod stribeck_friction;
 mod temperature_fade;

@@ -7,7 +7,7 @@ const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
 /// Creep at standstill fades as bristles become soft: the smooth velocity of the neutral friction is divided by
 /// `1 + CREEP_FADES * strength`.
-const CREEP_FADES: f64 = 10.0;
+const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
     /// Length over which each element takes up its load (m), and its share of the load. One element in the first form.
@@ -24,23 +24,25 @@ impl Hidden for Presliding {
         &self.tolerances
     }
 
-    /// Loads of the elements, each from -1 to 1.
+    /// Loads of the elements, each from -1 to 1. However soft, an element ends up at the smooth sign of the neutral friction
+    /// when the motion is long; at standstill it relaxes by way of the same smooth velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let v = here.line.velocity_m_s;
         let speed = v.hypot(self.smooth_m_s);
+        let end = v / speed;
         for (index, (length, _)) in self.elements.iter().enumerate() {
             let load = states[index];
             // Sliding sets in between the elastic share and the full load, and only in the direction of the load.
-            let sliding = if load * v <= 0.0 {
+            let reached = load * end / (end * end + 1e-12);
+            let sliding = if reached < 0.0 && end.abs() > 1e-3 {
                 0.0
             } else {
-                let share = ((load.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
+                let share = ((reached.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             };
-            // At standstill the load relaxes as the smooth sign of the neutral friction does.
-            let creep = self.smooth_m_s / speed;
-            let plastic = sliding.max(creep * creep);
-            rates[index] = (v - plastic * speed * load) / length;
+            // Against the load there is no sliding; what is left near standstill is creep.
+            let creep = (self.smooth_m_s / speed).powi(2);
+            rates[index] = speed * (end - load * sliding.max(creep)) / length;
         }
     }
 

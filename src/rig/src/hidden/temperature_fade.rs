@@ -9,6 +9,9 @@ const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
 /// Thermal expansion of oil, 1/K.
 const EXPANSION: f64 = 7e-4;
+/// Limits of the viscosity relative to the reference.
+const LEAST_VISCOSITY: f64 = 0.02;
+const MOST_VISCOSITY: f64 = 50.0;
 
 struct Fade {
     form: usize,
@@ -36,6 +39,8 @@ impl Hidden for Fade {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
         // Strength works on the exponent: twice the strength is twice the warming on a logarithmic scale.
         let viscosity = (self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C)).powf(self.strength);
+        // Thinner than a fiftieth, what is called laminar here would no longer be.
+        let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);
         let density = (-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C)).exp();
         let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);
         laminar * viscosity + (1.0 - laminar) * density

@@ -9,9 +9,10 @@ const BLEED_M_S: f64 = 0.05;
 
 struct ValveHysteresis {
     form: usize,
-    /// Spool: natural frequency (rad/s) and damping ratio.
+    /// Spool: natural frequency (rad/s), damping ratio, and flow force at full flow as a share of the pressure's.
     omega: f64,
     damping: f64,
+    flow_force: f64,
     /// Play between pressure and valve as a force, N, and the time in which the valve follows beyond it, s.
     play_n: f64,
     follows_s: f64,
@@ -35,7 +36,7 @@ impl Hidden for ValveHysteresis {
         if self.form == 0 {
             rates[0] = states[1];
             // The flow force pulls the spool shut while it passes oil.
-            let flow_force = 1.0 - 0.1 * (here.oil_n / here.oil_n.hypot(500.0)).powi(2);
+            let flow_force = 1.0 - self.flow_force * (here.oil_n / here.oil_n.hypot(500.0)).powi(2);
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {
@@ -72,6 +73,7 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
         form,
         omega: std::f64::consts::TAU * draw.ratio("spool_hz", 60.0, 150.0) / strength,
         damping: draw.between("spool_damping", 0.5, 0.9),
+        flow_force: 0.1 * strength / (1.0 + strength),
         play_n: strength * at_knee * draw.between("play_share", 0.12, 0.25),
         follows_s: draw.ratio("follows_s", 0.3e-3, 1e-3) * strength,
         bleed_n,

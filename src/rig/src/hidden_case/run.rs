@@ -244,7 +244,8 @@ impl Rig<'_> {
         let count = (test.drive.duration_s() * test.rate_hz).floor() as usize + 1;
         let mut record = Record::empty(point, test.rate_hz, count);
         let mut temperature_c = Vec::with_capacity(count);
-        let rest = Rest { displacement_m: point.mean_displacement_m };
+        let displacement_m = point.mean_displacement_m;
+        let rest = Rest { displacement_m, rod_n: self.neutral.rest_n(displacement_m) };
         let mut motion = Integrator::new(
             |time, state: &[f64; N]| system.rates(&line(time), state),
             0.0,
@@ -279,5 +280,193 @@ impl Rig<'_> {
         record.side_force_n = with_side_force.then(|| vec![point.side_force_n; count]);
         record.temperature_c = self.options.temperature_channel.then_some(temperature_c);
         Ok(record)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{EFFECTS, Plan, UNKNOWN_EFFECTS};
+    use std::f64::consts::TAU;
+
+    fn sine(amplitude_m: f64, frequency_hz: f64) -> TestPoint {
+        let name = format!("a{:.1}mm_f{frequency_hz}hz", amplitude_m * 1e3);
+        TestPoint { cycles: 2, ..TestPoint::at_peak_velocity(name, amplitude_m, TAU * amplitude_m * frequency_hz) }
+    }
+
+    fn matrix() -> Matrix {
+        let side = TestPoint { side_force_n: 800.0, name: "side".into(), ..sine(0.02, 0.8) };
+        let out = TestPoint { mean_displacement_m: 0.02, name: "out".into(), ..sine(0.025, 2.0) };
+        let inward = TestPoint { mean_displacement_m: -0.02, name: "in".into(), ..sine(0.025, 2.0) };
+        Matrix::new(vec![sine(0.02, 0.1), sine(0.025, 5.0), side, sine(0.0008, 1.0), out, sine(0.003, 20.0), inward])
+            .unwrap()
+    }
+
+    fn ideal(seed: u64, effects: &[(&str, f64)]) -> HiddenCase {
+        HiddenCase {
+            effects: effects.iter().map(|(name, strength)| ((*name).into(), *strength)).collect(),
+            options: Options { seed, noise_percent: 0.0, ..Options::default() },
+            ..HiddenCase::default()
+        }
+    }
+
+    fn measured(seed: u64, effects: &[(&str, f64)]) -> Vec<Record> {
+        ideal(seed, effects).run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
+    }
+
+    /// Rms of the difference of two campaigns, N.
+    fn distance(a: &[Record], b: &[Record]) -> f64 {
+        let squares = |f: &dyn Fn(&Record, &Record, usize) -> f64| -> f64 {
+            a.iter().zip(b).map(|(a, b)| (0..a.time_s.len()).map(|i| f(a, b, i)).sum::<f64>()).sum()
+        };
+        (squares(&|a, b, i| (a.clean_force_n[i] - b.clean_force_n[i]).powi(2)) / squares(&|_, _, _| 1.0)).sqrt()
+    }
+
+    fn all() -> impl Iterator<Item = &'static str> {
+        EFFECTS.into_iter().chain(UNKNOWN_EFFECTS)
+    }
+
+    #[test]
+    fn strength_zero_is_the_neutral_damper_to_the_bit() {
+        let neutral = measured(3, &[]);
+        for name in all() {
+            assert_eq!(measured(3, &[(name, 0.0)]), neutral, "{name}");
+        }
+    }
+
+    #[test]
+    fn the_trace_of_an_effect_grows_with_its_strength_from_nothing() {
+        for seed in [1, 2] {
+            let neutral = measured(seed, &[]);
+            for name in all() {
+                let trace = |strength| distance(&measured(seed, &[(name, strength)]), &neutral);
+                let traces = [0.01, 0.25, 1.0, 4.0].map(trace);
+                assert!(traces[3] > 1.0, "{name}, seed {seed}: {traces:?}");
+                assert!(traces[0] < 0.25 * traces[3], "{name}, seed {seed}: {traces:?}");
+                assert!(traces.windows(2).all(|two| two[0] <= two[1] + 0.02), "{name}, seed {seed}: {traces:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_passive_damper_takes_energy_in_every_cycle() {
+        // Artefacts of the rig are no damper; a mass gives back what it takes.
+        let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
+        for name in physical {
+            for record in measured(4, &[(name, 1.0)]) {
+                let per_cycle = (record.sample_rate_hz / record.point.frequency_hz).round() as usize;
+                let last = record.time_s.len() - 1;
+                let end = last - (0.3 * last as f64) as usize;
+                let work: f64 = (end - per_cycle..end)
+                    .map(|i| {
+                        0.5 * (record.force_n[i] + record.force_n[i + 1])
+                            * (record.displacement_m[i + 1] - record.displacement_m[i])
+                    })
+                    .sum();
+                assert!(work > 0.0, "{name} in {}: {work} J", record.point.name);
+            }
+        }
+    }
+
+    #[test]
+    fn cases_are_the_same_whatever_runs_beside_them() {
+        let case = ideal(5, &[("temperature_fade", 1.0), ("free_play", 1.0), ("aeration", 1.0)]);
+        let alone = case.run_matrix(&matrix(), |_, _| {}).unwrap();
+        let both: Vec<HiddenCampaign> = std::thread::scope(|scope| {
+            let runs: Vec<_> = (0..2).map(|_| scope.spawn(|| case.run_matrix(&matrix(), |_, _| {}).unwrap())).collect();
+            runs.into_iter().map(|run| run.join().unwrap()).collect()
+        });
+        assert!(both.iter().all(|other| *other == alone));
+    }
+
+    #[test]
+    fn damper_and_shapes_do_not_depend_on_what_else_is_hidden() {
+        let one = ideal(6, &[("free_play", 1.0)]).run_matrix(&matrix(), |_, _| {}).unwrap().truth;
+        let two = ideal(6, &[("aeration", 0.5), ("free_play", 2.0)]).run_matrix(&matrix(), |_, _| {}).unwrap().truth;
+        assert_eq!(one.damper, two.damper);
+        assert_eq!(one.effects[0].form, two.effects[1].form);
+    }
+
+    #[test]
+    fn records_follow_each_other_on_one_clock() {
+        let records = measured(1, &[]);
+        for pair in records.windows(2) {
+            let pause = pair[1].time_s[0] - pair[0].time_s[pair[0].time_s.len() - 1];
+            assert!((PAUSE_S.0..PAUSE_S.1 + 1.1).contains(&pause), "{pause}");
+        }
+        assert!(records[1].time_s[0] > 10.0);
+    }
+
+    #[test]
+    fn channels_can_be_withheld_and_noise_leaves_the_clean_force() {
+        let mut case = ideal(2, &[]);
+        let clean = case.run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records;
+        assert!(clean.iter().all(|record| record.side_force_n.is_some() && record.temperature_c.is_some()));
+        case.options = Options {
+            noise_percent: 2.0,
+            noise_colour: 0.8,
+            hum_n: 1.0,
+            bits: Some(14),
+            side_force_channel: false,
+            temperature_channel: false,
+            ..case.options
+        };
+        for (noisy, clean) in case.run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records.iter().zip(&clean) {
+            assert!(noisy.side_force_n.is_none() && noisy.temperature_c.is_none());
+            assert_eq!(noisy.clean_force_n, clean.clean_force_n);
+            assert_ne!(noisy.force_n, noisy.clean_force_n);
+        }
+    }
+
+    #[test]
+    fn a_hot_start_changes_a_damper_that_fades_and_no_other() {
+        let run = |effects: &[(&str, f64)], celsius| {
+            let mut case = ideal(7, effects);
+            case.options.start_temperature_c = celsius;
+            case.run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
+        };
+        assert_eq!(distance(&run(&[], None), &run(&[], Some(70.0))), 0.0);
+        let (cold, hot) = (run(&[("temperature_fade", 1.0)], None), run(&[("temperature_fade", 1.0)], Some(70.0)));
+        let largest = |record: &Record| record.clean_force_n.iter().fold(0f64, |most, n| most.max(n.abs()));
+        assert!(largest(&hot[0]) < largest(&cold[0]));
+        assert!(hot[0].temperature_c.as_ref().unwrap()[0] == 70.0);
+    }
+
+    #[test]
+    fn unknown_names_forms_and_strengths_are_refused() {
+        let refusal = |name: &str, strength| {
+            ideal(1, &[(name, strength)]).run_matrix(&matrix(), |_, _| {}).unwrap_err().to_string()
+        };
+        assert!(refusal("wobble", 1.0).contains("gas_spring, stribeck_friction"));
+        assert!(refusal("aeration:foam", 1.0).contains("entrained, dissolving_foam"));
+        assert!(refusal("aeration", -1.0).contains("give 0 or more"));
+        assert!(refusal("aeration", f64::NAN).contains("give 0 or more"));
+        let twice = ideal(1, &[("aeration", 1.0), ("aeration", 1.0)]).run_matrix(&matrix(), |_, _| {}).unwrap_err();
+        assert!(twice.to_string().contains("listed twice"));
+    }
+
+    #[test]
+    fn sealed_truth_reads_back_and_the_description_is_silent() {
+        let folder = tempfile::tempdir().unwrap();
+        let outcome = ideal(8, &[("cavitation", 1.0)]).run_matrix(&matrix(), |_, _| {}).unwrap();
+        outcome.write(folder.path()).unwrap();
+        assert_eq!(Truth::read(folder.path()).unwrap(), outcome.truth);
+        let text = std::fs::read_to_string(folder.path().join(crate::campaign::CAMPAIGN_FILE)).unwrap();
+        assert!(!text.contains("seed") && !text.contains("cavitation") && !text.contains("hide"), "{text}");
+        let clean = folder.path().join(super::super::SEALED_FOLDER).join(super::super::CLEAN_FORCE_FILE);
+        let samples: usize = outcome.campaign.records.iter().map(|record| record.time_s.len()).sum();
+        assert_eq!(std::fs::read_to_string(clean).unwrap().lines().count(), samples + 1);
+        // A campaign without a secret leaves no old truth behind.
+        let plain = Campaign::run(&matrix(), &Options { sample_rate_hz: Some(200.0), ..Options::default() }, |_, _| {});
+        plain.unwrap().write(folder.path()).unwrap();
+        assert!(!folder.path().join(super::super::SEALED_FOLDER).exists());
+    }
+
+    #[test]
+    fn every_plan_can_be_run() {
+        for plan in [Plan::OneAmplitude, Plan::OneFrequency, Plan::Centred] {
+            let case = HiddenCase { plan, ..ideal(9, &[("presliding_friction", 1.0)]) };
+            assert!(case.run().unwrap().campaign.records.len() >= 8);
+        }
     }
 }

@@ -45,6 +45,12 @@ pub(crate) struct Friction {
 }
 
 impl Neutral {
+    /// Force on the rod at rest at a displacement, N: the weak spring through the series spring, less the gas.
+    pub fn rest_n(&self, displacement_m: f64) -> f64 {
+        let series = self.mount.stiffness_n_m;
+        series * self.spring_n_m / (series + self.spring_n_m) * displacement_m - self.gas_n
+    }
+
     /// Draws a damper in engineering ranges.
     pub fn draw(draw: &mut Draw) -> Self {
         let stiffness_n_m = draw.ratio("series_stiffness_n_m", 0.5e6, 5e6);

@@ -55,6 +55,8 @@ pub(crate) struct Here {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rest {
     pub displacement_m: f64,
+    /// Force on the rod of the neutral damper, N.
+    pub rod_n: f64,
 }
 
 /// The damper and what is hidden in it, as a system of `N` states.

@@ -109,8 +109,10 @@ impl OneWay {
         };
         let low_n = share * at_1_m_s_n;
         let laminar_n_s_m = laminar_share * low_n / 0.1;
-        // A bleed that takes more than the whole force at 1 m/s would leave nothing for the valve to do.
-        let orifice_n_s2_m2 = ((1.0 - laminar_share) * low_n / 0.01).min(2.5 * at_1_m_s_n);
+        let orifice = (1.0 - laminar_share) * low_n / 0.01;
+        // A progressive valve is its bleed and no more: together they make the force at 1 m/s.
+        let orifice_n_s2_m2 =
+            if style == Style::Progressive { (at_1_m_s_n - laminar_n_s_m).max(0.1 * at_1_m_s_n) } else { orifice };
         let lift_n = low_n * draw.between("lift", 0.8, 1.1);
         let knee_n = knee * lift_n * draw.between("knee", 0.7, 1.4);
         let closed = Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n: 0.0, lift_n, knee_n };

@@ -1,0 +1,198 @@
+//! Numbers that carry their derivatives along, so that the equations of the coupled paths are written once: as plain
+//! numbers for their values, as [`Dual`] for their exact slopes.
+
+use crate::math::{exp, tanh};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A number or one with derivatives.
+pub trait Real:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self> + Neg<Output = Self>
+{
+    /// A constant.
+    fn constant(value: f64) -> Self;
+    /// Its value alone.
+    fn value(self) -> f64;
+    /// A function of it that has this value and this slope there.
+    fn chain(self, value: f64, slope: f64) -> Self;
+
+    /// Plus a constant.
+    #[inline(always)]
+    fn plus(self, constant: f64) -> Self {
+        self + Self::constant(constant)
+    }
+
+    /// 1/x.
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        let inverse = 1.0 / self.value();
+        self.chain(inverse, -inverse * inverse)
+    }
+
+    /// |x|.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let x = self.value();
+        self.chain(x.abs(), if x < 0.0 { -1.0 } else { 1.0 })
+    }
+
+    /// √x for x > 0.
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let root = libm::sqrt(self.value());
+        self.chain(root, 0.5 / root)
+    }
+
+    /// tanh x.
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        let t = tanh(self.value());
+        self.chain(t, 1.0 - t * t)
+    }
+
+    /// e^x.
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let e = exp(self.value());
+        self.chain(e, e)
+    }
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(value: f64) -> f64 {
+        value
+    }
+
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn chain(self, value: f64, _: f64) -> f64 {
+        value
+    }
+}
+
+/// A number with its derivatives in N directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual<const N: usize> {
+    /// The number.
+    pub value: f64,
+    /// Its derivatives.
+    pub slopes: [f64; N],
+}
+
+impl<const N: usize> Dual<N> {
+    /// A number with these derivatives.
+    #[inline(always)]
+    pub fn new(value: f64, slopes: [f64; N]) -> Dual<N> {
+        Dual { value, slopes }
+    }
+
+    /// The number that direction `direction` moves.
+    #[inline(always)]
+    pub fn along(value: f64, direction: usize) -> Dual<N> {
+        let mut slopes = [0.0; N];
+        if let Some(slope) = slopes.get_mut(direction) {
+            *slope = 1.0;
+        }
+        Dual { value, slopes }
+    }
+
+    /// The derivative in a direction.
+    #[inline(always)]
+    pub fn slope(&self, direction: usize) -> f64 {
+        self.slopes.get(direction).copied().unwrap_or(0.0)
+    }
+
+    #[inline(always)]
+    fn merge(self, other: Dual<N>, value: f64, f: impl Fn(f64, f64) -> f64) -> Dual<N> {
+        let mut slopes = self.slopes;
+        for (a, b) in slopes.iter_mut().zip(other.slopes) {
+            *a = f(*a, b);
+        }
+        Dual { value, slopes }
+    }
+}
+
+impl<const N: usize> Add for Dual<N> {
+    type Output = Dual<N>;
+    #[inline(always)]
+    fn add(self, other: Dual<N>) -> Dual<N> {
+        self.merge(other, self.value + other.value, |a, b| a + b)
+    }
+}
+
+impl<const N: usize> Sub for Dual<N> {
+    type Output = Dual<N>;
+    #[inline(always)]
+    fn sub(self, other: Dual<N>) -> Dual<N> {
+        self.merge(other, self.value - other.value, |a, b| a - b)
+    }
+}
+
+impl<const N: usize> Mul for Dual<N> {
+    type Output = Dual<N>;
+    #[inline(always)]
+    fn mul(self, other: Dual<N>) -> Dual<N> {
+        self.merge(other, self.value * other.value, |a, b| a * other.value + b * self.value)
+    }
+}
+
+impl<const N: usize> Mul<f64> for Dual<N> {
+    type Output = Dual<N>;
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Dual<N> {
+        self.chain(self.value * factor, factor)
+    }
+}
+
+impl<const N: usize> Neg for Dual<N> {
+    type Output = Dual<N>;
+    #[inline(always)]
+    fn neg(self) -> Dual<N> {
+        self.chain(-self.value, -1.0)
+    }
+}
+
+impl<const N: usize> Real for Dual<N> {
+    #[inline(always)]
+    fn constant(value: f64) -> Dual<N> {
+        Dual { value, slopes: [0.0; N] }
+    }
+
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    #[inline(always)]
+    fn chain(self, value: f64, slope: f64) -> Dual<N> {
+        let mut slopes = self.slopes;
+        for s in &mut slopes {
+            *s *= slope;
+        }
+        Dual { value, slopes }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tried<R: Real>(x: R, y: R) -> R {
+        ((x * y - y.tanh()).exp() + (x.abs().plus(1.0)).sqrt() * 3.0 - (-x).plus(4.0).inverse()) * y
+    }
+
+    #[test]
+    fn slopes_are_derivatives() {
+        for (x, y) in [(0.3, 0.7), (-1.1, 0.4), (2.0, -0.6)] {
+            let both = tried(Dual::<2>::along(x, 0), Dual::along(y, 1));
+            let h = 1e-6;
+            assert_eq!(both.value, tried(x, y));
+            assert!((both.slopes[0] - (tried(x + h, y) - tried(x - h, y)) / (2.0 * h)).abs() < 1e-8);
+            assert!((both.slopes[1] - (tried(x, y + h) - tried(x, y - h)) / (2.0 * h)).abs() < 1e-8);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Position-dependent damping: bypass grooves or a tapered needle over a part of the stroke.
+
+use crate::dual::Real;
+use crate::elements::{Describe, Prepare};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F_d is multiplied by s(x) = 1 − a ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x.
+#[derive(Clone, Copy, Debug)]
+pub struct PositionDependentDamping {
+    share: f64,
+    centre: f64,
+    half_width: f64,
+    per_blend: f64,
+    /// Whether it acts in compression and in rebound.
+    acts: [bool; 2],
+}
+
+impl Describe for PositionDependentDamping {
+    const MEANING: &'static str = "damping that is weaker (bypass) or firmer over a part of the stroke";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar(
+            "bypass_share",
+            "-",
+            &[0.3],
+            (-4.0, 0.95),
+            "share of the FV force that is missing in the zone, a; negative: a firmer zone",
+        ),
+        Parameter::scalar("bypass_centre", "m", &[0.0], (-1.0, 1.0), "displacement at the middle of the zone, c"),
+        Parameter::scalar("bypass_half_width", "m", &[0.02], (1e-3, 1.0), "half the length of the zone, w"),
+        Parameter::scalar("bypass_blend", "m", &[5e-3], (5e-4, 0.5), "length over which the zone fades out, b"),
+        Parameter::choice("bypass_strokes", &["both", "rebound", "compression"], "strokes on which it acts"),
+    ];
+}
+
+impl Prepare for PositionDependentDamping {
+    const OFF: Self =
+        PositionDependentDamping { share: 0.0, centre: 0.0, half_width: 0.0, per_blend: 1.0, acts: [false; 2] };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let strokes = p.number(4);
+        Ok(PositionDependentDamping {
+            share: p.number(0),
+            centre: p.number(1),
+            half_width: p.number(2),
+            per_blend: 1.0 / p.number(3),
+            acts: [strokes != 1.0, strokes != 2.0],
+        })
+    }
+}
+
+impl PositionDependentDamping {
+    /// s(x) on the stroke.
+    #[inline(always)]
+    pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
+        let [compression_acts, rebound_acts] = self.acts;
+        if !(if rebound { rebound_acts } else { compression_acts }) {
+            return R::constant(1.0);
+        }
+        let from = x.plus(-self.centre);
+        let (rise, fall) = (from.plus(self.half_width) * self.per_blend, from.plus(-self.half_width) * self.per_blend);
+        (-((rise.tanh() - fall.tanh()) * (0.5 * self.share))).plus(1.0)
+    }
+}

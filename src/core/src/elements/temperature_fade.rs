@@ -1,0 +1,69 @@
+//! Temperature fade: warm oil damps less.
+
+use crate::dual::Real;
+use crate::elements::{Describe, Prepare};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F_d is multiplied by exp(−α (T − T_0)). T is the temperature that the host gives, or that of the surroundings it
+/// gives plus the rise ϑ by the damper's own heat, C dϑ/dt = F_h w − h ϑ.
+#[derive(Clone, Copy, Debug)]
+pub struct TemperatureFade {
+    coefficient: f64,
+    reference: f64,
+    /// 1/C.
+    pub(crate) per_capacity: f64,
+    /// h/C.
+    pub(crate) cooling: f64,
+    pub(crate) heats_itself: bool,
+}
+
+/// The exponent is kept inside ±3: a factor of twenty is beyond all dampers.
+const LARGEST: f64 = 3.0;
+
+impl Describe for TemperatureFade {
+    const MEANING: &'static str = "damping that falls with the temperature of the oil, measured or by its own heat";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::choice(
+            "fade_source",
+            &["measured", "self_heating"],
+            "temperature as given, or as the surroundings' plus the rise by the damper's own heat",
+        ),
+        Parameter::scalar("fade_coefficient", "1/K", &[0.003], (-0.02, 0.05), "fall of the damping per kelvin, alpha"),
+        Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
+        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C"),
+        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h"),
+    ];
+}
+
+impl Prepare for TemperatureFade {
+    const OFF: Self =
+        TemperatureFade { coefficient: 0.0, reference: 0.0, per_capacity: 0.0, cooling: 0.0, heats_itself: false };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let per_capacity = 1.0 / p.number(3);
+        Ok(TemperatureFade {
+            coefficient: p.number(1),
+            reference: p.number(2),
+            per_capacity,
+            cooling: p.number(4) * per_capacity,
+            heats_itself: p.number(0) == 1.0,
+        })
+    }
+}
+
+impl TemperatureFade {
+    /// The factor at a given temperature and rise above it.
+    #[inline(always)]
+    pub(crate) fn factor<R: Real>(&self, given: f64, rise: R) -> R {
+        let exponent = -(rise.plus(given - self.reference) * self.coefficient);
+        let at = exponent.value();
+        if at > LARGEST {
+            R::constant(LARGEST).exp()
+        } else if at < -LARGEST {
+            R::constant(-LARGEST).exp()
+        } else {
+            exponent.exp()
+        }
+    }
+}

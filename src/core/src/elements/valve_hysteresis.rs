@@ -1,0 +1,89 @@
+//! Valve hysteresis: a blow-off valve that opens late and closes late.
+
+use crate::dual::Real;
+use crate::elements::{Describe, Prepare};
+use crate::fault::Fault;
+use crate::parameter::{Parameter, View};
+
+/// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
+///
+/// y is the valve's opening, S = ½ (1 + tanh) its characteristic. The FV curve holds the opening y_∞; a valve that is
+/// behind it makes the force larger while it opens, and smaller while it closes. It opens at F_0 + Δ and closes at
+/// F_0 − Δ however slow the motion.
+#[derive(Clone, Copy, Debug)]
+pub struct ValveHysteresis {
+    share: f64,
+    middle: f64,
+    half_width: f64,
+    per_width: f64,
+    pub(crate) per_time: f64,
+}
+
+/// Rounds in which opening and what it feeds back on itself are brought together.
+const ROUNDS: usize = 4;
+
+impl Describe for ValveHysteresis {
+    const MEANING: &'static str = "blow-off valve that opens late and closes late: more force while speed rises";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("valve_hysteresis_share", "-", &[0.15], (0.0, 0.8), "share of the force that lateness adds"),
+        Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
+        Parameter::scalar(
+            "valve_closing_ratio",
+            "-",
+            &[0.85],
+            (0.3, 1.0),
+            "force at which it closes over that at which it opens; 1: the time alone makes it late",
+        ),
+        Parameter::scalar("valve_time", "s", &[2e-3], (1e-4, 1.0), "time in which it moves, tau"),
+        Parameter::scalar("valve_width", "N", &[100.0], (10.0, 1e5), "force over which it opens, b"),
+    ];
+}
+
+impl Prepare for ValveHysteresis {
+    const OFF: Self = ValveHysteresis { share: 0.0, middle: 0.0, half_width: 0.0, per_width: 1.0, per_time: 1.0 };
+
+    fn prepare(p: &View) -> Result<Self, Fault> {
+        let (opens, closes) = (p.number(1), p.number(1) * p.number(2));
+        Ok(ValveHysteresis {
+            share: p.number(0),
+            middle: 0.5 * (opens + closes),
+            half_width: 0.5 * (opens - closes),
+            per_width: 1.0 / p.number(4),
+            per_time: 1.0 / p.number(3),
+        })
+    }
+}
+
+/// S.
+#[inline(always)]
+fn opening<R: Real>(x: R) -> R {
+    (x.tanh().plus(1.0)) * 0.5
+}
+
+impl ValveHysteresis {
+    /// What the opening `y` is drawn to.
+    #[inline(always)]
+    pub(crate) fn target<R: Real>(&self, force: R, y: R) -> R {
+        let pressed = force.abs() + y * (2.0 * self.half_width);
+        opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
+    }
+
+    /// The opening at the end of an implicit stage that is `known` at its start; always inside 0 to 1.
+    #[inline(always)]
+    pub(crate) fn stage<R: Real>(&self, force: R, known: R, g: f64) -> R {
+        let per = g * self.per_time;
+        let divide = 1.0 / (1.0 + per);
+        let mut y = known;
+        for _ in 0..ROUNDS {
+            y = (known + self.target(force, y) * per) * divide;
+        }
+        y
+    }
+
+    /// F_h at an opening.
+    #[inline(always)]
+    pub(crate) fn force<R: Real>(&self, force: R, y: R) -> R {
+        let steady = opening(force.abs().plus(-self.middle) * self.per_width);
+        force * ((steady - y) * self.share).plus(1.0)
+    }
+}

@@ -1,0 +1,214 @@
+//! Force, rates and partials of a damper with elements in its series or hydraulic path (see [`crate::paths`]).
+
+use super::Partials;
+use crate::dual::{Dual, Real};
+use crate::elements::{Elements, Motion};
+use crate::input::Input;
+use crate::paths::hydraulic::{Around, column_force, flow};
+use crate::paths::series::{self, Frame};
+use crate::paths::solve::oil_velocity;
+use crate::paths::{STATES, place};
+use crate::state::State;
+
+/// What the oil does at given states.
+struct Instant<R> {
+    /// 0 where the velocity of the oil is the right one.
+    residual: R,
+    rates: [R; STATES],
+    force: R,
+    primary: R,
+    inner: R,
+}
+
+fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R, curve: R) -> Instant<R> {
+    let frame = Frame::of(e);
+    let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
+    let standing = R::constant(e.fv_curve.at_zero());
+    let flow = flow(e, curve, standing, w, around, states, 0.0);
+    let mut rates = [R::constant(0.0); STATES];
+    let (primary, residual);
+    let opens = |force: R| e.cavitation.rate(force, around.v, states[place::VOID]);
+    if e.has_column() {
+        // The oil column holds the force; the valves answer with their velocity.
+        primary = column_force(e, states[place::COLUMN]);
+        residual = flow.force - primary;
+        let mut left = u - w;
+        if e.has_cavitation() {
+            rates[place::VOID] = opens(primary);
+            left = left - rates[place::VOID] * e.cavitation.sign;
+        }
+        rates[place::COLUMN] = left;
+    } else if e.has_cavitation() {
+        primary = flow.force;
+        rates[place::VOID] = opens(primary);
+        residual = w + rates[place::VOID] * e.cavitation.sign - u;
+    } else {
+        primary = flow.force;
+        residual = w - u;
+    }
+    rates[place::SELECTIVE] =
+        (flow.selective_target - states[place::SELECTIVE]) * e.frequency_selective_damping.per_time;
+    rates[place::VALVE] = (flow.valve_target - states[place::VALVE]) * e.valve_hysteresis.per_time;
+    let fade = &e.temperature_fade;
+    if fade.heats_itself {
+        rates[place::HEAT] = flow.force * w * fade.per_capacity - states[place::HEAT] * fade.cooling;
+    }
+    let at = Motion { displacement: x.value(), velocity: u.value(), side_force: 0.0, temperature: around.temperature };
+    let inner = e.inner(&at);
+    let inner = x.chain(inner.force, inner.by_x) + u.chain(0.0, inner.by_v);
+    let mut force = inner + primary;
+    if e.has_series() {
+        let rate = around.v - u;
+        force = series::force(e, &frame, around.x - x, rate, states[place::BUSHING]);
+        rates[place::X] = u;
+        rates[place::U] = (force - inner - primary) * frame.mass.inverse();
+        rates[place::BUSHING] = rate - states[place::BUSHING] * e.bushing.per_time;
+    }
+    Instant { residual, rates, force, primary, inner }
+}
+
+/// Relative change of the velocity at which it is found.
+const TOLERANCE: f64 = 1e-13;
+
+/// The velocity of the oil at given states.
+fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -> f64 {
+    let u = if e.has_series() { states[place::U] } else { v };
+    if !e.has_column() && !e.has_cavitation() {
+        return u;
+    }
+    let lifted = states.map(Dual::<2>::constant);
+    let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
+    let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
+    oil_velocity(e, u, least, TOLERANCE, |w, f| instant(e, &lifted, &around, w, f).residual)
+}
+
+/// Number of directions: the states, displacement, velocity, and the velocity of the oil.
+const DIRECTIONS: usize = STATES + 3;
+
+/// The instant with its slopes over states and input.
+struct Sloped<'a> {
+    e: &'a Elements,
+    by: Instant<Dual<DIRECTIONS>>,
+}
+
+impl<'a> Sloped<'a> {
+    fn new(e: &'a Elements, state: &State, input: &Input) -> Sloped<'a> {
+        let x = super::displacement(state, input);
+        let (v, temperature) = (input.velocity, input.temperature);
+        let states = e.slots().read(state);
+        let w = oil(e, &states, x, v, temperature);
+        let mut lifted = [Dual::constant(0.0); STATES];
+        for (direction, (to, value)) in lifted.iter_mut().zip(states).enumerate() {
+            *to = Dual::along(value, direction);
+        }
+        let around = Around { x: Dual::along(x, STATES), v: Dual::along(v, STATES + 1), temperature };
+        let read = e.fv_curve.at(w);
+        let w = Dual::along(w, STATES + 2);
+        let curve = w.chain(read.value, read.slope);
+        Sloped { e, by: instant(e, &lifted, &around, w, curve) }
+    }
+
+    /// The slopes of a number, the velocity of the oil following.
+    fn slopes(&self, number: &Dual<DIRECTIONS>) -> [f64; DIRECTIONS] {
+        let by_w = self.by.residual.slope(STATES + 2);
+        let follows = if by_w != 0.0 { -number.slope(STATES + 2) / by_w } else { 0.0 };
+        let mut slopes = number.slopes;
+        for (to, residual) in slopes.iter_mut().zip(&self.by.residual.slopes) {
+            *to += follows * residual;
+        }
+        slopes
+    }
+}
+
+/// The force through both paths, its parts, and its slopes over displacement and velocity of the driven end.
+pub(super) struct Through {
+    pub force: f64,
+    pub primary: f64,
+    pub inner: f64,
+    pub by_input: [f64; 2],
+    pub heat: f64,
+}
+
+pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
+    let sloped = Sloped::new(e, state, input);
+    let [.., by_x, by_v, _] = sloped.slopes(&sloped.by.force);
+    Through {
+        force: sloped.by.force.value,
+        primary: sloped.by.primary.value,
+        inner: sloped.by.inner.value,
+        by_input: [by_x, by_v],
+        heat: e.slots().read(state)[place::HEAT],
+    }
+}
+
+/// Rates of the states.
+pub(super) fn rates(e: &Elements, state: &State, input: &Input, rate: &mut State) {
+    let x = super::displacement(state, input);
+    let states = e.slots().read(state);
+    let w = oil(e, &states, x, input.velocity, input.temperature);
+    let around = Around { x, v: input.velocity, temperature: input.temperature };
+    let instant = instant(e, &states, &around, w, e.fv_curve.at(w).value);
+    e.slots().write(&instant.rates, rate);
+}
+
+/// Adds the slopes of force and rates.
+pub(super) fn partials(e: &Elements, state: &State, input: &Input, p: &mut Partials) {
+    let sloped = Sloped::new(e, state, input);
+    let slots = sloped.e.slots();
+    let force = sloped.slopes(&sloped.by.force);
+    for (place, slope) in force.iter().enumerate().take(STATES) {
+        if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
+            *to = *slope;
+        }
+    }
+    for (place, rate) in sloped.by.rates.iter().enumerate() {
+        let slopes = sloped.slopes(rate);
+        let Some(i) = slots.index(place) else { continue };
+        let [.., by_x, by_v, _] = slopes;
+        if let Some(to) = p.rate_by_input.get_mut(i) {
+            *to = [by_x, by_v];
+        }
+        let Some(row) = p.rate_by_state.get_mut(i) else { continue };
+        for (place, slope) in slopes.iter().enumerate().take(STATES) {
+            if let Some(to) = slots.index(place).and_then(|j| row.get_mut(j)) {
+                *to = *slope;
+            }
+        }
+    }
+}
+
+/// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
+pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
+    let mut states = [0.0; STATES];
+    // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
+    let mut force = 0.0;
+    for _ in 0..200 {
+        let around = Around { x, v, temperature };
+        let standing = e.fv_curve.at_zero();
+        let mut held = states;
+        let w = {
+            let lifted = states.map(Dual::<2>::constant);
+            let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
+            let standing = Dual::constant(standing);
+            let steady = |w: Dual<2>, f: Dual<2>| {
+                let force = flow(e, f, standing, w, &around, &lifted, 0.0).force;
+                let void = e.cavitation.rate(force, around.v, lifted[place::VOID]);
+                w + void * e.cavitation.sign - around.v
+            };
+            if e.has_cavitation() { oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, steady) } else { v }
+        };
+        let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states, 0.0);
+        held[place::SELECTIVE] = flow.selective_target;
+        held[place::VALVE] = flow.valve_target;
+        let still = held == states && force == flow.force;
+        force = flow.force;
+        states = held;
+        if still {
+            break;
+        }
+    }
+    if e.has_column() {
+        states[place::COLUMN] = crate::paths::hydraulic::deflection(e, force);
+    }
+    (states, force)
+}

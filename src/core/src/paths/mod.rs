@@ -1,0 +1,135 @@
+//! The two paths of force whose elements act on each other: the series path from the driven end to the internal mass,
+//! and the hydraulic path from there to the valves.
+//!
+//! ```text
+//! F_s = φ(x − x_m) + c_s χ (v − u) + k_1 z                           [series]
+//! m du/dt = F_s − F_p(x_m) − F_h                                    (or x_m = x, u = v)
+//! F_h = N(s F_d(w)) = φ_o(q),   u = w + dq/dt + σ de/dt             [hydraulic]
+//! ```
+//!
+//! φ is the elastic law and χ the share of its contacts that is closed, 1 without free play.
+//!
+//! With no element of either path on, φ is straight, w = u and F_h = F_d(u): the plain step of [`crate::step`] and the
+//! short formulas of [`crate::evaluate`] then do, and nothing here is called.
+
+pub mod hydraulic;
+pub mod series;
+pub mod soft_gap;
+pub(crate) mod solve;
+
+use crate::elements::{Elements, MAX_MEMORY};
+use crate::state::State;
+
+/// Number of states that act on each other.
+pub const STATES: usize = 8;
+
+/// Places of the states among them.
+pub mod place {
+    /// Displacement of the internal mass.
+    pub const X: usize = 0;
+    /// Its velocity.
+    pub const U: usize = 1;
+    /// Deflection of the bushing's Maxwell spring, z.
+    pub const BUSHING: usize = 2;
+    /// Deflection of the oil column, q.
+    pub const COLUMN: usize = 3;
+    /// The void that cavitation left, e.
+    pub const VOID: usize = 4;
+    /// Frequency-selective damping.
+    pub const SELECTIVE: usize = 5;
+    /// Opening of the valve.
+    pub const VALVE: usize = 6;
+    /// Rise of the oil's temperature.
+    pub const HEAT: usize = 7;
+}
+
+/// Where the private states among them are kept in [`State::memory`]: one after the other, those of elements that are
+/// on only.
+#[derive(Clone, Copy, Debug)]
+pub struct Slots {
+    /// For each place its slot; [`NOWHERE`] where its element is off.
+    slots: [u8; STATES],
+    count: u8,
+}
+
+const NOWHERE: u8 = u8::MAX;
+
+impl Slots {
+    /// No private states.
+    pub const NONE: Slots = Slots { slots: [NOWHERE; STATES], count: 0 };
+
+    /// Gives each place that is `on` the next slot.
+    pub fn new(on: [bool; STATES]) -> Slots {
+        let mut slots = Slots::NONE;
+        for (slot, on) in slots.slots.iter_mut().zip(on) {
+            if on {
+                *slot = slots.count;
+                slots.count += 1;
+            }
+        }
+        slots
+    }
+
+    /// Number of private states.
+    #[inline(always)]
+    pub fn count(&self) -> usize {
+        self.count as usize
+    }
+
+    /// The slot of a place, if it has one.
+    #[inline(always)]
+    pub fn of(&self, place: usize) -> Option<usize> {
+        match self.slots.get(place) {
+            Some(&slot) if slot != NOWHERE && usize::from(slot) < MAX_MEMORY => Some(usize::from(slot)),
+            _ => None,
+        }
+    }
+
+    /// The states of the paths; 0 where there is none.
+    pub fn read(&self, state: &State) -> [f64; STATES] {
+        let mut states = [0.0; STATES];
+        for (place, value) in states.iter_mut().enumerate() {
+            *value = match place {
+                place::X => state.mass_displacement,
+                place::U => state.mass_velocity,
+                _ => self.of(place).and_then(|slot| state.memory.get(slot)).copied().unwrap_or(0.0),
+            };
+        }
+        states
+    }
+
+    /// Puts the states of the paths where they are kept.
+    pub fn write(&self, states: &[f64; STATES], state: &mut State) {
+        for (place, value) in states.iter().enumerate() {
+            match place {
+                place::X => state.mass_displacement = *value,
+                place::U => state.mass_velocity = *value,
+                _ => {
+                    if let Some(to) = self.of(place).and_then(|slot| state.memory.get_mut(slot)) {
+                        *to = *value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Index among the states of [`crate::Partials`].
+    pub fn index(&self, place: usize) -> Option<usize> {
+        match place {
+            place::X | place::U => Some(place),
+            _ => self.of(place).map(|slot| slot + 2),
+        }
+    }
+}
+
+/// Which states an element set has.
+pub(crate) fn slots(e: &Elements) -> Slots {
+    let mut on = [false; STATES];
+    on[place::BUSHING] = e.has_bushing();
+    on[place::COLUMN] = e.has_column();
+    on[place::VOID] = e.has_cavitation();
+    on[place::SELECTIVE] = e.has_frequency_selective();
+    on[place::VALVE] = e.has_valve();
+    on[place::HEAT] = e.temperature_fade.heats_itself;
+    Slots::new(on)
+}
