@@ -13,7 +13,7 @@ use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
 /// What is hidden, and how strongly.
-const HIDDEN: (&str, f64) = ("moving_mass", 1.0);
+const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
 /// Tells the story and leaves everything in a folder; returns the path of the report.
 pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
