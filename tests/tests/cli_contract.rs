@@ -89,7 +89,7 @@ fn matrix_and_rig_write_what_each_other_read() {
 fn every_verb_explains_itself_with_an_example() {
     let folder = tempfile::tempdir().unwrap();
     let help = done(folder.path(), &["--help"]);
-    for verb in ["fit", "validate", "simulate", "matrix", "rig", "demo", "bench"] {
+    for verb in ["fit", "validate", "diagnose", "simulate", "matrix", "rig", "demo", "bench"] {
         assert!(help.contains(verb));
         let help = done(folder.path(), &[verb, "--help"]);
         assert!(help.contains("Example") && help.contains(&format!("dashpot {verb}")), "{verb}: {help}");

@@ -25,6 +25,39 @@ pub struct Axis {
     pub low: f64,
     /// Largest value shown.
     pub high: f64,
+    /// How values are spread over it.
+    pub scale: Scale,
+}
+
+/// How an axis spreads its values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithm; all are positive.
+    Logarithmic,
+    /// By the root of their magnitude: what happens near zero gets room, and the sign stays.
+    Root,
+}
+
+impl Scale {
+    /// A value on the evenly spread scale.
+    pub fn of(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Logarithmic => value.ln(),
+            Self::Root => value.signum() * value.abs().sqrt(),
+        }
+    }
+
+    /// The value at a place of the evenly spread scale.
+    pub fn back(self, place: f64) -> f64 {
+        match self {
+            Self::Linear => place,
+            Self::Logarithmic => place.exp(),
+            Self::Root => place * place.abs(),
+        }
+    }
 }
 
 impl Axis {
@@ -35,22 +68,31 @@ impl Axis {
         let size = low.abs().max(high.abs());
         let span = high - low;
         let margin = if span > 1e-9 * size { 0.04 * span } else { (0.5 * size).max(1e-6) };
-        Self { label: label.into(), low: low - margin, high: high + margin }
+        Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 
     /// An axis that ends exactly where the values do (time).
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
-        if high > low { Self { label: label.into(), low, high } } else { Self::around(label, [low]) }
+        if high > low {
+            Self { label: label.into(), low, high, scale: Scale::Linear }
+        } else {
+            Self::around(label, [low])
+        }
     }
 
     /// Place of a value between 0 (low end) and 1 (high end).
     pub fn place(&self, value: f64) -> f64 {
-        (value - self.low) / (self.high - self.low)
+        let [low, value, high] = [self.low, value, self.high].map(|v| self.scale.of(v));
+        (value - low) / (high - low)
     }
 
     /// Marks, about `wanted` of them.
     pub fn ticks(&self, wanted: usize) -> Ticks {
-        Ticks::linear(self.low, self.high, wanted)
+        match self.scale {
+            Scale::Linear => Ticks::linear(self.low, self.high, wanted),
+            Scale::Logarithmic => Ticks::logarithmic(self.low, self.high),
+            Scale::Root => Ticks::root(self.low, self.high, wanted),
+        }
     }
 }
 
@@ -108,7 +150,8 @@ impl Plane {
         svg.frame(&zero, 0.8);
         svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
         for (value, label) in &x_ticks.at {
-            svg.text([at_x(*value), bottom + 15.0], label, TextStyle::faint(TICK, Anchor::Middle));
+            let last = width - 0.5 * text_width(label, TICK) - 1.0;
+            svg.text([at_x(*value).min(last), bottom + 15.0], label, TextStyle::faint(TICK, Anchor::Middle));
         }
         for (value, label) in &y_ticks.at {
             svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));

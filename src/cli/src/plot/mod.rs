@@ -8,16 +8,22 @@
 //! | [`of_test`] | force and error over velocity, displacement and time; hysteresis gap |
 //! | [`in_space`] | the force–velocity–displacement cross-plot and its error |
 //! | [`overview`] | error of every test; error by amplitude and peak velocity |
+//! | [`before_after`] | error and loops of single tests, before and after a diagnosis |
+//! | [`residual`], [`residual_map`] | what a model leaves, over velocity, time since reversal and displacement |
 //!
-//! Measured is blue, the model red, the force–velocity curve green and dashed, in every figure. Each mark carries a
+//! Measured is blue, the model red, the force–velocity curve green and dashed, a model before its improvement grey and dashed,
+//! in every figure. Each mark carries a
 //! light-background colour and a class, so that a page may recolour the same figure for a dark background
 //! ([`palette::page_css`]).
 
 pub mod axes;
+pub mod before_after;
 pub mod in_space;
 pub mod of_test;
 pub mod overview;
 pub mod palette;
+pub mod residual;
+pub mod residual_map;
 pub mod simplify;
 pub mod svg;
 pub mod ticks;

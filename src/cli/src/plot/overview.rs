@@ -5,7 +5,7 @@ use super::of_test::{FV_ONLY, MODEL};
 use super::palette::{Role, heat};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::{Ticks, number};
-use dashpot_lab::validation::Validation;
+use dashpot_lab::validation::{Errors, Validation};
 
 /// Longest test name written out, characters.
 const NAME: usize = 28;
@@ -52,18 +52,29 @@ pub fn error_of_tests(validation: &Validation) -> String {
 /// Error percent by amplitude (rows) and peak velocity (columns); the force–velocity curve's below the model's.
 /// `None` where the campaign has no periodic tests.
 pub fn error_map(validation: &Validation) -> Option<String> {
+    let note = format!("large: {MODEL}, small: {FV_ONLY} alone");
+    let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
+    map(validation, "Error by amplitude and peak velocity, %", &note, both)
+}
+
+/// The same of one of the two forces: the model's, or the one beside it.
+pub fn error_map_of(validation: &Validation, title: &str, of: impl Fn(&Errors) -> f64) -> Option<String> {
+    map(validation, title, "", |errors| (of(errors), None))
+}
+
+fn map(validation: &Validation, title: &str, note: &str, of: impl Fn(&Errors) -> (f64, Option<f64>)) -> Option<String> {
     let matrix = &validation.matrix;
     if matrix.cells.is_empty() {
         return None;
     }
     let (rows, columns) = (matrix.by_amplitude.len() as f64, matrix.by_peak_velocity.len() as f64);
-    let (left, top, size) = (90.0, 66.0, [62.0, 38.0]);
+    let (left, size) = (90.0, [62.0, 38.0]);
+    let top = if note.is_empty() { 36.0 } else { 66.0 };
     let (right, bottom) = (left + columns * size[0], top + rows * size[1]);
-    let title = "Error by amplitude and peak velocity, %";
     let mut svg = Svg::new((right + 14.0).max(470.0), bottom + 50.0, title);
     let bold = TextStyle { bold: true, ..TextStyle::plain(super::axes::TITLE, Anchor::Start) };
     svg.text([20.0, 17.0], title, bold);
-    svg.text([20.0, 36.0], "large: model, small: FV curve alone", TextStyle::faint(TICK, Anchor::Start));
+    svg.text([20.0, 36.0], note, TextStyle::faint(TICK, Anchor::Start));
     for (i, row) in matrix.by_amplitude.iter().enumerate() {
         let y = top + (i as f64 + 0.5) * size[1] + 4.0;
         svg.text([left - 8.0, y], &millimetres(row.value), TextStyle::faint(TICK, Anchor::End));
@@ -77,13 +88,17 @@ pub fn error_map(validation: &Validation) -> Option<String> {
     svg.text([30.0, 0.5 * (top + bottom)], "amplitude, mm", turned);
     for cell in &matrix.cells {
         let corner = [left + cell.peak_velocity_row as f64 * size[0], top + cell.amplitude_row as f64 * size[1]];
-        let (fill, dark_text) = heat(cell.errors.model.error_percent);
+        let (value, beside) = of(&cell.errors);
+        let (fill, dark_text) = heat(value);
         svg.cell([corner[0] + 1.0, corner[1] + 1.0], [size[0] - 2.0, size[1] - 2.0], &fill);
         let middle = corner[0] + 0.5 * size[0];
         let large = TextStyle { bold: true, ..TextStyle::plain(13.0, Anchor::Middle) };
-        svg.cell_text([middle, corner[1] + 18.0], &percent(cell.errors.model.error_percent), large, dark_text);
-        let small = TextStyle::plain(10.0, Anchor::Middle);
-        svg.cell_text([middle, corner[1] + 31.0], &percent(cell.errors.fv_only.error_percent), small, dark_text);
+        let drop = if beside.is_some() { 18.0 } else { 24.0 };
+        svg.cell_text([middle, corner[1] + drop], &percent(value), large, dark_text);
+        if let Some(beside) = beside {
+            let small = TextStyle::plain(10.0, Anchor::Middle);
+            svg.cell_text([middle, corner[1] + 31.0], &percent(beside), small, dark_text);
+        }
     }
     Some(svg.finish())
 }
@@ -109,7 +124,7 @@ fn percent(value: f64) -> String {
 }
 
 /// A name cut to what fits below the axis; the end tells tests apart, so the middle goes.
-fn shorten(name: &str) -> String {
+pub fn shorten(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= NAME {
         return name.to_owned();

@@ -14,12 +14,14 @@ pub enum Role {
     Model,
     /// The force–velocity curve alone.
     FvOnly,
+    /// The model as it came, beside an improved one.
+    Before,
     /// Projections and other background marks.
     Shadow,
 }
 
 /// Every role, for the page's style sheet.
-const ROLES: [Role; 4] = [Role::Measured, Role::Model, Role::FvOnly, Role::Shadow];
+const ROLES: [Role; 5] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow];
 
 impl Role {
     /// Class of the mark in SVG and page.
@@ -28,6 +30,7 @@ impl Role {
             Self::Measured => "measured",
             Self::Model => "model",
             Self::FvOnly => "fv-only",
+            Self::Before => "before",
             Self::Shadow => "shadow",
         }
     }
@@ -38,6 +41,7 @@ impl Role {
             Self::Measured => "#0067a5",
             Self::Model => "#d43d0f",
             Self::FvOnly => "#009e73",
+            Self::Before => "#767b80",
             Self::Shadow => "#c3c9cf",
         }
     }
@@ -48,6 +52,7 @@ impl Role {
             Self::Measured => "#5cb8f2",
             Self::Model => "#ff7f52",
             Self::FvOnly => "#2fd3a3",
+            Self::Before => "#a9b0b6",
             Self::Shadow => "#4b535b",
         }
     }
@@ -58,14 +63,14 @@ impl Role {
             // Wide, so that a model lying right on it leaves it visible on both sides.
             Self::Measured => 2.8,
             Self::Model => 1.1,
-            Self::FvOnly => 1.3,
+            Self::FvOnly | Self::Before => 1.3,
             Self::Shadow => 0.8,
         }
     }
 
     /// Dash pattern, if the line is not solid.
     pub fn dash(self) -> Option<&'static str> {
-        matches!(self, Self::FvOnly).then_some("5 2.5")
+        matches!(self, Self::FvOnly | Self::Before).then_some("5 2.5")
     }
 }
 
@@ -108,6 +113,18 @@ pub fn heat(percent: f64) -> (String, bool) {
     (format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)), place < 0.72)
 }
 
+/// Fill of a map cell for a signed value, −1..1 of the scale's end: orange above zero, purple below, white at zero. Neither hue is that of a force, and colour-blind readers tell them apart.
+pub fn signed(place: f64) -> String {
+    const ZERO: [f64; 3] = [247.0, 247.0, 247.0];
+    const ABOVE: [[f64; 3]; 2] = [[244.0, 165.0, 85.0], [166.0, 76.0, 4.0]];
+    const BELOW: [[f64; 3]; 2] = [[167.0, 155.0, 205.0], [71.0, 34.0, 128.0]];
+    let [near, far] = if place >= 0.0 { ABOVE } else { BELOW };
+    let size = place.abs().min(1.0);
+    let (from, to, part) = if size < 0.5 { (ZERO, near, 2.0 * size) } else { (near, far, 2.0 * size - 1.0) };
+    let mix = |i: usize| (from[i] + part * (to[i] - from[i])).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -133,20 +150,21 @@ mod tests {
     }
 
     #[test]
-    fn the_three_forces_stay_apart_without_red_or_green_cones() {
+    fn the_forces_stay_apart_without_red_or_green_cones() {
         // Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
         let sights = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
             [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
         ];
-        let roles = [Role::Measured, Role::Model, Role::FvOnly];
+        // The curve alone and a model before its improvement are never in one figure.
+        let figures = [[Role::Measured, Role::Model, Role::FvOnly], [Role::Measured, Role::Model, Role::Before]];
         for sight in sights {
             let seen = |colour: &str| {
                 let rgb = linear(colour);
                 lab(sight.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0)))
             };
-            for shade in [Role::light, Role::dark] {
+            for (shade, roles) in [Role::light, Role::dark].into_iter().flat_map(|s| figures.map(|roles| (s, roles))) {
                 for (i, a) in roles.iter().enumerate() {
                     for b in &roles[i + 1..] {
                         let (p, q) = (seen(shade(*a)), seen(shade(*b)));

@@ -137,6 +137,20 @@ impl Svg {
         );
     }
 
+    /// One of many cells without seams between them (a map), the same on a dark page.
+    pub fn tile(&mut self, corner: Point, size: Point, fill: &str) {
+        let [x, y] = corner.map(px);
+        // A little larger than the cell: rounding leaves no gap.
+        let [width, height] = size.map(|s| px(s + 0.3));
+        let _ = write!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>");
+    }
+
+    /// A finished document inside this one.
+    pub fn inside(&mut self, corner: Point, document: &str) {
+        let place = format!("<svg x=\"{}\" y=\"{}\" ", px(corner[0]), px(corner[1]));
+        self.body.push_str(&document.replacen("<svg ", &place, 1));
+    }
+
     /// A text.
     pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
         let (class, colour) = if style.faint { ("faint", FAINT_INK) } else { ("ink", INK) };

@@ -40,6 +40,38 @@ impl Ticks {
         }
         Self { at }
     }
+
+    /// Marks of an axis spread by the root of the magnitude, about `wanted` of them: zero, and round values on both sides
+    /// with room for their labels.
+    pub fn root(low: f64, high: f64, wanted: usize) -> Self {
+        let place = |value: f64| value.signum() * value.abs().sqrt();
+        let room = (place(high) - place(low)) / wanted.max(1) as f64;
+        let mut at = Vec::new();
+        if !(room.is_finite() && room > 0.0) {
+            return Self { at };
+        }
+        if low <= 0.0 && high >= 0.0 {
+            at.push((0.0, number(0.0, 0)));
+        }
+        for (sign, end) in [(1.0, high), (-1.0, -low)] {
+            // From the end inwards, so that the widest range is marked best.
+            let mut last = f64::INFINITY;
+            let mut exponent = end.max(f64::MIN_POSITIVE).log10().floor() as i32;
+            while place(10f64.powi(exponent + 1)) >= 0.8 * room {
+                for factor in [5.0, 2.0, 1.0] {
+                    let value = sign * factor * 10f64.powi(exponent);
+                    let here = place(value.abs());
+                    if (low..=high).contains(&value) && here >= 0.8 * room && last - here >= 0.8 * room {
+                        at.push((value, number(value, (-exponent).max(0) as usize)));
+                        last = here;
+                    }
+                }
+                exponent -= 1;
+            }
+        }
+        at.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { at }
+    }
 }
 
 /// A number with a typographic minus and no negative zero.
@@ -87,6 +119,13 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_root_axis_is_marked_on_both_sides_of_zero() {
+        assert_eq!(labels(&Ticks::root(-1600.0, 1600.0, 9)), ["−1000", "−500", "−200", "0", "200", "500", "1000"]);
+        assert_eq!(labels(&Ticks::root(3.0, 30.0, 4)).len(), 3);
+        assert!(Ticks::root(0.0, 0.0, 5).at.is_empty());
     }
 
     #[test]

@@ -20,6 +20,8 @@ pub struct Section {
 pub enum Block {
     /// The sentences everybody reads, in larger type.
     Lead(String),
+    /// A heading inside the section.
+    Heading(String),
     /// Plain text.
     Paragraph(String),
     /// Something the reader must know before trusting the figures.
@@ -94,6 +96,11 @@ impl Figure {
     /// A figure without caption.
     pub fn new(file: impl Into<String>, svg: String) -> Self {
         Self { file: file.into(), svg, caption: String::new() }
+    }
+
+    /// The same figure with a line that says what it shows.
+    pub fn saying(self, caption: impl Into<String>) -> Self {
+        Self { caption: caption.into(), ..self }
     }
 }
 

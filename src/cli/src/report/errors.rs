@@ -59,6 +59,27 @@ pub fn tests(validation: &Validation) -> Section {
     Section::new("tests", "Errors of every test", vec![Block::Table(Table { caption, columns, rows, sortable: true })])
 }
 
+/// Errors of one row per amplitude or peak velocity, before and after an improvement of the model, which stands in the
+/// places of the curve and the model.
+pub fn before_and_after<'a>(caption: String, rows: impl Iterator<Item = &'a MatrixRow>) -> Table {
+    let rows = rows
+        .map(|row| {
+            let Errors { model: after, fv_only: before } = &row.errors;
+            let mut cells = vec![row.label.clone(), row.tests.to_string(), force(row.max_force_n)];
+            for one in [before, after] {
+                cells.extend([error(one.mean_error_n), percent(one.error_percent), error(one.rmse_n)]);
+            }
+            cells
+        })
+        .collect();
+    let mut columns = vec![Column::words("tests"), Column::figures("number"), Column::figures("largest force,\u{a0}N")];
+    for group in ["before", "after"] {
+        let headings = ["mean error,\u{a0}N", "error,\u{a0}%", "rms error,\u{a0}N"];
+        columns.extend(headings.map(|heading| Column::figures(heading).of(group)));
+    }
+    Table { caption, columns, rows, sortable: false }
+}
+
 fn table<'a>(caption: String, rows: impl Iterator<Item = &'a MatrixRow>) -> Table {
     let rows = rows
         .map(|row| {

@@ -1,5 +1,7 @@
 //! The validation report: one self-contained HTML file that opens without a network and prints.
 //!
+//! [`diagnosis`] writes the report of `dashpot diagnose` with the same blocks.
+//!
 //! A report is a list of [`Section`]s made of a few kinds of [`Block`]. Every section builder lives in its own file
 //! and knows nothing of HTML; [`page`] knows HTML and nothing of dampers. A further section (before/after pictures, a
 //! diagnosis) is a [`Section`] put into [`ReportInput::extra`]; its figures are written by [`svgs`] too.
@@ -7,6 +9,7 @@
 //! The same input gives the same bytes: no date, no random name, no machine.
 
 pub mod blocks;
+pub mod diagnosis;
 mod each_test;
 mod errors;
 mod hysteresis;
@@ -57,7 +60,11 @@ pub fn render(input: &ReportInput<'_>) -> String {
 /// # Errors
 /// When the folder does not exist or cannot be written; the older report then stays.
 pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> {
-    replace_file(path, render(input).as_bytes()).with_context(|| format!("writing the report {}", path.display()))
+    write_page(&render(input), path)
+}
+
+fn write_page(page: &str, path: &Path) -> anyhow::Result<()> {
+    replace_file(path, page.as_bytes()).with_context(|| format!("writing the report {}", path.display()))
 }
 
 /// Writes every figure of the report as a file of its own into a folder, which is made if missing. Returns the paths in
@@ -66,8 +73,11 @@ pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> 
 /// # Errors
 /// When the folder or a file cannot be written.
 pub fn svgs(input: &ReportInput<'_>, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    write_figures(&sections(input), folder)
+}
+
+fn write_figures(sections: &[Section], folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     std::fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))?;
-    let sections = sections(input);
     let mut written = Vec::new();
     for figure in sections.iter().flat_map(Section::figures) {
         let path = folder.join(format!("{}.svg", figure.file));

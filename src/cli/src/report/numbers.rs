@@ -49,6 +49,55 @@ pub fn beside(value: f64, reference: f64) -> String {
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
+/// A value in the unit that engineers use for it: mm, N/mm, ms; four digits.
+pub fn with_unit(value: f64, unit: &str) -> String {
+    let (factor, unit) = usual(value, unit);
+    spaced(digits(factor * value, 4), &unit)
+}
+
+/// A value with the ends of its interval, all in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
+pub fn with_interval(value: f64, low: f64, high: f64, unit: &str) -> (String, String) {
+    let (factor, unit) = usual(value, unit);
+    let [value, low, high] = [value, low, high].map(|v| factor * v);
+    // Digits beyond the first two of the interval's half width say nothing.
+    let half = 0.5 * (high - low).abs();
+    let write = |v: f64| match half {
+        half if half.is_finite() && half > 0.0 && (1e-4..1e6).contains(&value.abs()) => {
+            let kept = (1.0 - half.log10().floor()) as i32;
+            let four = 3 - value.abs().log10().floor() as i32;
+            number(v, kept.min(four).clamp(0, 9) as usize)
+        }
+        _ => digits(v, 4),
+    };
+    (spaced(write(value), &unit), spaced(format!("{} to {}", write(low), write(high)), &unit))
+}
+
+fn spaced(figures: String, unit: &str) -> String {
+    if unit.is_empty() { figures } else { format!("{figures}\u{a0}{unit}") }
+}
+
+/// The unit used for a quantity of an SI unit, and the factor to it.
+fn usual(value: f64, unit: &str) -> (f64, String) {
+    let small = value.abs() < 1.0;
+    match unit {
+        "m" if small => (1e3, "mm".into()),
+        "s" if small => (1e3, "ms".into()),
+        "m/s" if small => (1e3, "mm/s".into()),
+        "N/m" => (1e-3, "N/mm".into()),
+        "N/m^3" => (1e-9, "N/mm³".into()),
+        "-" => (1.0, String::new()),
+        _ => {
+            let raised = ["^2", "^3", "^4"].iter().zip(["²", "³", "⁴"]);
+            (1.0, raised.fold(unit.replace(' ', "\u{b7}"), |text, (from, to)| text.replace(from, to)))
+        }
+    }
+}
+
+/// A share in percent, whole.
+pub fn share(value: f64) -> String {
+    if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
+}
+
 /// A whole number in raised digits.
 fn superscript(value: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -80,5 +129,28 @@ mod tests {
         assert_eq!(milli(0.05), "50.0");
         assert_eq!([beside(-12.94, -12.94), beside(6.6e-13, -12.94), beside(1102.4, 999.0)], ["−12.9", "0.0", "1102"]);
         assert_eq!(error(-0.04), "0.0");
+    }
+
+    #[test]
+    fn parameters_are_written_in_the_units_of_the_workshop() {
+        let cases = [
+            (0.0125, "m", "12.50 mm"),
+            (66.528, "N/m", "0.06653 N/mm"),
+            (2.4e6, "N/m", "2400 N/mm"),
+            (0.00031, "s", "0.3100 ms"),
+            (640.0, "s", "640.0 s"),
+            (2023.15, "N s/m", "2023 N·s/m"),
+            (12.0, "N s^2/m^2", "12.00 N·s²/m²"),
+            (0.4, "-", "0.4000"),
+        ];
+        for (value, unit, text) in cases {
+            assert_eq!(with_unit(value, unit).replace('\u{a0}', " "), text);
+        }
+        let plain = |(a, b): (String, String)| (a.replace('\u{a0}', " "), b.replace('\u{a0}', " "));
+        let of = |value, low, high, unit| plain(with_interval(value, low, high, unit));
+        assert_eq!(of(2412.0, 2371.0, 2453.0, "N/m"), ("2.412 N/mm".into(), "2.371 to 2.453 N/mm".into()));
+        assert_eq!(of(66.5, 50.9, 82.1, "N/m"), ("0.067 N/mm".into(), "0.051 to 0.082 N/mm".into()));
+        assert_eq!(of(140.0, 139.9, 140.1, "N"), ("140.0 N".into(), "139.9 to 140.1 N".into()));
+        assert_eq!(of(1.0, f64::NEG_INFINITY, f64::INFINITY, "N"), ("1.000 N".into(), "– to – N".into()));
     }
 }

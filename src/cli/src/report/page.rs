@@ -52,6 +52,7 @@ fn section(html: &mut String, section: &Section) {
 fn block(html: &mut String, block: &Block) {
     let _ = match block {
         Block::Lead(text) => writeln!(html, "<p class=\"lead\">{}</p>", escape(text)),
+        Block::Heading(text) => writeln!(html, "<h3>{}</h3>", escape(text)),
         Block::Paragraph(text) => writeln!(html, "<p>{}</p>", escape(text)),
         Block::Warning(text) => writeln!(html, "<p class=\"warning\"><strong>Note.</strong> {}</p>", escape(text)),
         Block::List(items) => {

@@ -3,10 +3,15 @@
 use super::data::{DataArgs, matches, sign_in_words};
 use super::output;
 use crate::progress::Progress;
+use crate::report::ParameterRow;
+use crate::report::diagnosis::{DiagnosisReport, headline};
+use crate::report::numbers::{digits, share, with_interval, with_unit};
 use anyhow::bail;
 use dashpot_core::Params;
-use dashpot_lab::diagnosis::{Diagnosis, Options, choose_held_out, diagnose};
-use dashpot_lab::model_file;
+use dashpot_core::parameter::find;
+use dashpot_lab::diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
+use dashpot_lab::identification::Standing;
+use dashpot_lab::model_file::{self, ModelFile};
 use dashpot_lab::records::{Campaign, Record};
 use std::path::{Path, PathBuf};
 
@@ -15,7 +20,9 @@ use std::path::{Path, PathBuf};
 /// Every effect in question is added and everything is refitted with it. What is named has to explain tests that no refit
 /// has seen; where two effects explain the records as well, or none does, the answer says so.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json")]
+#[command(
+    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json"
+)]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
@@ -31,22 +38,25 @@ pub struct Args {
     /// Report for people, one HTML file
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// Folder for every figure of the report as an SVG file
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
     /// Tests that no refit sees, by name; * stands for anything. Chosen over all amplitudes and speeds if not given
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
     /// Most effects to add
-    #[arg(long, value_name = "N", default_value_t = 3)]
+    #[arg(long, value_name = "N", default_value_t = 3, allow_negative_numbers = true)]
     max_effects: usize,
     /// Effects that may be named, separated by commas; all if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     candidates: Option<Vec<String>>,
     /// Chooses which tests are left out
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
-fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
+pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
         return Ok(choose_held_out(&records, seed));
@@ -62,7 +72,7 @@ fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Resu
 }
 
 /// The plain FV curve of a model, to compare with.
-fn plain(model: &model_file::ModelFile) -> Params {
+fn plain(model: &ModelFile) -> Params {
     if let Some(Ok(params)) = model.identification.fv_only.as_ref().map(|f| f.params()) {
         return params;
     }
@@ -73,6 +83,77 @@ fn plain(model: &model_file::ModelFile) -> Params {
     params
 }
 
+/// A diagnosis with what it was made from.
+pub struct Diagnosed {
+    /// The answer.
+    pub found: Diagnosis,
+    /// Which records no refit saw.
+    pub left_out: Vec<bool>,
+}
+
+/// Diagnoses a model against a campaign.
+pub fn examine(
+    model: &ModelFile,
+    campaign: &Campaign,
+    left_out: Vec<bool>,
+    options: &Options,
+) -> anyhow::Result<Diagnosed> {
+    let records: Vec<&Record> = campaign.records.iter().collect();
+    let progress = Progress::new("diagnosing");
+    let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
+    Ok(Diagnosed { found, left_out })
+}
+
+impl Diagnosed {
+    /// The improved model as the text of a model file.
+    pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
+        let records: Vec<&Record> = campaign.records.iter().collect();
+        model_file::write(&self.found.as_fit(&records, &self.left_out, plain(model)))
+    }
+
+    /// Hands the report over to `write`.
+    pub fn report<T>(
+        &self,
+        model: &Path,
+        data: &DataArgs,
+        campaign: &Campaign,
+        write: impl FnOnce(&DiagnosisReport<'_>) -> anyhow::Result<T>,
+    ) -> anyhow::Result<T> {
+        let records: Vec<&Record> = campaign.records.iter().collect();
+        let mut reading = vec![sign_in_words(&campaign.sign)];
+        reading.extend(campaign.notes.iter().map(|n| n.text.clone()));
+        write(&DiagnosisReport {
+            model_file: model.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
+            data: data.named(),
+            found: &self.found,
+            records: &records,
+            reading,
+            parameters: parameter_rows(&self.found),
+        })
+    }
+}
+
+/// Numbers of the improved model with their intervals.
+fn parameter_rows(found: &Diagnosis) -> Vec<ParameterRow> {
+    let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
+    found
+        .estimates
+        .iter()
+        .map(|e| ParameterRow {
+            name: e.name.to_owned(),
+            value: e.value,
+            unit: e.unit.to_owned(),
+            low: e.low,
+            high: e.high,
+            source: added(e.name).map_or_else(|| "refitted".to_owned(), |f| format!("added: {}", f.effect)),
+            note: match e.standing {
+                Standing::NotIdentified => "not identified from this data".to_owned(),
+                _ => find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
+            },
+        })
+        .collect()
+}
+
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let (json, out) = (args.json.as_deref(), args.output.as_deref());
@@ -80,72 +161,105 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
+    if args.report.as_deref().is_some_and(output::is_stdout) {
+        bail!("--report needs a file name: standard output takes findings (--json -) or the model (-o -)");
+    }
     output::check([out, json, args.report.as_deref()].into_iter().flatten())?;
     let model = model_file::read(&args.model)?;
     let campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
-    let records: Vec<&Record> = campaign.records.iter().collect();
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone() };
-    let progress = Progress::new("diagnosing");
-    let found = diagnose(&records, &left, &model.params, &options, &|done, text| progress.say(done, text))?;
-    drop(progress);
+    let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&sign_in_words(&campaign.sign))?;
-    for line in told(&found) {
-        say(&line)?;
-    }
+    say(&told(&diagnosed.found).join("\n"))?;
     if let Some(path) = out {
-        output::write(path, &model_file::write(&found.as_fit(&records, &left, plain(&model))))?;
-        say(&format!("model in {}", path.display()))?;
+        output::write(path, &diagnosed.model(&model, &campaign))?;
+        if !output::is_stdout(path) {
+            say(&format!("model: {}", path.display()))?;
+        }
     }
     if let Some(path) = json {
-        output::json(path, &found)?;
+        output::json(path, &diagnosed.found)?;
+    }
+    if let Some(path) = &args.report {
+        diagnosed.report(&args.model, &args.data, &campaign, |report| report.write(path))?;
+        say(&format!("report: {}", path.display()))?;
+    }
+    if let Some(folder) = &args.svg {
+        let written = diagnosed.report(&args.model, &args.data, &campaign, |report| report.write_svgs(folder))?;
+        say(&format!("{} figures in {}", written.len(), folder.display()))?;
     }
     Ok(())
 }
 
+/// Most regions, rivals and tests told on a terminal; the report has them all.
+const REGIONS: usize = 5;
+const RIVALS: usize = 2;
+const NEXT: usize = 3;
+
 /// The findings in lines.
-fn told(found: &Diagnosis) -> Vec<String> {
-    let mut lines = vec![found.summary.clone()];
-    for region in found.regions.iter().take(5) {
-        lines.push(format!("  where: {}", region.text));
+pub fn told(found: &Diagnosis) -> Vec<String> {
+    let mut lines = vec![headline(found)];
+    if !found.regions.is_empty() {
+        lines.push("Where the model as it came disagrees:".to_owned());
+        lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
     }
     for finding in &found.findings {
-        let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
-        lines.push(format!("  {}{form}, {:.0} % sure: {}", finding.effect, 100.0 * finding.confidence, finding.meaning));
-        for (name, v) in &finding.parameters {
-            let far = if v.plausible { "" } else { "; no damper shows such a value" };
-            lines.push(format!("    {name} = {:.4} {} (95 %: {:.4} to {:.4}){far}", v.value, v.unit, v.low, v.high));
-        }
-        for rival in finding.rivals.iter().take(2) {
-            lines.push(format!("    not {}: {}", rival.effect, rival.why));
-        }
+        lines.extend(one(finding));
     }
     for suspect in &found.suspects {
-        lines.push(format!("  suspect {}: {}", suspect.effect, suspect.why));
+        lines.push(format!("Suspect {}: {}", suspect.effect, suspect.why));
     }
-    let error = |f: &dashpot_lab::diagnosis::Figures| match f.held_out_rmse_n {
-        Some(out) => format!("{:.2} N rms fitted, {out:.2} N left out, noise {:.2} N", f.rmse_n, f.noise_n),
-        None => format!("{:.2} N rms, noise {:.2} N", f.rmse_n, f.noise_n),
-    };
-    lines.push(format!("  before: {}", error(&found.before)));
-    if !found.findings.is_empty() {
-        lines.push(format!("  after:  {}", error(&found.after)));
-    }
-    if let Some(gap) = found.gap_closed {
-        lines.push(format!("  {:.0} % of the gap is closed on left-out tests", 100.0 * gap));
+    lines.extend(errors(found));
+    if !found.shifts.is_empty() {
+        lines.push("Numbers of the model that moved:".to_owned());
     }
     for shift in &found.shifts {
-        lines.push(format!("  {} moved from {:.4} to {:.4} {}", shift.parameter, shift.before, shift.after, shift.unit));
+        let (before, after) = (with_unit(shift.before, shift.unit), with_unit(shift.after, shift.unit));
+        lines.push(format!("  {:<30} {before:>16} -> {after}", shift.parameter));
     }
-    for note in &found.notes {
-        lines.push(format!("  note: {note}"));
+    lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
+    lines.extend(found.next_tests.iter().take(NEXT).map(|test| format!("next test: {}", test.text)));
+    lines.extend(found.could_not_test.iter().map(|c| format!("could not test {}: {}", c.effect, c.why)));
+    lines
+}
+
+fn one(finding: &Finding) -> Vec<String> {
+    let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
+    let mut lines =
+        vec![format!("Found {}{form}, {} sure: {}", finding.effect, share(finding.confidence), finding.meaning)];
+    for (name, v) in &finding.parameters {
+        let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
+        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit);
+        lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
-    for test in &found.next_tests {
-        lines.push(format!("  next test: {}", test.text));
+    if let Some(gap) = finding.gap_closed {
+        lines.push(format!("  closes {} of the gap by itself", share(gap)));
     }
-    for effect in &found.could_not_test {
-        lines.push(format!("  could not test {}: {}", effect.effect, effect.why));
+    if finding.of_the_rig {
+        lines.push("  of the rig: corrected in the comparison, not put into the model".to_owned());
+    }
+    lines.extend(finding.rivals.iter().take(RIVALS).map(|rival| format!("  not {}: {}", rival.effect, rival.why)));
+    lines
+}
+
+/// Errors before and after as a small table.
+fn errors(found: &Diagnosis) -> Vec<String> {
+    let row = |name: &str, f: &Figures| {
+        let left = f.held_out_rmse_n.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
+        format!("  {name:<10}{:>10}{left:>10}{:>10}", digits(f.rmse_n, 3), digits(f.noise_n, 3))
+    };
+    let mut lines = vec![
+        format!("  {:<10}{:>10}{:>10}{:>10}", "N rms", "fitted", "left out", "noise"),
+        row("before", &found.before),
+    ];
+    if !found.findings.is_empty() {
+        lines.push(row("after", &found.after));
+    }
+    if let Some(gap) = found.gap_closed {
+        let tests = if found.after.held_out_rmse_n.is_some() { "left-out" } else { "fitted" };
+        lines.push(format!("  {} of the gap is closed on {tests} tests", share(gap)));
     }
     lines
 }

@@ -1,5 +1,7 @@
 //! `dashpot demo`: everything once, on a virtual rig.
 
+mod riddle;
+
 use super::data::DataArgs;
 use super::{fit, output, validate};
 use crate::progress::Progress;
@@ -10,10 +12,11 @@ use dashpot_lab::{model_file, validation};
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
-/// Measure a virtual damper, identify it, validate the model, and write the report
+/// Measure a virtual damper, identify it, validate the model; then find what another damper hides
 ///
-/// Leaves the records, the model file and the report in one folder. Three rows of the test matrix are kept from the
-/// fit, so the report shows errors on tests that the model never saw.
+/// Leaves records, model files and reports in one folder. Three rows of the test matrix are kept from the fit, so the
+/// report shows errors on tests that the model never saw. The second damper has an effect in it that the model lacks: the
+/// diagnosis names it, adds it, and shows the gap close.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot demo -o demo")]
 pub struct Args {
@@ -58,7 +61,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let named = data.named();
     let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation);
     report::write_atomic(&input, &report_path)?;
-    say(&format!("\nOpen the report in a browser: {}", absolute(&report_path)))
+    say(&format!("   report: {}\n", report_path.display()))?;
+    let diagnosis_path = riddle::tell(&args.output, args.seed)?;
+    say(&format!("\nOpen the reports in a browser:\n  {}\n  {}", absolute(&report_path), absolute(&diagnosis_path)))
 }
 
 fn absolute(path: &std::path::Path) -> String {

@@ -1,0 +1,201 @@
+//! Before and after a diagnosis: the error of every test, and the loops of one.
+
+use super::axes::{Axis, LABEL, Mark, Plane, Series, TICK, heading, text_width};
+use super::of_test::{DISPLACEMENT, FORCE, MEASURED, VELOCITY};
+use super::overview::shorten;
+use super::palette::Role;
+use super::svg::{Anchor, Svg, TextStyle};
+use super::ticks::Ticks;
+use dashpot_lab::diagnosis::TestOutcome;
+
+/// The model as it came.
+pub const BEFORE: &str = "before";
+/// The model with what was found.
+pub const AFTER: &str = "after";
+/// Error axis of a diagnosis: the sign of what the model lacks.
+pub const RESIDUAL: &str = "measured − computed, N";
+
+/// Least error that is told apart from none, N.
+const FLOOR: f64 = 0.01;
+
+/// Name of every test; the stretches of a long one are numbered.
+pub fn names(tests: &[TestOutcome]) -> Vec<String> {
+    let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.held_out == b.held_out;
+    tests
+        .iter()
+        .enumerate()
+        .map(|(k, test)| {
+            let count = tests.iter().filter(|other| same(other, test)).count();
+            if count == 1 {
+                return test.test.clone();
+            }
+            let place = tests[..k].iter().filter(|other| same(other, test)).count();
+            format!("{} ({} of {count})", test.test, place + 1)
+        })
+        .collect()
+}
+
+/// Root-mean-square error of every test before and after, with what noise alone makes; fitted tests left, left-out ones
+/// right.
+pub fn errors(tests: &[TestOutcome]) -> String {
+    let fitted = tests.iter().filter(|t| !t.held_out).count();
+    let groups = usize::from(fitted > 0) + usize::from(fitted < tests.len());
+    let pitch = (900.0 / tests.len().max(1) as f64).clamp(13.0, 60.0);
+    let gap = if groups == 2 { pitch } else { 0.0 };
+    let names: Vec<String> = names(tests).iter().map(|name| shorten(name)).collect();
+    let longest = names.iter().map(|name| text_width(name, TICK)).fold(0.0, f64::max);
+    let (left, top, tall) = (66.0, 68.0, 250.0);
+    let right = left + pitch * tests.len() as f64 + gap;
+    let bottom = top + tall;
+    let title = "Error of every test, N rms";
+    let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
+    heading(&mut svg, title, left, Mark::Dot, &[(Role::Before, BEFORE), (Role::Model, AFTER)]);
+    svg.frame(&[[[left + 175.0, 33.0], [left + 187.0, 33.0]]], 1.6);
+    svg.text([left + 193.0, 37.0], "noise alone", TextStyle::plain(LABEL, Anchor::Start));
+
+    let values = tests.iter().flat_map(|t| [t.before_rmse_n, t.after_rmse_n, t.noise_n]);
+    let known = values.filter(|v| v.is_finite()).map(|v| v.max(FLOOR));
+    let (low, high) = known.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+    let (low, high) = if low > high { (0.1, 10.0) } else { (low / 1.25, high * 1.25) };
+    let at_y = |value: f64| bottom - (value.max(FLOOR) / low).ln() / (high / low).ln() * tall;
+    let ticks = Ticks::logarithmic(low, high);
+    svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
+    svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
+    for (value, label) in &ticks.at {
+        svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));
+    }
+    let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
+    svg.text([15.0, 0.5 * (top + bottom)], "error, N rms", turned);
+    let label = |svg: &mut Svg, x: f64, text: &str| {
+        svg.text([x, top - 8.0], text, TextStyle { bold: true, ..TextStyle::faint(TICK, Anchor::Start) });
+    };
+    if fitted > 0 {
+        label(&mut svg, left + 6.0, "fitted tests");
+    }
+    if fitted < tests.len() {
+        let x = left + pitch * fitted as f64 + 0.5 * gap;
+        if groups == 2 {
+            svg.frame(&[[[x, top - 20.0], [x, bottom]]], 1.0);
+        }
+        label(&mut svg, x + 6.0, "left out");
+    }
+    for (i, (test, name)) in tests.iter().zip(&names).enumerate() {
+        let x = left + (i as f64 + 0.5) * pitch + if test.held_out { gap } else { 0.0 };
+        svg.text([x + 4.0, bottom + 8.0], name, TextStyle { turn: -90.0, ..TextStyle::faint(TICK, Anchor::End) });
+        let known = [test.before_rmse_n, test.after_rmse_n, test.noise_n].iter().all(|v| v.is_finite());
+        if !known {
+            continue;
+        }
+        let (before, after, noise) = (at_y(test.before_rmse_n), at_y(test.after_rmse_n), at_y(test.noise_n));
+        svg.grid(&[[[x, before], [x, after]]]);
+        svg.frame(&[[[x - 4.0, noise], [x + 4.0, noise]]], 1.6);
+        svg.dot(Role::Before, [x, before], 3.4);
+        svg.dot(Role::Model, [x, after], 3.4);
+    }
+    svg.finish()
+}
+
+/// Force over velocity: measured, before, after.
+pub fn force_velocity(test: &TestOutcome) -> String {
+    let velocity = &test.curves.velocity;
+    plane("Force over velocity", VELOCITY, FORCE, forces(test, |i| 1e3 * velocity[i]))
+}
+
+/// Force over displacement: measured, before, after.
+pub fn force_displacement(test: &TestOutcome) -> String {
+    let displacement = &test.curves.displacement;
+    plane("Force over displacement", DISPLACEMENT, FORCE, forces(test, |i| 1e3 * displacement[i]))
+}
+
+/// What is left before and after, over velocity.
+pub fn residual_velocity(test: &TestOutcome) -> String {
+    let curves = &test.curves;
+    let line = |role, label, force: &[f64]| {
+        let points = |i: usize| [1e3 * curves.velocity[i], curves.measured[i] - force[i]];
+        Series { role, label, lines: vec![closed(test).map(points).collect()], dotted: false }
+    };
+    let series = vec![line(Role::Before, BEFORE, &curves.before), line(Role::Model, AFTER, &curves.after)];
+    plane("What is left, over velocity", VELOCITY, RESIDUAL, series)
+}
+
+/// Places along the curve; a cycle returns to its start.
+fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
+    let count = test.curves.measured.len();
+    (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))
+}
+
+fn forces(test: &TestOutcome, over: impl Fn(usize) -> f64) -> Vec<Series> {
+    let curves = &test.curves;
+    [
+        (Role::Measured, MEASURED, &curves.measured),
+        (Role::Before, BEFORE, &curves.before),
+        (Role::Model, AFTER, &curves.after),
+    ]
+    .into_iter()
+    .map(|(role, label, force)| Series {
+        role,
+        label,
+        lines: vec![closed(test).map(|i| [over(i), force[i]]).collect()],
+        dotted: false,
+    })
+    .collect()
+}
+
+/// A figure whose axes hold all series.
+fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
+    let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
+    Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }.draw()
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+    use dashpot_lab::diagnosis::Curves;
+
+    /// A sine test whose model lacks 20 N of friction before and 1 N after.
+    pub fn outcome(name: &str, held_out: bool) -> TestOutcome {
+        let phase = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / 100.0;
+        let over = |f: &dyn Fn(f64) -> f64| (0..100).map(|i| f(phase(i))).collect::<Vec<f64>>();
+        let force = |friction: f64| move |p: f64| 900.0 * p.cos() + friction * p.cos().signum();
+        TestOutcome {
+            test: name.into(),
+            held_out,
+            before_rmse_n: 20.0,
+            after_rmse_n: 1.0,
+            noise_n: 0.5,
+            curves: Curves {
+                displacement: over(&|p| 0.05 * p.sin()),
+                velocity: over(&|p| 0.314 * p.cos()),
+                measured: over(&force(20.0)),
+                before: over(&force(0.0)),
+                after: over(&force(19.0)),
+                frequency: 1.0,
+            },
+        }
+    }
+
+    #[test]
+    fn every_test_has_both_dots_and_its_noise() {
+        let tests = [outcome("a <1>", false), outcome("b", false), outcome("c", true)];
+        let text = errors(&tests);
+        assert_eq!(text.matches("<circle").count(), 2 + 2 * tests.len(), "legend and tests");
+        assert!(text.contains("left out") && text.contains("a &lt;1&gt;"));
+        let all_fitted = errors(&tests[..2]);
+        assert!(!all_fitted.contains("left out"));
+    }
+
+    #[test]
+    fn a_test_without_an_answer_keeps_its_place_and_breaks_nothing() {
+        let mut lost = outcome("b", true);
+        lost.after_rmse_n = f64::NAN;
+        let text = errors(&[outcome("a", false), lost]);
+        assert!(!text.contains("NaN") && text.contains(">b<"));
+        assert!(!errors(&[]).contains("NaN"));
+    }
+
+    #[test]
+    fn stretches_of_one_test_are_numbered() {
+        let tests = [outcome("long", false), outcome("long", false), outcome("short", false), outcome("long", true)];
+        assert_eq!(names(&tests), ["long (1 of 2)", "long (2 of 2)", "short", "long"]);
+    }
+}

@@ -1,0 +1,231 @@
+//! What a model leaves of the measured force, averaged over all tests: over velocity and over the time since the motion
+//! last turned round.
+
+use super::axes::{Axis, Plane, Scale, Series};
+use super::before_after::{AFTER, BEFORE};
+use super::of_test::VELOCITY;
+use super::palette::Role;
+use dashpot_lab::diagnosis::TestOutcome;
+
+/// Bins of velocity, both directions together.
+const VELOCITY_BINS: usize = 30;
+/// Bins of a decade of time.
+const PER_DECADE: f64 = 5.0;
+/// Fewest samples whose mean is shown.
+const FEWEST: usize = 8;
+
+/// One sample of a test.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample {
+    /// m.
+    pub displacement: f64,
+    /// m/s.
+    pub velocity: f64,
+    /// Measured less computed force before, N.
+    pub before: f64,
+    /// The same after, N.
+    pub after: f64,
+    /// Noise of the sample, N.
+    pub noise: f64,
+    /// Whether the speed rises.
+    pub speeding_up: bool,
+    /// Time since the velocity last changed its sign, s; not known of a test without cycles.
+    pub since_reversal: Option<f64>,
+}
+
+/// All samples that both models answered.
+pub fn samples(tests: &[TestOutcome]) -> Vec<Sample> {
+    tests.iter().flat_map(of_test).filter(|s| s.before.is_finite() && s.after.is_finite()).collect()
+}
+
+fn of_test(test: &TestOutcome) -> Vec<Sample> {
+    let curves = &test.curves;
+    let (n, velocity) = (curves.measured.len(), &curves.velocity);
+    let periodic = curves.frequency > 0.0;
+    let before = |i: usize| {
+        if i > 0 {
+            i - 1
+        } else if periodic {
+            n - 1
+        } else {
+            0
+        }
+    };
+    let after = |i: usize| {
+        if i + 1 < n {
+            i + 1
+        } else if periodic {
+            0
+        } else {
+            i
+        }
+    };
+    let step = if periodic { 1.0 / (curves.frequency * n as f64) } else { 0.0 };
+    let since = |i: usize| {
+        let same = |k: usize| velocity[(i + n - k) % n] * velocity[i] > 0.0;
+        let steps = (1..n).find(|k| !same(*k)).filter(|_| periodic)?;
+        // The sign changed between the samples `steps` and `steps − 1` before this one.
+        let (old, new) = (velocity[(i + n - steps) % n].abs(), velocity[(i + n - steps + 1) % n].abs());
+        Some(step * (steps as f64 - 1.0 + new / (old + new).max(f64::MIN_POSITIVE)))
+    };
+    (0..n)
+        .map(|i| Sample {
+            displacement: curves.displacement[i],
+            velocity: velocity[i],
+            before: curves.measured[i] - curves.before[i],
+            after: curves.measured[i] - curves.after[i],
+            noise: test.noise_n,
+            speeding_up: velocity[after(i)].abs() >= velocity[before(i)].abs(),
+            since_reversal: since(i),
+        })
+        .collect()
+}
+
+/// Sums over a bin.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bin {
+    count: usize,
+    before: f64,
+    after: f64,
+    noise: f64,
+}
+
+/// Means of three quantities over bins of a fourth, evenly spread on a scale; bins with too few samples are left out.
+fn binned(
+    samples: &[Sample],
+    bins: usize,
+    axis: &Axis,
+    over: impl Fn(&Sample) -> Option<f64>,
+    of: impl Fn(&Sample) -> [f64; 3],
+) -> Vec<(f64, [f64; 3])> {
+    let mut sums = vec![Bin::default(); bins];
+    for sample in samples {
+        let Some(place) = over(sample).map(|value| axis.place(value)) else { continue };
+        if !(0.0..=1.0).contains(&place) {
+            continue;
+        }
+        let bin = &mut sums[((place * bins as f64) as usize).min(bins - 1)];
+        let [before, after, noise] = of(sample);
+        bin.count += 1;
+        bin.before += before;
+        bin.after += after;
+        bin.noise += noise;
+    }
+    let (low, high) = (axis.scale.of(axis.low), axis.scale.of(axis.high));
+    let middle = |k: usize| axis.scale.back(low + (k as f64 + 0.5) / bins as f64 * (high - low));
+    sums.iter()
+        .enumerate()
+        .filter(|(_, bin)| bin.count >= FEWEST)
+        .map(|(k, bin)| (middle(k), [bin.before, bin.after, bin.noise].map(|sum| sum / bin.count as f64)))
+        .collect()
+}
+
+/// An axis of velocity in mm/s that gives the slow part room.
+pub fn velocity_axis(samples: &[Sample]) -> Axis {
+    let top = samples.iter().map(|s| 1e3 * s.velocity.abs()).fold(1e-3, f64::max);
+    Axis { scale: Scale::Root, ..Axis::exactly(VELOCITY, -top, top) }
+}
+
+fn draw(title: &str, x: Axis, y: &str, means: &[(f64, [f64; 3])], noise: bool) -> String {
+    let line = |role, label, k: usize| Series {
+        role,
+        label,
+        lines: vec![means.iter().map(|(place, of)| [*place, of[k]]).collect()],
+        dotted: true,
+    };
+    let mut series = vec![line(Role::Before, BEFORE, 0), line(Role::Model, AFTER, 1)];
+    if noise {
+        series.insert(0, line(Role::Shadow, "noise alone", 2));
+    }
+    let shown = if noise { 0..3 } else { 0..2 };
+    let values = means.iter().flat_map(|(_, of)| of[shown.clone()].iter().copied()).chain([0.0]);
+    Plane { title: title.into(), x, y: Axis::around(y, values), series }.draw()
+}
+
+/// Root mean square of what is left, over velocity.
+pub fn size_over_velocity(samples: &[Sample]) -> String {
+    let axis = velocity_axis(samples);
+    let squares = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * v);
+    let mut means = binned(samples, VELOCITY_BINS, &axis, |s| Some(1e3 * s.velocity), squares);
+    means.iter_mut().for_each(|(_, of)| *of = of.map(f64::sqrt));
+    draw("Size of what is left, over velocity", axis, "rms of measured − computed, N", &means, true)
+}
+
+/// Mean of what is left over velocity, while the speed rises or while it falls.
+pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool) -> String {
+    let axis = velocity_axis(samples);
+    let some: Vec<Sample> = samples.iter().filter(|s| s.speeding_up == speeding_up).copied().collect();
+    let means = binned(&some, VELOCITY_BINS, &axis, |s| Some(1e3 * s.velocity), |s| [s.before, s.after, s.noise]);
+    let title = if speeding_up { "Mean of what is left, speeding up" } else { "Mean of what is left, slowing down" };
+    draw(title, axis, super::before_after::RESIDUAL, &means, false)
+}
+
+/// Mean of what is left, counted positive where the damper resists more than computed, over the time since the velocity
+/// last changed its sign; `None` without cycles.
+pub fn mean_since_reversal(samples: &[Sample]) -> Option<String> {
+    let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
+    let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
+    // Nearer to the reversal than the fastest tests sample, there is nothing to average.
+    let low = low.max(0.1);
+    if low * 1.001 >= high {
+        return None;
+    }
+    let axis = Axis { scale: Scale::Logarithmic, ..Axis::exactly("time since reversal, ms", low, high) };
+    let bins = (((high / low).log10() * PER_DECADE).ceil() as usize).max(2);
+    let sense = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * s.velocity.signum());
+    let means = binned(samples, bins, &axis, |s| s.since_reversal.map(|t| 1e3 * t), sense);
+    let y = "resistance measured − computed, N";
+    Some(draw("Mean of what is left, after a reversal", axis, y, &means, false))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::before_after::tests::outcome;
+    use super::*;
+
+    #[test]
+    fn samples_know_when_the_motion_turned() {
+        let all = samples(&[outcome("a", false)]);
+        assert_eq!(all.len(), 100);
+        // One cycle takes 1 s; its velocity changes sign at a quarter and at three quarters.
+        for (i, sample) in all.iter().enumerate() {
+            let time = (i as f64 + 0.5) / 100.0;
+            let since = (time + 0.25).rem_euclid(0.5);
+            assert!(
+                (sample.since_reversal.unwrap() - since).abs() < 1e-3,
+                "{time}: {:?} {since}",
+                sample.since_reversal
+            );
+            assert_eq!(sample.speeding_up, since < 0.25, "{time}");
+            assert!((sample.before.abs() - 20.0).abs() < 1e-9 && (sample.after.abs() - 1.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn means_keep_the_sense_of_resistance() {
+        let all = samples(&[outcome("a", false)]);
+        let axis = Axis { scale: Scale::Logarithmic, ..Axis::exactly("ms", 1.0, 1000.0) };
+        let sense = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * s.velocity.signum());
+        let means = binned(&all, 6, &axis, |s| s.since_reversal.map(|t| 1e3 * t), sense);
+        assert!(means.len() >= 2);
+        assert!(means.iter().all(|(_, of)| (of[0] - 20.0).abs() < 1e-9 && (of[1] - 1.0).abs() < 1e-9), "{means:?}");
+    }
+
+    #[test]
+    fn without_cycles_there_is_no_reversal_to_count_from() {
+        let mut road = outcome("road", false);
+        road.curves.frequency = 0.0;
+        let all = samples(&[road]);
+        assert!(mean_since_reversal(&all).is_none());
+        for text in [size_over_velocity(&all), mean_over_velocity(&all, true), size_over_velocity(&[])] {
+            assert!(!text.contains("NaN") && !text.contains("inf"));
+        }
+    }
+
+    #[test]
+    fn what_a_model_could_not_answer_is_left_out() {
+        let mut lost = outcome("lost", true);
+        lost.curves.after.fill(f64::NAN);
+        assert!(samples(&[lost]).is_empty());
+    }
+}

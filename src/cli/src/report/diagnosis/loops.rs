@@ -1,0 +1,95 @@
+//! Loops of the tests with the largest disagreement, fitted and left out.
+
+use crate::plot::before_after;
+use crate::report::blocks::{Block, Figure, Section};
+use crate::report::numbers::{digits, share};
+use dashpot_lab::diagnosis::{Diagnosis, TestOutcome};
+
+/// Tests shown of each kind.
+const SHOWN: usize = 3;
+
+/// The loops; `None` where no test can be drawn.
+pub fn section(found: &Diagnosis) -> Option<Section> {
+    let names = before_after::names(&found.tests);
+    let mut blocks = Vec::new();
+    for held_out in [false, true] {
+        for place in worst(&found.tests, held_out).into_iter().take(SHOWN) {
+            let test = &found.tests[place];
+            let kind = if held_out { "left out of every refit" } else { "fitted" };
+            blocks.push(Block::Heading(format!("{}, {kind}", names[place])));
+            blocks.push(Block::Paragraph(in_words(test)));
+            let figure = |kind: &str, svg: String| Figure::new(format!("{:03}-{kind}", place + 1), svg);
+            blocks.push(Block::Figures(vec![
+                figure("force-velocity", before_after::force_velocity(test)),
+                figure("force-displacement", before_after::force_displacement(test)),
+                figure("residual-velocity", before_after::residual_velocity(test)),
+            ]));
+        }
+    }
+    if blocks.is_empty() {
+        return None;
+    }
+    let about = "The tests whose disagreement before is the largest share of their force. Blue is the measured mean cycle, grey \
+                 the model as it came, red the improved one; the third figure magnifies what is left of the force."
+        .to_owned();
+    blocks.insert(0, Block::Paragraph(about));
+    Some(Section::new("loops", "Loops before and after", blocks))
+}
+
+/// The test of one kind whose disagreement is the largest share of its force.
+pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
+    worst(tests, held_out).first().map(|place| &tests[*place])
+}
+
+/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest force; tests
+/// without cycles, whose loops nobody can read, last.
+fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
+    let gap = |test: &TestOutcome| {
+        let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));
+        (test.before_rmse_n - test.noise_n) / top
+    };
+    let whole = |t: &TestOutcome| {
+        t.before_rmse_n.is_finite() && t.after_rmse_n.is_finite() && t.curves.measured.len() > 1 && gap(t).is_finite()
+    };
+    let mut places: Vec<usize> =
+        (0..tests.len()).filter(|k| tests[*k].held_out == held_out && whole(&tests[*k])).collect();
+    let cyclic = |k: usize| tests[k].curves.frequency > 0.0;
+    places.sort_by(|a, b| cyclic(*b).cmp(&cyclic(*a)).then(gap(&tests[*b]).total_cmp(&gap(&tests[*a]))).then(a.cmp(b)));
+    places
+}
+
+fn in_words(test: &TestOutcome) -> String {
+    let gap = test.before_rmse_n - test.noise_n;
+    let closed = if gap > 0.0 {
+        format!(" {} of the gap is closed.", share((test.before_rmse_n - test.after_rmse_n) / gap))
+    } else {
+        String::new()
+    };
+    format!(
+        "Error {} N rms before, {} N after; noise alone makes {} N.{closed}",
+        digits(test.before_rmse_n, 3),
+        digits(test.after_rmse_n, 3),
+        digits(test.noise_n, 3)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::before_after::tests::outcome;
+
+    #[test]
+    fn the_largest_gap_comes_first_and_what_has_no_answer_is_passed_over() {
+        let mut large = outcome("large", false);
+        large.before_rmse_n = 40.0;
+        let mut lost = outcome("lost", false);
+        lost.after_rmse_n = f64::NAN;
+        let mut road = large.clone();
+        road.curves.frequency = 0.0;
+        let tests = [outcome("a", false), lost, large, outcome("out", true), road];
+        assert_eq!(worst(&tests, false), [2, 0, 4]);
+        assert_eq!(largest(&tests, true).unwrap().test, "out");
+        assert!(largest(&tests[..1], true).is_none());
+        assert!(in_words(&tests[0]).contains("97\u{a0}% of the gap"), "{}", in_words(&tests[0]));
+    }
+}

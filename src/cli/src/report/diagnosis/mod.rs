@@ -1,0 +1,82 @@
+//! The report of a diagnosis: the answer, where model and records disagree, what is missing, and what is left.
+//!
+//! | file | section |
+//! |---|---|
+//! | [`answer`] | the verdict, the error before and after, test by test |
+//! | [`places`] | where they disagree, in words, figures and maps |
+//! | [`findings`] | what was added, with numbers, intervals and rivals |
+//! | [`loops`] | loops of the tests with the largest disagreement |
+//! | [`matrix`] | errors by amplitude and peak velocity, before and after |
+//! | [`tried`] | everything that was tried, round by round |
+//! | [`limits`] | what these records cannot show, and the tests that would |
+
+mod answer;
+mod findings;
+mod limits;
+mod loops;
+mod matrix;
+mod places;
+mod tried;
+
+pub use answer::{headline, picture};
+
+use super::{ParameterRow, Section, page, parameters, write_figures, write_page};
+use dashpot_lab::diagnosis::Diagnosis;
+use dashpot_lab::records::Record;
+use std::path::{Path, PathBuf};
+
+/// Everything the report of a diagnosis tells.
+#[derive(Debug, Clone)]
+pub struct DiagnosisReport<'a> {
+    /// Name of the model file diagnosed.
+    pub model_file: String,
+    /// Name of the data.
+    pub data: String,
+    /// What was found.
+    pub found: &'a Diagnosis,
+    /// The records, which say how each test moved.
+    pub records: &'a [&'a Record],
+    /// Remarks on reading: the sign that was worked out, what cleaning noticed.
+    pub reading: Vec<String>,
+    /// Parameters of the improved model.
+    pub parameters: Vec<ParameterRow>,
+}
+
+impl DiagnosisReport<'_> {
+    /// The report as one HTML document; the same input gives the same bytes.
+    pub fn render(&self) -> String {
+        let subtitle = format!("Model {} against the rig data in {}", self.model_file, self.data);
+        page::page("Where model and records disagree, and what is missing", &subtitle, &self.sections())
+    }
+
+    /// Writes the report, replacing an older one only when the new one is complete.
+    ///
+    /// # Errors
+    /// When the folder does not exist or cannot be written; the older report then stays.
+    pub fn write(&self, path: &Path) -> anyhow::Result<()> {
+        write_page(&self.render(), path)
+    }
+
+    /// Writes every figure as a file of its own into a folder, which is made if missing.
+    ///
+    /// # Errors
+    /// When the folder or a file cannot be written.
+    pub fn write_svgs(&self, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+        write_figures(&self.sections(), folder)
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let found = self.found;
+        let mut sections = vec![answer::section(found), places::section(found)];
+        sections.extend(findings::section(found));
+        sections.extend(loops::section(found));
+        sections.extend(matrix::section(found, self.records));
+        sections.extend(tried::section(found));
+        sections.push(limits::section(found, &self.reading));
+        sections.extend(parameters::section(
+            &self.parameters,
+            "The improved model: an ordinary model file. Low and high are the ends of the 95 % interval.",
+        ));
+        sections
+    }
+}

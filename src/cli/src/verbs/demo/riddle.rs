@@ -1,0 +1,66 @@
+//! The second half of the demo: a damper with an effect hidden in it is measured, identified without it and diagnosed.
+
+use super::super::data::DataArgs;
+use super::super::{diagnose, fit, output};
+use crate::progress::Progress;
+use crate::report::diagnosis::picture;
+use crate::report::replace_file;
+use anyhow::Context as _;
+use dashpot_lab::diagnosis::Options as DiagnosisOptions;
+use dashpot_lab::identification::FitOptions;
+use dashpot_lab::model_file;
+use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
+use std::path::{Path, PathBuf};
+
+/// What is hidden, and how strongly.
+const HIDDEN: (&str, f64) = ("free_play", 1.0);
+
+/// Tells the story and leaves everything in a folder; returns the path of the report.
+pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
+    let say = |text: &str| output::say(None, text);
+    let folder = folder.join("riddle");
+    let in_folder = |name: &str| folder.join(name);
+    let records = in_folder("records");
+    std::fs::create_dir_all(&folder).with_context(|| format!("making the folder {}", folder.display()))?;
+    say("4. Another damper hides something that its model will lack. What it is lies sealed beside the records.")?;
+    let case = HiddenCase {
+        effects: vec![(HIDDEN.0.to_owned(), HIDDEN.1)],
+        plan: Plan::default(),
+        options: Options { seed, ..Options::default() },
+    };
+    let progress = Progress::new("measuring");
+    let measured = case.run_matrix(&case.plan.matrix(seed), |done, total| progress.count(done, total))?;
+    measured.write(&records)?;
+    drop(progress);
+    let data = DataArgs::folder(records);
+    let campaign = data.load()?;
+    say(&format!("   {} tests in {}", campaign.records.len(), data.named()))?;
+
+    say(&format!(
+        "5. It is identified as the first was; the tests {CHECK_PREFIX}* are kept from everything that follows."
+    ))?;
+    let kept_back = [format!("{CHECK_PREFIX}*")];
+    let model_path = in_folder("damper.toml");
+    fit::identify(&fit::kept(&campaign, &kept_back)?, &FitOptions::default(), &model_path)?;
+    let model = model_file::read(&model_path)?;
+    say(&format!("   model file: {}", model_path.display()))?;
+
+    say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;
+    let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
+    let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
+    say(&diagnose::told(&diagnosed.found).join("\n"))?;
+    output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
+    output::json(&in_folder("diagnosis.json"), &diagnosed.found)?;
+    let report_path = in_folder("diagnosis.html");
+    diagnosed.report(&model_path, &data, &campaign, |report| report.write(&report_path))?;
+    if let Some(svg) = picture(&diagnosed.found) {
+        let path = in_folder("before-after.svg");
+        replace_file(&path, svg.as_bytes()).with_context(|| format!("writing the figure {}", path.display()))?;
+        say(&format!("\n   before and after: {}", path.display()))?;
+    }
+    let named: Vec<&str> = diagnosed.found.findings.iter().map(|f| f.effect).collect();
+    let hidden: Vec<&str> = measured.truth.effects.iter().map(|e| e.name.as_str()).collect();
+    let verdict = if named == hidden { "the diagnosis was right" } else { "the diagnosis was not right this time" };
+    say(&format!("   The seal opened: hidden was {}; {verdict}.", hidden.join(", ")))?;
+    Ok(report_path)
+}

@@ -1,0 +1,311 @@
+//! `dashpot diagnose` as scripts and people meet it: the JSON contract, the improved model, the report, mistakes.
+
+use dashpot_lab::diagnosis::EFFECTS;
+use dashpot_tests::cli::{contents, done, json, number, refused, run_with, small_campaign};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::sync::OnceLock;
+use tempfile::TempDir;
+
+/// What is made once: a campaign of the virtual rig's monotube in `records`; `plain.toml`, its model without any dry
+/// friction; everything that a diagnosis leaves (`better.toml`, `d.json`, `d.html`, `figures`) and what it said.
+struct Made {
+    folder: TempDir,
+    told: String,
+}
+
+/// The diagnosis that the tests look at.
+const DIAGNOSE: [&str; 9] =
+    ["diagnose", "plain.toml", "records", "-o", "better.toml", "--json", "d.json", "--report", "d.html"];
+
+fn made() -> &'static Made {
+    static MADE: OnceLock<Made> = OnceLock::new();
+    MADE.get_or_init(|| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let dir = folder.path();
+        small_campaign(dir);
+        done(dir, &["fit", "records", "-o", "plain.toml", "--elements", "fv_curve,series_compliance,gas_preload"]);
+        let told = done(dir, &[&DIAGNOSE[..], &["--svg", "figures"]].concat());
+        Made { folder, told }
+    })
+}
+
+/// A folder of its own with all that was made.
+fn copy() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let made = made().folder.path();
+    for (path, bytes) in contents(made) {
+        let to = folder.path().join(path.strip_prefix(made).expect("a path below"));
+        std::fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
+        std::fs::write(to, bytes).expect("a file");
+    }
+    folder
+}
+
+fn list<'a>(value: &'a Value, key: &str) -> &'a Vec<Value> {
+    value[key].as_array().unwrap_or_else(|| panic!("no list {key} in {value}"))
+}
+
+fn word<'a>(value: &'a Value, key: &str) -> &'a str {
+    value[key].as_str().unwrap_or_else(|| panic!("no text {key} in {value}"))
+}
+
+fn assert_effect(value: &Value) {
+    assert!(EFFECTS.contains(&word(value, "effect")), "{value}");
+}
+
+fn assert_share(value: &Value, key: &str) {
+    assert!((0.0..=1.0).contains(&number(value, key)), "{key} in {value}");
+}
+
+fn assert_span(value: &Value, key: &str) {
+    let ends: Vec<f64> = list(value, key).iter().map(|v| v.as_f64().expect("a number")).collect();
+    assert!(ends.len() == 2 && ends[0] <= ends[1], "{key} in {value}");
+}
+
+/// Every field of the contract has its type, unit and range.
+fn assert_contract(found: &Value) {
+    let verdict = word(found, "verdict");
+    assert!(["named", "nothing_missing", "cannot_tell", "unknown_effect"].contains(&verdict), "{verdict}");
+    assert_eq!(verdict == "named", !list(found, "findings").is_empty());
+    for finding in list(found, "findings") {
+        assert_effect(finding);
+        assert_share(finding, "confidence");
+        assert!(finding["gap_closed"].is_number() || finding["gap_closed"].is_null(), "{finding}");
+        assert!(finding["evidence"].is_object(), "{finding}");
+        let parameters = finding["parameters"].as_object().expect("parameters");
+        assert!(!parameters.is_empty(), "{finding}");
+        for (name, value) in parameters {
+            let (low, high) = (number(value, "low"), number(value, "high"));
+            assert!(low <= number(value, "value") && number(value, "value") <= high, "{name}: {value}");
+            assert!(!word(value, "unit").is_empty(), "{name}: {value}");
+        }
+        for rival in list(finding, "rivals") {
+            assert_effect(rival);
+            assert_share(rival, "confidence");
+        }
+    }
+    for place in list(found, "where") {
+        assert!(!word(place, "test").is_empty());
+        assert_span(place, "velocity_m_s");
+        assert_span(place, "displacement_m");
+        let direction = word(place, "direction");
+        assert!(["rebound", "compression", "both"].contains(&direction), "{direction}");
+        let middle = place["velocity_m_s"][0].as_f64().unwrap() + place["velocity_m_s"][1].as_f64().unwrap();
+        assert!(direction == "both" || (middle > 0.0) == (direction == "rebound"), "{place}");
+        assert!(["speeding_up", "slowing_down", "both"].contains(&word(place, "acceleration")));
+        assert!(number(place, "rmse_n") > number(place, "noise_n") && number(place, "noise_n") >= 0.0, "{place}");
+        assert!(word(place, "text").contains(" N"), "{place}");
+    }
+    for key in ["before", "after"] {
+        let figures = &found[key];
+        for error in ["rmse_n", "error_percent", "held_out_rmse_n", "noise_n"] {
+            assert!(number(figures, error) >= 0.0, "{key}.{error}");
+        }
+        // 1 N or so of noise in dampers of a few kN: a unit gone wrong would be off by a thousand.
+        assert!(
+            (0.05..500.0).contains(&number(figures, "rmse_n")) && number(figures, "error_percent") < 50.0,
+            "{figures}"
+        );
+    }
+    assert!(found["gap_closed"].is_number() || verdict != "named");
+    for test in list(found, "next_tests") {
+        assert!(word(test, "text").len() > 10);
+        let of = |key: &str| test[key].as_f64();
+        assert!(of("amplitude_m").is_none_or(|a| (1e-4..0.2).contains(&a)), "{test}");
+        assert!(of("frequency_hz").is_none_or(|f| (1e-3..100.0).contains(&f)), "{test}");
+    }
+    assert!(!list(found, "could_not_test").is_empty(), "no rig shows every effect");
+    for effect in list(found, "could_not_test") {
+        // The one effect that is told apart by no rig, and so is none that can be named.
+        assert!(EFFECTS.contains(&word(effect, "effect")) || effect["effect"] == "cylinder_expansion", "{effect}");
+        assert!(word(effect, "why").len() > 10);
+    }
+}
+
+#[test]
+fn the_json_is_what_scripts_were_promised() {
+    let folder = copy();
+    let dir = folder.path();
+    let found = json(&dir.join("d.json"));
+    assert_contract(&found);
+    // Friction was left out of the model; it is its lack that is found first.
+    assert_eq!(word(&found, "verdict"), "named", "{}", found["summary"]);
+    let first = word(&list(&found, "findings")[0], "effect");
+    assert!(first.ends_with("_friction"), "{first}");
+    assert!(number(&found["after"], "rmse_n") < number(&found["before"], "rmse_n"));
+
+    // Standard output is pure JSON. Left-out tests are told, and are the ones asked for.
+    let out = done(dir, &["diagnose", "plain.toml", "records", "--json", "-", "--hold-out", "a15*,a01mm_v0052*"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_contract(&found);
+    for test in list(&found, "tests") {
+        let name = word(test, "test");
+        assert_eq!(test["held_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
+    }
+    // The gap is what its definition says of these very figures.
+    let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["held_out"] == Value::Bool(true)).collect();
+    let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
+    let (before, after, noise) = (rms("before_rmse_n"), rms("after_rmse_n"), rms("noise_n"));
+    assert!((number(&found["before"], "held_out_rmse_n") - before).abs() < 1e-9 * before);
+    let gap = 1.0 - (after - noise) / (before - noise);
+    assert!((number(&found, "gap_closed") - gap).abs() < 1e-6, "{} {gap}", found["gap_closed"]);
+}
+
+#[test]
+fn threads_and_repetition_change_no_byte() {
+    let folder = copy();
+    let dir = folder.path();
+    let first = contents(dir);
+    for threads in ["1", "2"] {
+        for file in ["better.toml", "d.json", "d.html"] {
+            std::fs::remove_file(dir.join(file)).unwrap();
+        }
+        let ran = run_with(dir, &DIAGNOSE, &[("RAYON_NUM_THREADS", threads)]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        // Progress is for terminals.
+        assert!(ran.err.is_empty(), "{}", ran.err);
+        assert!(made().told.starts_with(&ran.out), "{}", ran.out);
+        assert!(contents(dir) == first, "{threads} threads");
+    }
+}
+
+#[test]
+fn the_improved_model_is_an_ordinary_model_file() {
+    let folder = copy();
+    let dir = folder.path();
+    assert!(made().told.contains("model: better.toml"));
+    let found = json(&dir.join("d.json"));
+    let model: toml::Table = std::fs::read_to_string(dir.join("better.toml")).unwrap().parse().unwrap();
+    for finding in list(&found, "findings").iter().filter(|f| f["of_the_rig"] == Value::Bool(false)) {
+        let elements = model["elements"].as_array().unwrap();
+        assert!(elements.iter().any(|e| e.as_str() == finding["effect"].as_str()), "{finding}");
+    }
+    done(dir, &["simulate", "better.toml", "records/a50mm_v1047mm_s.csv", "-o", "f.csv"]);
+    let errors = |model: &str| {
+        let out = done(dir, &["validate", model, "records", "--json", "-"]);
+        serde_json::from_str::<Value>(&out).unwrap()
+    };
+    let (before, after) = (errors("plain.toml"), errors("better.toml"));
+    assert!(number(&after["overall"], "error_percent") < number(&before["overall"], "error_percent"));
+    let held_out: BTreeSet<&str> =
+        list(&found, "tests").iter().filter(|t| t["held_out"] == Value::Bool(true)).map(|t| word(t, "test")).collect();
+    for test in list(&after, "tests") {
+        // The file says which tests the refits saw.
+        assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
+    }
+    // It can be diagnosed in its turn, which finds the same thing no second time. What standard output gets is a file.
+    let out = done(dir, &["diagnose", "better.toml", "records", "-o", "-", "--json", "again.json"]);
+    assert!(out.parse::<toml::Table>().unwrap().contains_key("elements"));
+    let first = word(&list(&found, "findings")[0], "effect");
+    let again = json(&dir.join("again.json"));
+    assert!(list(&again, "findings").iter().all(|f| word(f, "effect") != first), "{first} found twice");
+}
+
+#[test]
+fn the_report_tells_everything_and_asks_nobody() {
+    let dir = made().folder.path();
+    let report = std::fs::read_to_string(dir.join("d.html")).unwrap();
+    let found = json(&dir.join("d.json"));
+    let addresses = report.matches("http").count();
+    assert_eq!(addresses, report.matches("xmlns=\"http://www.w3.org/2000/svg\"").count());
+    assert!(!report.contains(" src=") && !report.contains("@import") && !report.contains("url("));
+    assert!(!report.replace("isNaN", "").contains("NaN") && !report.contains(">inf"));
+    for finding in list(&found, "findings") {
+        assert!(report.contains(word(finding, "effect")));
+        for rival in list(finding, "rivals") {
+            assert!(report.contains(word(rival, "why")));
+        }
+    }
+    for round in list(&found, "rounds") {
+        for tried in round.as_array().unwrap() {
+            assert!(report.contains(word(tried, "effect")), "{tried}");
+        }
+    }
+    for effect in list(&found, "could_not_test") {
+        assert!(report.contains(word(effect, "effect")));
+    }
+    for test in list(&found, "next_tests") {
+        assert!(report.contains(word(test, "text")));
+    }
+    for part in ["answer", "where", "findings", "loops", "matrix", "tried", "limits", "parameters"] {
+        assert!(report.contains(&format!("<section id=\"{part}\">")), "{part}");
+    }
+    for tag in ["section", "table", "tr", "figure", "svg", "p", "h3"] {
+        let open = report.matches(&format!("<{tag}>")).count() + report.matches(&format!("<{tag} ")).count();
+        assert_eq!(open, report.matches(&format!("</{tag}>")).count(), "{tag}");
+    }
+    let figures = std::fs::read_dir(dir.join("figures")).unwrap().count();
+    assert_eq!(figures, report.matches("<svg").count());
+}
+
+#[test]
+fn mistakes_end_in_a_sentence() {
+    let folder = copy();
+    let dir = folder.path();
+    std::fs::create_dir(dir.join("nothing")).unwrap();
+    std::fs::write(dir.join("empty.csv"), "").unwrap();
+    std::fs::write(dir.join("header.csv"), "time_s,displacement_m,velocity_m_s,force_N\n").unwrap();
+    let with = |more: &[&str]| refused(dir, &[&["diagnose", "plain.toml", "records", "-o", "b.toml"], more].concat());
+    let unknown = with(&["--candidates", "magic"]);
+    assert!(unknown.contains("\"magic\"") && unknown.contains("coulomb_friction"), "{unknown}");
+    assert!(with(&["--hold-out", "zzz*"]).contains("matches no test"));
+    assert!(with(&["--hold-out", "*"]).contains("leaves no test"));
+    assert!(with(&["--json", "none/d.json"]).contains("there is no folder none"));
+    assert!(with(&["--report", "-"]).contains("file name"));
+    assert!(with(&["--max-effects", "-1"]).contains("max-effects"));
+    assert!(refused(dir, &["diagnose", "plain.toml", "records", "-o", "-", "--json", "-"]).contains("one result"));
+    for (model, data, wanted) in [
+        ("none.toml", "records", "none.toml"),
+        ("records", "records", "records"),
+        ("plain.toml", "nowhere", "no such file"),
+        ("plain.toml", "nothing", "nothing"),
+        ("plain.toml", "empty.csv", "empty.csv"),
+        ("plain.toml", "header.csv", "header.csv"),
+        ("plain.toml", "plain.toml", "plain.toml"),
+    ] {
+        let message = refused(dir, &["diagnose", model, data, "--json", "d.json"]);
+        assert!(message.contains(wanted), "{model} {data}: {message}");
+    }
+}
+
+#[test]
+fn little_data_and_little_leave_give_honest_answers() {
+    let folder = copy();
+    let dir = folder.path();
+    let ask = |more: &[&str]| -> Value {
+        let out = done(dir, &[&["diagnose", "plain.toml"], more, &["--json", "-", "--report", "d.html"]].concat());
+        serde_json::from_str(&out).unwrap()
+    };
+    // One test: nothing can be left out, and the figures say so by their absence.
+    let one = ask(&["records/a50mm_v0262mm_s.csv"]);
+    assert!(one["before"]["held_out_rmse_n"].is_null());
+    assert!(list(&one, "could_not_test").len() > 1, "{}", one["could_not_test"]);
+    let report = std::fs::read_to_string(dir.join("d.html")).unwrap();
+    assert!(report.contains("No test was left out") || list(&one, "findings").is_empty());
+    // No effect may be added: none is, and the model stays as it was.
+    let none = ask(&["records", "--max-effects", "0"]);
+    assert!(list(&none, "findings").is_empty() && word(&none, "verdict") != "named");
+    assert!(!word(&none, "summary").is_empty() && !list(&none, "where").is_empty());
+    assert_eq!(none["before"], none["after"]);
+    // Only what is asked for is named.
+    let asked: [&str; 2] = ["channel_delay", "moving_mass"];
+    let some = ask(&["records", "--candidates", &asked.join(",")]);
+    for finding in list(&some, "findings") {
+        assert!(asked.contains(&word(finding, "effect")), "{finding}");
+    }
+}
+
+#[test]
+fn what_people_read_is_short_and_in_their_units() {
+    let told = &made().told;
+    for wanted in ["Missing: ", "Where the model as it came disagrees", "N rms", "before", "after", "could not test"] {
+        assert!(told.contains(wanted), "{wanted}: {told}");
+    }
+    assert!(told.contains("\nmodel: better.toml\nreport: d.html\n"));
+    assert!(told.lines().count() < 60, "{told}");
+    // No number has more digits than anybody measures.
+    let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
+    let long = |w: &&str| w.contains('.') && digits(w) > 7 && !w.contains("mm_s") && !w.contains("hz");
+    assert_eq!(told.split_whitespace().find(long), None);
+}
