@@ -96,5 +96,11 @@ fn main() {
             }
         })
         .collect();
+    if let Some(path) = args.iter().find(|a| a.ends_with(".jsonl")) {
+        let lines: Vec<String> = outcomes.iter().filter_map(|o| serde_json::to_string(o).ok()).collect();
+        if let Err(error) = std::fs::write(path, lines.join("\n") + "\n") {
+            eprintln!("{path}: {error}");
+        }
+    }
     println!("{}\n{}", score::table(&outcomes), score::confusion(&outcomes));
 }

@@ -54,24 +54,33 @@ impl Case {
         Ok(HiddenCase { effects, plan: self.plan, options: self.options.clone() }.run()?)
     }
 
+    /// The strengths that make the severities, each effect by itself; together they are what they are.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    pub fn strengths(&self) -> Result<Vec<f64>, ProvingError> {
+        let mut strengths = vec![0.0; self.effects.len()];
+        if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
+            return Ok(strengths);
+        }
+        let neutral = self.at(&strengths)?;
+        let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent)?;
+        for (k, (name, wanted)) in self.effects.iter().enumerate() {
+            let mut alone = vec![0.0; self.effects.len()];
+            strengths[k] = ground.strength(name, *wanted, |strength| {
+                alone[k] = strength;
+                Ok(self.at(&alone)?.campaign)
+            })?;
+        }
+        Ok(strengths)
+    }
+
     /// Finds the strengths, measures, and identifies the base model.
     ///
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
     pub fn measure(&self) -> Result<Measured, ProvingError> {
-        let mut strengths = vec![0.0; self.effects.len()];
-        if !self.effects.is_empty() {
-            // Each effect by itself; together they are what they are.
-            let neutral = self.at(&strengths)?;
-            let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent)?;
-            for (k, (name, wanted)) in self.effects.iter().enumerate() {
-                let mut alone = vec![0.0; self.effects.len()];
-                strengths[k] = ground.strength(name, *wanted, |strength| {
-                    alone[k] = strength;
-                    Ok(self.at(&alone)?.campaign)
-                })?;
-            }
-        }
+        let strengths = self.strengths()?;
         let hidden = self.at(&strengths)?;
         let noisy = read(&hidden.campaign)?;
         let clean = read(&without_noise(&hidden.campaign))?;

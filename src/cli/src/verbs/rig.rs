@@ -2,6 +2,7 @@
 
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
+use dashpot_proving::case::Case;
 use dashpot_rig::{Campaign, EFFECTS, HiddenCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
 use std::path::PathBuf;
 
@@ -30,9 +31,12 @@ pub struct Args {
     /// Samples per second; chosen by frequency if not given
     #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     sample_rate: Option<f64>,
-    #[arg(long, value_name = "NAME[=STRENGTH]", value_delimiter = ',', long_help = hide_help(),
+    #[arg(long, value_name = "NAME[=SEVERITY]", value_delimiter = ',', long_help = hide_help(),
         help = "Hide an effect in a neutral damper; several with commas or by repeating; 'nothing' for none")]
     hide: Vec<String>,
+    /// Take the numbers of --hide as physical strengths, 1 being a typical strong case
+    #[arg(long, requires = "hide")]
+    strength: bool,
     #[arg(long, value_name = "NAME", conflicts_with = "matrix", help = plan_help())]
     plan: Option<String>,
     /// Correlation of the force noise from one sample to the next; 0 is white
@@ -60,8 +64,9 @@ pub struct Args {
 
 fn hide_help() -> String {
     format!(
-        "Hide an effect in a neutral damper; several with commas or by repeating; '{NOTHING}' for none. Strength 1, if not \
-         given, is a typical strong case, 0 leaves the damper as it is. NAME:FORM asks for one physical form; otherwise the \
+        "Hide an effect in a neutral damper; several with commas or by repeating; '{NOTHING}' for none. Severity is what \
+         refitting the model cannot absorb of it, in units of the noise: 0.5 is weak, 4 strong; the strength that makes it \
+         is searched for. Without a number, a typical strong case. NAME:FORM asks for one physical form; otherwise the \
          seed chooses.\n\nEffects: {}.\n\nIn no catalogue: {}.",
         EFFECTS.join(", "),
         UNKNOWN_EFFECTS.join(", ")
@@ -97,8 +102,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.write(&args.output)?;
         campaign.records.len()
     } else {
+        let effects = strengths(args, plan.unwrap_or_default(), &options, matrix.is_some())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
-        let case = HiddenCase { effects: effects(&args.hide)?, plan: Plan::default(), options };
+        let case = HiddenCase { effects, plan: Plan::default(), options };
         let outcome = case.run_matrix(&matrix, |done, total| progress.count(done, total))?;
         outcome.write(&args.output)?;
         outcome.campaign.records.len()
@@ -107,8 +113,40 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     super::output::say(None, &format!("{tests} tests in {}", args.output.display()))
 }
 
-/// Names and strengths; `nothing` must stand alone.
-fn effects(texts: &[String]) -> anyhow::Result<Vec<(String, f64)>> {
+/// Names with the strengths that make the severities asked for.
+fn strengths(args: &Args, plan: Plan, options: &Options, own_matrix: bool) -> anyhow::Result<Vec<(String, f64)>> {
+    let asked = effects(&args.hide)?;
+    let severities: Vec<(String, f64)> = asked.iter().filter_map(|(n, s)| s.map(|s| (n.clone(), s))).collect();
+    let mut found = Vec::new();
+    if !args.strength && !severities.is_empty() {
+        if own_matrix {
+            bail!("a severity needs one of the rig's plans; with --matrix, give strengths (--strength)");
+        }
+        if options.noise_percent <= 0.0 {
+            bail!("a severity is in units of the noise, and there is none; give --noise, or strengths (--strength)");
+        }
+        let options = Options { threads: Some(1), ..options.clone() };
+        found = Case { effects: severities, plan, options }.strengths()?;
+    }
+    let mut found = found.into_iter();
+    Ok(asked
+        .into_iter()
+        .map(|(name, number)| {
+            let strength = match number {
+                Some(number) if args.strength => number,
+                Some(_) => found.next().unwrap_or(0.0),
+                None => TYPICAL,
+            };
+            (name, strength)
+        })
+        .collect())
+}
+
+/// Strength of a typical strong case.
+const TYPICAL: f64 = 1.0;
+
+/// Names and the numbers given with them; `nothing` must stand alone.
+fn effects(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
     if texts.iter().any(|text| text == NOTHING) {
         if texts.len() > 1 {
             bail!("option hide: '{NOTHING}' stands beside an effect; give one or the other");
@@ -118,13 +156,13 @@ fn effects(texts: &[String]) -> anyhow::Result<Vec<(String, f64)>> {
     texts
         .iter()
         .map(|text| {
-            let Some((name, strength)) = text.split_once('=') else {
-                return Ok((text.clone(), 1.0));
+            let Some((name, number)) = text.split_once('=') else {
+                return Ok((text.clone(), None));
             };
-            let strength = strength
+            let number: f64 = number
                 .parse()
-                .with_context(|| format!("option hide: '{strength}' is no strength of '{name}'; give a number"))?;
-            Ok((name.to_owned(), strength))
+                .with_context(|| format!("option hide: '{number}' is no severity of '{name}'; give a number"))?;
+            Ok((name.to_owned(), Some(number)))
         })
         .collect()
 }

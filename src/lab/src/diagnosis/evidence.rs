@@ -75,11 +75,20 @@ pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
         .collect()
 }
 
+/// Share of the excess that an effect must explain; the second for those that fit a little of everything.
+const SHARE: f64 = 0.15;
+const SPONGE_SHARE: f64 = 0.5;
+/// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
+/// steps of finite length leave as much.
+const SMALLEST: f64 = 0.2;
+/// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing.
+const LEFT_OUT: f64 = 0.005;
+
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
-const WEIGHTS: [f64; FEATURES] = [-3.0, 0.9, 0.5, 2.0, 0.5, 1.0, 0.5, -0.8];
+const WEIGHTS: [f64; FEATURES] = [-3.0, 0.6, 0.2, 3.0, 0.5, 1.0, 0.5, -0.8, 4.0];
 /// Number of features.
-pub const FEATURES: usize = 8;
+pub const FEATURES: usize = 9;
 
 impl Evidence {
     /// What the logistic sees.
@@ -93,7 +102,16 @@ impl Evidence {
             self.left_out_gain.clamp(-1.0, 2.0),
             self.plausible,
             f64::from(u8::from(self.sponge)),
+            // Of two that explain nearly the same, the form of the curves decides, not the effect.
+            (self.margin / self.bic_fall.max(1.0)).clamp(-1.0, 1.0),
         ]
+    }
+
+    /// Whether it may be named at all, however confident: it explains a fair share of the disagreement, is large enough to
+    /// matter, and predicts tests better that it has not seen.
+    pub fn is_admissible(&self) -> bool {
+        let share = if self.sponge { SPONGE_SHARE } else { SHARE };
+        self.share >= share && self.size >= SMALLEST && self.left_out_gain > LEFT_OUT && self.bic_fall > 10.0
     }
 
     /// Probability that the name is right.

@@ -126,7 +126,7 @@ pub fn diagnose(
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
     progress(0.92, "looking at what is left");
-    let answer = Answer { records, fitted: &fitted, left: &left, found: &found, situation: &situation, heat_span };
+    let answer = Answer { records, fitted: &fitted, left: &left, found: &found, situation: &situation, heat_span, most_effects: options.max_effects };
     let diagnosis = answer.diagnosis();
     progress(1.0, "done");
     Ok(diagnosis)
@@ -145,6 +145,7 @@ struct Answer<'a> {
     found: &'a Search,
     situation: &'a Situation,
     heat_span: f64,
+    most_effects: usize,
 }
 
 /// Residuals in N of an explanation on tests of its own choice.
@@ -194,7 +195,7 @@ impl Answer<'_> {
         let found = self.found;
         let (base, first) = &found.base;
         let (last, end) = &found.last;
-        let judged = verdict::judge(found, self.fitted);
+        let judged = verdict::judge(found, self.fitted, self.most_effects);
         let of = |h: &Hypothesis, theta: &[f64], tests: &[Test]| {
             errors(h, theta, self.records, tests).unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
         };

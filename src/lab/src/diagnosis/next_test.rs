@@ -79,11 +79,9 @@ fn sine(d: &Design) -> Test {
             amplitude: d.amplitude,
         },
         allowed: vec![1.0; PER_CYCLE],
-        noise: 0.0,
         mean_noise: 0.0,
         independence: 1.0,
         frequency: d.frequency,
-        mean_displacement: d.mean,
         clock: 0.0,
     }
 }

@@ -38,16 +38,12 @@ pub struct Test {
     pub segment: Segment,
     /// Allowed error of every scored sample, N: noise of the mean, form, timing.
     pub allowed: Vec<f64>,
-    /// Noise of one sample of the record, N.
-    pub noise: f64,
     /// Noise of one sample of the mean, N.
     pub mean_noise: f64,
     /// Independent samples that one scored sample stands for: 1 for white noise.
     pub independence: f64,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
-    /// Mean displacement, m.
-    pub mean_displacement: f64,
     /// Middle of the stretch on the campaign's clock, s.
     pub clock: f64,
 }
@@ -176,11 +172,9 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
             record: place,
             segment: segment(record, vec![period * step; lead + count], input, force, lead),
             allowed: Vec::new(),
-            noise: record.noise.force_rms,
             mean_noise,
             independence: independence(lag1.powf(apart)),
             frequency: 1.0 / period,
-            mean_displacement: record.mean_displacement,
             clock: 0.5 * (begin + end),
         },
         true,
@@ -211,11 +205,9 @@ fn road(place: usize, record: &Record, motion: &Motion) -> Test {
             record: place,
             segment: segment(record, dt, input, force, lead),
             allowed: Vec::new(),
-            noise: record.noise.force_rms,
             mean_noise: record.noise.force_rms,
             independence: independence(lag1.powi(stride as i32)),
             frequency: 0.0,
-            mean_displacement: record.mean_displacement,
             clock: 0.5 * (record.time[0] + record.time[n - 1]),
         },
         false,

@@ -16,9 +16,6 @@ use rayon::prelude::*;
 const REFITTED: usize = 7;
 /// Confidence from which an effect is added.
 pub const NAMED: f64 = 0.5;
-/// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
-/// steps of finite length leave as much.
-const SMALLEST: f64 = 0.15;
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
 pub const QUIET: f64 = 0.05;
 /// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
@@ -116,7 +113,7 @@ pub fn search(
         let before = round.before;
         found.rounds.push(round);
         let Some(best) = best else { break };
-        if found.added.len() >= limits.effects || best.confidence < NAMED || best.evidence.size < SMALLEST {
+        if found.added.len() >= limits.effects || best.confidence < NAMED || !best.evidence.is_admissible() {
             break;
         }
         if !found.added.is_empty() {

@@ -3,7 +3,7 @@
 use super::evidence::effective_count;
 use super::outcome::{Rival, Verdict};
 use super::samples::Test;
-use super::search::{NAMED, QUIET, Round, Search, Tried};
+use super::search::{QUIET, Round, Search, Tried};
 
 /// Share of the excess that a suspect must explain.
 const SUSPECT_SHARE: f64 = 0.5;
@@ -23,7 +23,7 @@ pub struct Judged {
 }
 
 /// Judges a finished search.
-pub fn judge(found: &Search, tests: &[Test]) -> Judged {
+pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     let count = effective_count(tests);
     let excess = |chi2: f64| ((chi2 - found.floor) / count).max(0.0);
     let (before, after) = (excess(found.base.1.chi2), excess(found.last.1.chi2));
@@ -82,6 +82,17 @@ pub fn judge(found: &Search, tests: &[Test]) -> Judged {
             notes,
         };
     }
+    if most_effects == 0 {
+        return Judged {
+            verdict: Verdict::UnknownEffect,
+            summary: format!(
+                "model and records disagree by {} beyond it; no effect was to be added",
+                in_noise(before)
+            ),
+            suspects,
+            notes,
+        };
+    }
     let nearest = best.map_or(String::new(), |t| {
         format!("; the nearest, {}, explains {:.0} %", t.candidate.effect, 100.0 * t.evidence.share.clamp(0.0, 1.0))
     });
@@ -129,5 +140,5 @@ fn rival(t: &Tried, best: &Tried) -> Rival {
             100.0 * best.evidence.share
         )
     };
-    Rival { effect: t.candidate.effect, confidence: t.confidence.min(1.0 - NAMED.min(best.confidence)), share: t.evidence.share, why }
+    Rival { effect: t.candidate.effect, confidence: if std::ptr::eq(t, best) { t.confidence } else { t.confidence.min(1.0 - best.confidence) }, share: t.evidence.share, why }
 }

@@ -113,12 +113,16 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
         vec![Start::at(&[100.0])],
     ));
     all.push(Candidate {
-        fixed: vec![("gas_adiabatic_index", 1.3), ("gas_thermal_time", 3.0)],
+        fixed: vec![("gas_adiabatic_index", 1.4)],
         ..candidate(
             "gas_spring",
             &["gas_spring"],
-            vec![linear("gas_stiffness", (100.0, 10_000.0)), held("gas_length", (0.06, 1.5), 1.0)],
-            vec![Start::at(&[1000.0, 0.07]), Start::at(&[1000.0, 0.15]), Start::at(&[1000.0, 0.4])],
+            vec![
+                linear("gas_stiffness", (100.0, 10_000.0)),
+                held("gas_length", (0.06, 1.5), 1.0),
+                held("gas_thermal_time", (0.05, 60.0), 1.0),
+            ],
+            vec![Start::at(&[1000.0, 0.07, 2.0]), Start::at(&[1000.0, 0.15, 2.0]), Start::at(&[1000.0, 0.4, 2.0])],
         )
     });
     all.push(Candidate {
