@@ -1,7 +1,7 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 
 use dashpot_proving::case::Case;
-use dashpot_proving::suite::{Entry, OTHER_FORM, Size, suite};
+use dashpot_proving::suite::{Entry, Size, suite};
 use dashpot_proving::{outcome, score};
 use rayon::prelude::*;
 
@@ -12,14 +12,16 @@ fn main() {
     let entries: Vec<Entry> = match what {
         "full" => suite(Size::FULL, seed),
         "short" => suite(Size::SHORT, seed),
+        "others" => suite(Size { severities: &[], pairs: 6, nothing: 3, ..Size::SHORT }, seed),
         _ => {
             let count: u64 = args.get(2).and_then(|s| s.parse().ok()).unwrap_or(1);
             (0..count)
                 .map(|k| {
-                    let case = what.split(',').filter(|w| *w != "nothing").fold(Case::nothing(seed + k), |case, word| {
-                        let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
-                        case.hiding(name, severity.parse().unwrap_or(1.5))
-                    });
+                    let case =
+                        what.split(',').filter(|w| *w != "nothing").fold(Case::nothing(seed + k), |case, word| {
+                            let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
+                            case.hiding(name, severity.parse().unwrap_or(1.5))
+                        });
                     Entry { block: if what == "nothing" { "null_white" } else { "single" }, case }
                 })
                 .collect()
@@ -27,72 +29,78 @@ fn main() {
     };
     let outcomes: Vec<outcome::Outcome> = entries
         .par_iter()
-        .filter_map(|entry| {
-            let mut entry = entry.clone();
-            entry.case.effects.retain(|(name, _)| name != OTHER_FORM);
-            match outcome::run(entry.block, &entry.case) {
-                Ok((o, _, found)) => {
-                    eprintln!(
-                        "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
-                        o.block, o.hidden, o.forms, o.seed, o.verdict, o.named, o.suspects, o.gap_closed, o.clean_before, o.clean_after, o.seconds
-                    );
-                    if what.contains("nothing") || args.iter().any(|a| a == "-v") {
-                        for f in &found.findings {
-                            eprintln!("   {} {:?}", f.effect, f.parameters);
-                        }
+        .filter_map(|entry| match outcome::run(entry.block, &entry.case) {
+            Ok((o, _, found)) => {
+                eprintln!(
+                    "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
+                    o.block,
+                    o.hidden,
+                    o.forms,
+                    o.seed,
+                    o.verdict,
+                    o.named,
+                    o.suspects,
+                    o.gap_closed,
+                    o.clean_before,
+                    o.clean_after,
+                    o.seconds
+                );
+                if what.contains("nothing") || args.iter().any(|a| a == "-v") {
+                    for f in &found.findings {
+                        eprintln!("   {} {:?}", f.effect, f.parameters);
+                    }
+                    for t in &found.tests {
+                        eprintln!(
+                            "   {} {:.3} Hz: {:.2} -> {:.2}, noise {:.2}",
+                            t.test, t.curves.frequency, t.before_rmse_n, t.after_rmse_n, t.noise_n
+                        );
+                    }
+                    if let Ok(path) = std::env::var("CURVES") {
+                        let mut text = String::new();
                         for t in &found.tests {
-                            eprintln!(
-                                "   {} {:.3} Hz: {:.2} -> {:.2}, noise {:.2}",
-                                t.test, t.curves.frequency, t.before_rmse_n, t.after_rmse_n, t.noise_n
-                            );
-                        }
-                        if let Ok(path) = std::env::var("CURVES") {
-                            let mut text = String::new();
-                            for t in &found.tests {
-                                for i in 0..t.curves.measured.len() {
-                                    text += &format!(
-                                        "{},{},{},{},{},{}\n",
-                                        t.test,
-                                        t.curves.displacement[i],
-                                        t.curves.velocity[i],
-                                        t.curves.measured[i],
-                                        t.curves.before[i],
-                                        t.curves.after[i]
-                                    );
-                                }
+                            for i in 0..t.curves.measured.len() {
+                                text += &format!(
+                                    "{},{},{},{},{},{}\n",
+                                    t.test,
+                                    t.curves.displacement[i],
+                                    t.curves.velocity[i],
+                                    t.curves.measured[i],
+                                    t.curves.before[i],
+                                    t.curves.after[i]
+                                );
                             }
-                            let _ = std::fs::write(path, text);
-                            eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
                         }
-                        for s in &found.shifts {
-                            eprintln!("   {s:?}");
-                        }
+                        let _ = std::fs::write(path, text);
+                        eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
                     }
-                    for round in &found.rounds {
-                        let words: Vec<String> = round
-                            .iter()
-                            .take(4)
-                            .map(|t| {
-                                format!(
-                                    "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3}",
-                                    t.effect,
-                                    t.form,
-                                    t.confidence,
-                                    t.evidence.bic_fall,
-                                    t.evidence.share,
-                                    t.evidence.size,
-                                    t.evidence.left_out_gain
-                                )
-                            })
-                            .collect();
-                        eprintln!("    {}", words.join("; "));
+                    for s in &found.shifts {
+                        eprintln!("   {s:?}");
                     }
-                    Some(o)
                 }
-                Err(error) => {
-                    eprintln!("{} {:?} seed {}: {error}", entry.block, entry.case.effects, entry.case.options.seed);
-                    None
+                for round in &found.rounds {
+                    let words: Vec<String> = round
+                        .iter()
+                        .take(4)
+                        .map(|t| {
+                            format!(
+                                "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3}",
+                                t.effect,
+                                t.form,
+                                t.confidence,
+                                t.evidence.bic_fall,
+                                t.evidence.share,
+                                t.evidence.size,
+                                t.evidence.left_out_gain
+                            )
+                        })
+                        .collect();
+                    eprintln!("    {}", words.join("; "));
                 }
+                Some(o)
+            }
+            Err(error) => {
+                eprintln!("{} {:?} seed {}: {error}", entry.block, entry.case.effects, entry.case.options.seed);
+                None
             }
         })
         .collect();

@@ -19,6 +19,8 @@ pub struct Case {
     pub plan: Plan,
     /// Seed, noise, channels.
     pub options: Options,
+    /// Whether the base model's FV curve runs straight between its points, whatever the damper's own does.
+    pub straight_curve: bool,
 }
 
 /// A case that has been measured and whose base model has been identified.
@@ -39,7 +41,7 @@ impl Case {
     /// Nothing hidden, 2 % noise.
     pub fn nothing(seed: u64) -> Case {
         let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
-        Case { effects: Vec::new(), plan: Plan::Diagnosis, options }
+        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, straight_curve: false }
     }
 
     /// One more effect hidden.
@@ -90,6 +92,9 @@ impl Case {
         if self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
             let _ = base.enable("side_force_friction", false);
         }
+        if self.straight_curve {
+            let _ = base.set("fv_interpolation", 1.0);
+        }
         Ok(Measured { records: noisy, clean, held_out, base, truth: hidden.truth })
     }
 }
@@ -102,7 +107,9 @@ pub fn base_model(records: &[&Record]) -> Result<Params, ProvingError> {
         // Names of the kernel's own list.
         let _ = params.enable(name, true);
     }
-    for (name, value) in [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)] {
+    for (name, value) in
+        [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)]
+    {
         let _ = params.set(name, value);
     }
     Ok(params)

@@ -1,7 +1,6 @@
 //! The cases of the benchmark.
 
 use crate::case::Case;
-use crate::outcome::plain;
 use dashpot_rig::{EFFECTS, Plan, UNKNOWN_EFFECTS};
 
 /// A case with the block that it belongs to.
@@ -64,9 +63,9 @@ pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
         coloured.options.hum_n = 2.0;
         coloured.options.bits = Some(14);
         add("null_coloured", coloured);
-        add("null_form", next().hiding(OTHER_FORM, 0.0));
+        add("null_form", Case { straight_curve: true, ..next() });
     }
-    for effect in UNKNOWN_EFFECTS.iter().filter(|e| plain(e) != OTHER_FORM) {
+    for effect in UNKNOWN_EFFECTS {
         for severity in [1.0, 3.0] {
             for _ in 0..size.unknown {
                 add("unknown", next().hiding(effect, severity));
@@ -90,6 +89,3 @@ pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
     }
     all
 }
-
-/// Stands for the neutral damper with another form of FV curve.
-pub const OTHER_FORM: &str = "other_form";

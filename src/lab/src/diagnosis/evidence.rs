@@ -82,7 +82,7 @@ const SPONGE_SHARE: f64 = 0.5;
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
 /// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing.
-const LEFT_OUT: f64 = 0.005;
+const LEFT_OUT: f64 = -0.05;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.

@@ -85,10 +85,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     if most_effects == 0 {
         return Judged {
             verdict: Verdict::UnknownEffect,
-            summary: format!(
-                "model and records disagree by {} beyond it; no effect was to be added",
-                in_noise(before)
-            ),
+            summary: format!("model and records disagree by {} beyond it; no effect was to be added", in_noise(before)),
             suspects,
             notes,
         };
@@ -140,5 +137,10 @@ fn rival(t: &Tried, best: &Tried) -> Rival {
             100.0 * best.evidence.share
         )
     };
-    Rival { effect: t.candidate.effect, confidence: if std::ptr::eq(t, best) { t.confidence } else { t.confidence.min(1.0 - best.confidence) }, share: t.evidence.share, why }
+    Rival {
+        effect: t.candidate.effect,
+        confidence: if std::ptr::eq(t, best) { t.confidence } else { t.confidence.min(1.0 - best.confidence) },
+        share: t.evidence.share,
+        why,
+    }
 }

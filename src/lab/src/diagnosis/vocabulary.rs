@@ -81,7 +81,12 @@ fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
     Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None }
 }
 
-fn candidate(effect: &'static str, elements: &'static [&'static str], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
+fn candidate(
+    effect: &'static str,
+    elements: &'static [&'static str],
+    fresh: Vec<Fresh>,
+    starts: Vec<Start>,
+) -> Candidate {
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false }
 }
 
@@ -213,8 +218,12 @@ fn series(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "free_play",
         &["free_play"],
-        vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (1.0, 150.0), 0.8)],
-        grid(&[5e-5, 2e-4], &[15.0]).into_iter().chain([Start::moving(&[1e-4, 15.0], &[("series_stiffness", 1.3)])]).collect(),
+        // A gap closes sharply; what softens over a hundred newtons is air.
+        vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (1.0, 40.0), 0.5)],
+        grid(&[5e-5, 2e-4], &[8.0])
+            .into_iter()
+            .chain([Start::moving(&[1e-4, 8.0], &[("series_stiffness", 1.3)])])
+            .collect(),
     ));
 }
 
@@ -234,8 +243,8 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "aeration",
         &["aeration"],
-        vec![log("aeration_stroke", (2e-5, 3e-3)), log("aeration_force", (20.0, 1500.0))],
-        grid(&[1e-4, 4e-4], &[80.0, 300.0])
+        vec![log("aeration_stroke", (2e-5, 3e-3)), held("aeration_force", (40.0, 1500.0), 0.8)],
+        grid(&[1e-4, 4e-4], &[120.0, 300.0])
             .into_iter()
             .chain([Start::moving(&[2e-4, 200.0], &[("series_stiffness", 1.4)])])
             .collect(),
@@ -369,8 +378,8 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 effect,
                 elements,
-                vec![linear(names[0], (0.01, 0.15)), log(names[1], (500.0, 3e5)), held(names[3], (2e-3, 0.2), 1.0)],
-                clearances.map(|c| Start::at(&[c, 1e4, 0.02])).to_vec(),
+                vec![log(names[1], (500.0, 3e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
+                clearances.map(|c| Start::at(&[1e4, c, 0.02])).to_vec(),
             )
         });
         all.push(Candidate {
@@ -379,8 +388,8 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 effect,
                 elements,
-                vec![linear(names[0], (0.01, 0.15)), log(names[2], (100.0, 1e5))],
-                clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[*c, d]))).collect(),
+                vec![log(names[2], (100.0, 1e5)), linear(names[0], (0.01, 0.15))],
+                clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c]))).collect(),
             )
         });
     }
@@ -389,12 +398,7 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
 fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(Candidate {
         sponge: true,
-        ..candidate(
-            "moving_mass",
-            &["moving_mass"],
-            vec![linear("moving_mass", (0.2, 30.0))],
-            vec![Start::at(&[2.0])],
-        )
+        ..candidate("moving_mass", &["moving_mass"], vec![linear("moving_mass", (0.2, 30.0))], vec![Start::at(&[2.0])])
     });
     let rig = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
         sponge: true,

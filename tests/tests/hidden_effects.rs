@@ -1,0 +1,59 @@
+//! Dampers with an effect hidden in them, measured by the virtual rig whose laws are not the model's: a fixed handful of the
+//! benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs all of it).
+
+use dashpot_lab::diagnosis::Verdict;
+use dashpot_proving::case::Case;
+use dashpot_proving::outcome::{Outcome, run};
+use dashpot_proving::score;
+
+/// Cases by block; seeds are used for nothing else.
+fn outcomes(block: &'static str, cases: Vec<Case>) -> Vec<Outcome> {
+    cases.iter().map(|case| run(block, case).map(|(outcome, _, _)| outcome).unwrap()).collect()
+}
+
+#[test]
+fn known_effects_are_named() {
+    let hidden = [
+        ("stribeck_friction", 2.0),
+        ("presliding_friction", 2.0),
+        ("gas_spring", 2.0),
+        ("side_force_friction:two_bushes", 2.0),
+        ("temperature_fade", 2.0),
+        ("bump_stop:rubber", 2.0),
+        ("moving_mass:rig_mass", 2.0),
+        ("channel_delay", 2.0),
+        ("force_drift:linear", 2.0),
+    ];
+    let cases = hidden.iter().zip(90_001..).map(|((name, s), seed)| Case::nothing(seed).hiding(name, *s)).collect();
+    let all = outcomes("single", cases);
+    println!("{}\n{}", score::table(&all), score::confusion(&all));
+    let right = all.iter().filter(|o| o.named.first().is_some_and(|(n, _)| Some(n.as_str()) == o.truth())).count();
+    assert!(right + 1 >= all.len(), "{right} of {}", all.len());
+    for o in &all {
+        for (name, confidence) in &o.named {
+            assert!(o.is_hidden(name) || *confidence < 0.9, "{name} given as sure: {o:?}");
+        }
+        assert!(o.clean_after < 1.02 * o.clean_before, "left-out tests got worse: {o:?}");
+    }
+}
+
+#[test]
+fn nothing_is_named_where_nothing_is_hidden() {
+    let mut coloured = Case::nothing(90_102);
+    coloured.options.noise_colour = 0.9;
+    coloured.options.hum_n = 2.0;
+    coloured.options.bits = Some(14);
+    for o in outcomes("null_white", vec![Case::nothing(90_101), coloured, Case::nothing(90_103)]) {
+        assert_eq!(o.verdict, Verdict::NothingMissing, "{o:?}");
+    }
+}
+
+#[test]
+fn what_is_in_no_catalogue_gets_no_name() {
+    let hidden = ["unknown_shear_softening", "unknown_stick_slip_bursts"];
+    let cases = hidden.iter().zip(90_201..).map(|(name, seed)| Case::nothing(seed).hiding(name, 2.0)).collect();
+    for o in outcomes("unknown", cases) {
+        assert!(o.named.iter().all(|(_, confidence)| *confidence < 0.9), "{o:?}");
+        assert_ne!(o.verdict, Verdict::NothingMissing, "{o:?}");
+    }
+}
