@@ -3,7 +3,9 @@
 pub mod bench;
 mod data;
 pub mod demo;
+pub mod export;
 pub mod fit;
+pub mod import;
 pub mod matrix;
 mod output;
 pub mod rig;

@@ -1,0 +1,6 @@
+//! Files of Adams: damper properties, models, commands.
+
+pub mod dpr;
+pub mod folder;
+pub mod gas_preload;
+pub mod patch;
