@@ -14,7 +14,7 @@ fn statements(text: &str) -> BTreeMap<String, String> {
     for line in text.lines().filter(|l| !l.starts_with('!')) {
         if let Some(more) = line.strip_prefix(',') {
             let last = all.last_mut().expect("a statement before a continuation line");
-            last.1 += more.trim_end_matches('\\');
+            last.1 += &format!(",{}", more.trim_end_matches('\\'));
         } else if let Some((name, rest)) = line.split_once('/') {
             let (id, rest) = rest.split_once(',').unwrap_or((rest, ""));
             all.push((format!("{name}/{}", id.trim()), rest.into()));
@@ -147,4 +147,66 @@ fn a_compiled_model_is_patched() {
         &[&["export", "adm", "car.adm", "-o", "x.adm", "--damper"][..], &["no.force=1"]].concat(),
     );
     assert!(words.contains("no.force"), "{words}");
+}
+
+/// The value of a straight line between the points of a spline.
+fn between(points: &[(f64, f64)], at: f64) -> f64 {
+    let i = points.partition_point(|p| p.0 <= at).clamp(1, points.len() - 1);
+    let (a, b) = (points[i - 1], points[i]);
+    a.1 + (b.1 - a.1) * (at - a.0) / (b.0 - a.0)
+}
+
+fn spline(statement: &str) -> Vec<(f64, f64)> {
+    let numbers = |t: &str| -> Vec<f64> { t.split(',').filter_map(|n| n.trim().parse().ok()).collect() };
+    let (x, y) = statement.split_once("Y =").unwrap();
+    let x = numbers(x.split_once("X =").unwrap().1);
+    let points: Vec<(f64, f64)> = x.into_iter().zip(numbers(y)).collect();
+    assert!(points.len() > 100 && points.windows(2).all(|p| p[0].0 < p[1].0));
+    points
+}
+
+#[test]
+fn the_native_elements_agree_with_the_model() {
+    let text = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \
+                \"viscous_friction\", \"gas_preload\"]\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), text).unwrap();
+    done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--length", "400"]);
+    let adm = statements(&std::fs::read_to_string(folder.path().join("run/native.adm")).unwrap());
+    let (primary, spring, friction) = (spline(&adm["SPLINE/1"]), spline(&adm["SPLINE/2"]), spline(&adm["SPLINE/3"]));
+    // -k*(DM(11,31)-200.0)-c*VR(11,31), N and mm.
+    let series = adm["SFORCE/1"].split("FUNCTION = -").nth(1).unwrap();
+    let k: f64 = series.split('*').next().unwrap().parse().unwrap();
+    let c: f64 = series.rsplit(")-").next().unwrap().split('*').next().unwrap().parse().unwrap();
+    let gas: f64 = adm["SFORCE/3"].rsplit('+').next().unwrap().trim().parse().unwrap();
+    let mass: f64 = adm["PART/3"].split("MASS = ").nth(1).unwrap().split(',').next().unwrap().trim().parse().unwrap();
+    assert!(adm["SFORCE/2"].contains("-AKISPL(VR(31,12),0,1)-AKISPL(DM(31,12)-200.0,0,2)"));
+
+    let mut params = dashpot_core::Params::new();
+    dashpot_core::model_file::read(text.as_bytes(), &mut params).unwrap();
+    let model = dashpot_core::Model::new(&params).unwrap();
+    for (amplitude, frequency) in [(50.0, 2.0), (15.0, 5.0), (2.0, 20.0)] {
+        let w = std::f64::consts::TAU * frequency;
+        let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
+        let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
+        let mut state = model.settled(&input(0.0));
+        let (mut x, mut v) = (1e3 * state.mass_displacement, 0.0);
+        let dt = 2e-6;
+        let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+        for i in 0..(1.5 / frequency / dt) as usize {
+            let to = (i + 1) as f64 * dt;
+            let (xi, vi) = motion(to);
+            let series = k * (xi - x) + c * (vi - v);
+            // Half-implicit: the step is a thousandth of the mass's own period.
+            v += dt * 1e3 * (series - between(&primary, v) - between(&spring, x)) / mass;
+            x += dt * v;
+            let native = k * (xi - x) + c * (vi - v) + between(&friction, vi) - gas;
+            let (next, output) = dashpot_core::step(&model, &state, &input(to), dt);
+            state = next;
+            worst = worst.max((native - output.force).abs());
+            largest = largest.max(output.force.abs());
+        }
+        println!("{amplitude} mm {frequency} Hz: {:.3} % of the largest force", 100.0 * worst / largest);
+        assert!(worst < 0.01 * largest, "{amplitude} mm {frequency} Hz: {worst} N of {largest} N");
+    }
 }

@@ -1,6 +1,7 @@
 //! What a run folder of Adams needs for a damper: texts of all its files but the library.
 
-use dashpot_core::{Input, Model, State, evaluate::partials};
+use super::native;
+use dashpot_core::{Input, Model, Params, State, evaluate::partials};
 use dashpot_rig::Matrix;
 use std::fmt::Write as _;
 
@@ -12,8 +13,15 @@ pub struct File {
     pub text: String,
 }
 
-/// The files for a model whose length at zero displacement is `length` mm.
-pub fn files(model: &Model, model_file: &str, length: f64, matrix: &Matrix) -> Vec<File> {
+/// The files for a model whose length at zero displacement is `length` mm; and why there is no native.adm where there is
+/// none.
+pub fn files(
+    params: &Params,
+    model: &Model,
+    model_file: &str,
+    length: f64,
+    matrix: &Matrix,
+) -> (Vec<File>, Option<&'static str>) {
     let states = states(model);
     let fill = |template: &str| {
         let zeros = vec!["0.0"; states].join(", ");
@@ -23,13 +31,20 @@ pub fn files(model: &Model, model_file: &str, length: f64, matrix: &Matrix) -> V
             .replace("{zeros}", &zeros)
             .replace("{model_file}", model_file)
     };
-    vec![
+    let mut files = vec![
         File { name: "damper.cmd", text: fill(include_str!("templates/damper.cmd")) },
         File { name: "damper.adm", text: fill(include_str!("templates/damper.adm")) },
         File { name: "rig.adm", text: fill(include_str!("templates/rig.adm")) },
         File { name: "rig.acf", text: acf(matrix) },
         File { name: "README.txt", text: fill(include_str!("templates/README.txt")) },
-    ]
+    ];
+    match native::fragment(params, model, states, length) {
+        Ok(text) => {
+            files.push(File { name: "native.adm", text });
+            (files, None)
+        }
+        Err(reason) => (files, Some(reason)),
+    }
 }
 
 /// States that a GSE of this model integrates: internal mass, its velocity, and the private states in use. The library

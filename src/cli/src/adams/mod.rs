@@ -3,4 +3,5 @@
 pub mod dpr;
 pub mod folder;
 pub mod gas_preload;
+mod native;
 pub mod patch;

@@ -34,7 +34,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !(args.length > 0.0 && args.length < 1e5) {
         bail!("--length {} cannot be; give the distance of the damper's markers in mm", args.length);
     }
-    let model = prepared(&model_file::read(&args.model)?.params)?;
+    let params = model_file::read(&args.model)?.params;
+    let model = prepared(&params)?;
     let beside = std::env::current_exe().ok().map(|program| program.with_file_name(LIBRARY)).filter(|p| p.is_file());
     let library = match args.library.clone().or(beside) {
         Some(path) => Some(std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?),
@@ -47,8 +48,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
     put("damper.toml", &text)?;
-    for file in folder::files(&model, "damper.toml", args.length, &Matrix::default()) {
+    let (files, no_native) = folder::files(&params, &model, "damper.toml", args.length, &Matrix::default());
+    for file in files {
         put(file.name, file.text.as_bytes())?;
+    }
+    if let Some(reason) = no_native {
+        output::say(None, &format!("note: no native.adm, because {reason}"))?;
     }
     match library {
         Some(bytes) => put(LIBRARY, &bytes)?,
