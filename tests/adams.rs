@@ -74,6 +74,11 @@ impl Run {
         self.lines_of("at").iter().map(|n| Accepted { t: n[0], x: n[1], v: n[2], sforce: n[3] }).collect()
     }
 
+    /// The eight results of the request at the end.
+    pub fn request(&self) -> Vec<f64> {
+        self.lines_of("request")[0].clone()
+    }
+
     /// Displacement and SFORCE of the static equilibrium.
     pub fn statics(&self) -> (f64, f64) {
         let n = &self.lines_of("static")[0];

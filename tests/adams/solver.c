@@ -28,7 +28,7 @@ static const double AXIS[3] = {0.6, 0.0, 0.8};
 static char routine[16], string_text[4096];
 static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npar_change, only_iflag = -1, threads, save_at_half,
     bad_first_step, has_units = 1;
-static double amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, mm = 1e-3;
+static double request_element = 1, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, mm = 1e-3;
 
 /* What the solver knows at the moment of a call. */
 static double clock_accepted;
@@ -167,6 +167,7 @@ static void (*deriv)(const adams_gse *, double, int, int, int, double *);
 static void (*output)(const adams_gse *, double, int, int, int, double *);
 static void (*sfosub)(const adams_sforce *, double, int, int, double *);
 static void (*gfosub)(const adams_gforce *, double, int, int, double *);
+static void (*reqsub)(const adams_request *, double, int, double *);
 static void (*car)(const int *, const double *, const double *, const int *, const int *, const int *, double *);
 
 static int is(const char *name) { return strcmp(routine, name) == 0; }
@@ -473,6 +474,21 @@ static void initialise(void)
     }
 }
 
+/* What a REQUEST shows at the accepted instant. */
+static void request(void)
+{
+    double par[2], r[8];
+    adams_request q = {3, 2, par, "", {0}};
+    int i;
+    par[0] = is("gfo") ? 2 : 1;
+    par[1] = request_element;
+    reqsub(&q, clock_accepted, 0, r);
+    printf("request");
+    for (i = 0; i < 8; i++)
+        printf(" %.17g", r[i]);
+    puts("");
+}
+
 static void statics(integrator *s)
 {
     double f[MOST];
@@ -544,7 +560,7 @@ static void set(const char *setting)
         {"no", &no, 0}, {"npar", &npar_change, 0}, {"iflag", &only_iflag, 0}, {"threads", &threads, 0},
         {"save", &save_at_half, 0}, {"bad", &bad_first_step, 0}, {"units", &has_units, 0}, {"amplitude", 0, &amplitude},
         {"frequency", 0, &frequency}, {"end", 0, &end_time}, {"hmax", 0, &hmax}, {"tolerance", 0, &tolerance},
-        {"side", 0, &side_force}, {"par", 0, &first_par}, {"mm", 0, &mm}};
+        {"side", 0, &side_force}, {"par", 0, &first_par}, {"request", 0, &request_element}, {"mm", 0, &mm}};
     size_t i, length = strcspn(setting, "=");
     if (strncmp(setting, "model=", 6) == 0) {
         snprintf(string_text, sizeof string_text, "%s", setting + 6);
@@ -582,6 +598,7 @@ int main(int argc, char **argv)
     *(void **)&sfosub = entry(library, "Dashpot_sfosub");
     *(void **)&gfosub = entry(library, "Dashpot_gfosub");
     *(void **)&car = entry(library, "Dashpot_sfo2001");
+    *(void **)&reqsub = entry(library, "Dashpot_reqsub");
     {
         int (*selftest)(void);
         *(void **)&selftest = entry(library, "dashpot_adams_selftest");
@@ -616,6 +633,8 @@ int main(int argc, char **argv)
         puts("second");
     }
     dynamics(&s, end_time);
+    if (!is("gse"))
+        request();
     printf("calls %ld differencing %ld iterations %ld rejected %ld threadsafe %ld\n", calls, differencing, iterations, rejected,
            threadsafe);
     return 0;

@@ -369,3 +369,41 @@ fn a_missing_utility_is_named() {
     }
     assert_eq!(run(&lacking, "gse", &with(&path, &["end=0.01"])).code, Some(0), "a GSE does without it");
 }
+
+#[test]
+fn a_request_shows_what_makes_the_force() {
+    let folder = tempfile::tempdir().unwrap();
+    let solver = solver(&[]);
+    let path = written(folder.path(), PLAIN);
+    for routine in ["sfo", "gfo", "car"] {
+        let run = started(&solver, routine, &with(&path, &["amplitude=20", "frequency=2", "end=0.13"]));
+        let last = *run.accepted().last().unwrap();
+        let [force, deflection, mass_velocity, primary, spring, friction, gas, displacement] = run.request()[..] else {
+            panic!("eight results");
+        };
+        assert_eq!(force, -last.sforce, "{routine}");
+        assert!((displacement - last.x).abs() < 1e-9 && (mass_velocity - last.v).abs() < 0.05 * last.v.abs());
+        // The series spring's force, 3000 N/mm and 0.2 N s/mm, is what friction and gas leave of the whole.
+        let series = 3000.0 * deflection + 0.2 * (last.v - mass_velocity);
+        assert!((series + friction + gas - force).abs() < 1e-6 * force.abs(), "{routine}");
+        // The internal mass, half a kilogram, takes little.
+        assert!((primary + spring - series).abs() < 0.02 * force.abs(), "{routine}: {primary} {spring} {series}");
+        assert!(gas < 0.0 && friction > 0.0);
+        let unknown = started(&solver, routine, &with(&path, &["end=0.01", "request=99"]));
+        assert_eq!(unknown.request(), [0.0; 8]);
+    }
+}
+
+#[test]
+fn the_sources_are_cpp_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let sources = dashpot_tests::library::root().join("adams-usersub/src");
+    for source in std::fs::read_dir(&sources).unwrap().map(|e| e.unwrap().path()) {
+        if source.extension().is_some_and(|e| e == "c") {
+            let mut compiler = Command::new(std::env::var_os("CXX").unwrap_or("g++".into()));
+            compiler.args(["-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-c", "-I"]);
+            compiler.arg(dashpot_tests::library::root().join("include")).arg(&source);
+            dashpot_tests::library::succeed(compiler.arg("-o").arg(folder.path().join("x.o")));
+        }
+    }
+}
