@@ -77,11 +77,10 @@ pub fn read(text: &str) -> anyhow::Result<Curve> {
     if curve.velocities.len() < 2 {
         bail!("the block [CURVE] has fewer than two rows");
     }
-    // Where the units are parts of SI, divide: 254 mm becomes 0.254 m to the last bit.
-    curve
-        .velocities
-        .iter_mut()
-        .for_each(|v| *v = if length < 1.0 { *v / (1.0 / length).round() } else { *v * length } / time);
+    // Dividing by a whole number makes 254 mm into 0.254 m to the last bit.
+    let per_metre = 1.0 / length;
+    let metres = |v: f64| if per_metre.fract() == 0.0 { v / per_metre } else { v * length };
+    curve.velocities.iter_mut().for_each(|v| *v = metres(*v) / time);
     curve.forces.iter_mut().for_each(|f| *f *= force);
     Ok(curve)
 }
