@@ -1,5 +1,6 @@
 //! `dashpot`: from rig records to a damper that a simulator can run.
 
+mod adams;
 mod plot;
 mod progress;
 mod report;
@@ -32,6 +33,8 @@ enum Verb {
     Rig(verbs::rig::Args),
     Demo(verbs::demo::Args),
     Bench(verbs::bench::Args),
+    Export(verbs::export::Args),
+    Import(verbs::import::Args),
 }
 
 fn main() -> ExitCode {
@@ -45,6 +48,8 @@ fn main() -> ExitCode {
         Verb::Rig(args) => verbs::rig::run(&args),
         Verb::Demo(args) => verbs::demo::run(&args),
         Verb::Bench(args) => verbs::bench::run(&args),
+        Verb::Export(args) => verbs::export::run(&args),
+        Verb::Import(args) => verbs::import::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,108 @@
+#include "axial.h"
+#include "messages.h"
+#include "solver.h"
+
+static const double ORDINARY_TEMPERATURE = 20.0;
+
+int axial_begin(int kind, int element, int iflag)
+{
+    switch (iflag) {
+    case SOLVER_EVALUATE:
+        return AXIAL_CALCULATE;
+    case SOLVER_INITIALISE:
+        committed_forget(kind, element);
+        return AXIAL_ASK_ONLY;
+    case SOLVER_DEPENDENCIES:
+        return AXIAL_ASK_ONLY;
+    case SOLVER_DESTROY:
+        committed_forget(kind, element);
+        return AXIAL_DONE;
+    case SOLVER_SAVE:
+        committed_save(kind, element);
+        return AXIAL_DONE;
+    case SOLVER_RELOAD:
+        committed_reload(kind, element);
+        return AXIAL_DONE;
+    default:
+        return AXIAL_DONE;
+    }
+}
+
+int axial_parameters(int element, int npar, const double *par, int iflag, axial_damper *damper)
+{
+    if (npar != 2 && npar != 3 && npar != 6) {
+        message_stop(element, "%d USER values for the damper; it takes string, length at zero displacement [, temperature "
+                              "[, length unit, force unit, time unit]]", npar);
+        return -1;
+    }
+    damper->damper = damper_model_of(element, npar, par, 3, iflag == SOLVER_INITIALISE);
+    if (!damper->damper)
+        return -1;
+    damper->zero_length = units_displacement(&damper->damper->units, par[1]);
+    damper->temperature = npar > 2 ? par[2] : ORDINARY_TEMPERATURE;
+    return 0;
+}
+
+void axial_progress(const axial_damper *damper, int *is_static, double *accepted)
+{
+    int mode = 0;
+    double time = 0.0;
+    solver()->getmod(&mode);
+    solver()->timget(&time);
+    *is_static = mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS;
+    *accepted = units_time(&damper->damper->units, time);
+}
+
+void axial_sforce(int kind, int element, int npar, const double *par, int i, int j, double time, int dflag, int iflag,
+                  double *result)
+{
+    const solver_functions *s = solver();
+    const char *lacks = solver_lacks(SOLVER_FOR_FORCES);
+    const unit_scales *u;
+    int markers[2], failed = 0, is_static, wanted = 0, what;
+    double length = 0.0, speed = 0.0, accepted;
+    axial_damper damper;
+    force_answer answer;
+    request asked;
+
+    *result = 0.0;
+    if (lacks) {
+        message_stop(element, "the solver has no function %s, which a force needs", lacks);
+        return;
+    }
+    what = axial_begin(kind, element, iflag);
+    if (what == AXIAL_DONE)
+        return;
+    /* These two calls are what the solver records as dependencies: the same on every path. */
+    markers[0] = i;
+    markers[1] = j;
+    s->sysfnc("DM", markers, 2, &length, &failed);
+    if (!failed)
+        s->sysfnc("VR", markers, 2, &speed, &failed);
+    if (failed) {
+        message_stop(element, "the solver gives no distance and speed between markers %d and %d", i, j);
+        return;
+    }
+    if (axial_parameters(element, npar, par, iflag, &damper) || what == AXIAL_ASK_ONLY)
+        return;
+    u = &damper.damper->units;
+    axial_progress(&damper, &is_static, &accepted);
+    asked.time = units_time(u, time);
+    asked.input = dashpot_input_motion(units_displacement(u, length) - damper.zero_length,
+                                       is_static ? 0.0 : units_velocity(u, speed));
+    asked.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+    asked.input.temperature = damper.temperature;
+    if (is_static)
+        asked.time = accepted;
+    if (committed_force(kind, element, damper.damper, &asked, accepted, is_static, dflag != 0, &answer))
+        return;
+    *result = units_sforce(u, answer.force);
+    if (s->needs_partials && s->syspar)
+        s->needs_partials(&wanted);
+    if (wanted) {
+        double by_length = units_sforce(u, answer.by_displacement) * u->length;
+        double by_speed = is_static ? 0.0 : units_sforce(u, answer.by_velocity) * u->length / u->time;
+        s->syspar("DM", markers, 2, &by_length, 1, &failed);
+        s->syspar("VR", markers, 2, &by_speed, 1, &failed);
+    }
+}

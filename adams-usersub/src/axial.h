@@ -1,0 +1,31 @@
+/* What SFOSUB, GFOSUB and the Fortran entry share: a force along the line between two markers. */
+#ifndef AXIAL_H
+#define AXIAL_H
+
+#include "committed.h"
+
+/* USER values of the line force, from `first` on: string, length at zero displacement [, temperature [, length unit,
+ * force unit, time unit]]. */
+typedef struct {
+    const damper_model *damper;
+    double zero_length; /* m */
+    double temperature; /* degrees Celsius */
+} axial_damper;
+
+/* What a call with iflag asks; the entry points go on for the first, return for the last. */
+enum { AXIAL_CALCULATE, AXIAL_ASK_ONLY, AXIAL_DONE };
+
+/* Handles iflag: saves, reloads, forgets. */
+int axial_begin(int kind, int element, int iflag);
+
+/* Reads the USER values. Returns 0, or -1 after a message. */
+int axial_parameters(int element, int npar, const double *par, int iflag, axial_damper *damper);
+
+/* Whether the solver is in statics, and the time it has accepted, in s. */
+void axial_progress(const axial_damper *damper, int *is_static, double *accepted);
+
+/* The whole of an SFOSUB between markers i and j. */
+void axial_sforce(int kind, int element, int npar, const double *par, int i, int j, double time, int dflag, int iflag,
+                  double *result);
+
+#endif

@@ -1,0 +1,327 @@
+#include "committed.h"
+#include "lock.h"
+#include "messages.h"
+#include "solver.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 1 };
+
+/* A trial is solved in steps no longer than this, s: a long step of the solver then costs accuracy of the motion
+ * between its ends, not of the damper. */
+static const double LONGEST_STEP = 2.5e-4;
+enum { MOST_STEPS = 4000 };
+
+typedef struct {
+    int kind, element;
+    /* Accepted: instant, state there, and whether it is the beginning of a run. */
+    int is_set, is_start;
+    double time;
+    dashpot_state state;
+    /* The last trial after that. */
+    int has_trial;
+    request trial;
+    /* The last answer, for requests. */
+    dashpot_output output;
+    dashpot_state output_state;
+    int has_output;
+} committed;
+
+static committed dampers[MOST_DAMPERS];
+static volatile long dampers_lock;
+
+static committed *damper_of(int kind, int element)
+{
+    committed *found = NULL;
+    int i;
+    lock(&dampers_lock);
+    for (i = 0; i < MOST_DAMPERS && !found; i++) {
+        if (dampers[i].kind == 0) {
+            memset(&dampers[i], 0, sizeof dampers[i]);
+            dampers[i].element = element;
+            dampers[i].kind = kind;
+        }
+        if (dampers[i].kind == kind && dampers[i].element == element)
+            found = &dampers[i];
+    }
+    unlock(&dampers_lock);
+    if (!found)
+        message_stop(element, "more than %d dampers in one process", MOST_DAMPERS);
+    return found;
+}
+
+/* Times closer than this are the same instant. */
+static double same_time(double t) { return 1e-12 * (1.0 + fabs(t)); }
+
+static int refused(int element, int32_t status)
+{
+    if (status >= 0)
+        return 0;
+    message_stop(element, "force: %s", dashpot_status_text(status));
+    return -1;
+}
+
+/* Displacement and velocity at share s of the way from a state to a request, by the cubic through both ends. */
+static dashpot_input between(const dashpot_state *from, const dashpot_input *to, double dt, double s)
+{
+    dashpot_input input = *to;
+    double x0 = from->displacement, x1 = to->displacement, v0 = from->velocity * dt, v1 = to->velocity * dt;
+    double a = 2 * (x0 - x1) + v0 + v1, b = 3 * (x1 - x0) - 2 * v0 - v1;
+    if (s < 1.0) {
+        input.displacement = ((a * s + b) * s + v0) * s + x0;
+        input.velocity = ((3 * a * s + 2 * b) * s + v0) / dt;
+    }
+    return input;
+}
+
+/* From a state over dt to a request. */
+static int32_t advance(const damper_model *damper, const dashpot_state *from, const dashpot_input *to, double dt,
+                       dashpot_state *state, dashpot_output *output, int *steps)
+{
+    int n = (int)fmin(MOST_STEPS, ceil(dt / LONGEST_STEP)), i;
+    int32_t status = 0;
+    *steps = n;
+    *state = *from;
+    for (i = 1; i <= n && status >= 0; i++) {
+        dashpot_input input = between(from, to, dt, (double)i / n);
+        status = dashpot_step(&damper->model, state, &input, dt / n, state, output);
+    }
+    return status;
+}
+
+/* The state of a damper that has moved steadily: settled springs, the internal mass at the speed of the driven end. */
+static int32_t steady(const damper_model *damper, const dashpot_input *input, dashpot_state *state,
+                      dashpot_output *output)
+{
+    dashpot_state unused;
+    int32_t status = dashpot_state_init(&damper->model, input->displacement, state);
+    if (status < 0)
+        return status;
+    status = dashpot_step(&damper->model, state, input, 0.0, &unused, output);
+    if (status < 0)
+        return status;
+    state->velocity = input->velocity;
+    if (damper->used[0]) {
+        state->mass_displacement = input->displacement - output->series_deflection;
+        state->mass_velocity = input->velocity;
+    }
+    return status;
+}
+
+/* The force at the committed instant itself. */
+static int32_t at_once(const damper_model *damper, const dashpot_state *from, const dashpot_input *input,
+                       dashpot_state *state, dashpot_output *output)
+{
+    dashpot_state rate;
+    *state = *from;
+    state->displacement = input->displacement;
+    state->velocity = input->velocity;
+    return dashpot_evaluate(&damper->model, state, input, output, &rate);
+}
+
+/* Moves a copy of the damper on to the time the solver has accepted. */
+static int32_t commit(const damper_model *damper, committed *d, double accepted)
+{
+    dashpot_state state;
+    dashpot_output output;
+    dashpot_input input = d->trial.input;
+    double dt = d->trial.time - d->time, wanted = accepted - d->time;
+    int32_t status;
+    int steps;
+    /* The solver may accept a time short of its last trial, or one past it where it interpolates. */
+    if (fabs(wanted - dt) > same_time(accepted)) {
+        if (wanted < dt)
+            input = between(&d->state, &d->trial.input, dt, wanted / dt);
+        else
+            input.displacement += input.velocity * (wanted - dt);
+    }
+    status = advance(damper, &d->state, &input, wanted, &state, &output, &steps);
+    if (status >= 0) {
+        d->state = state;
+        d->time = accepted;
+        d->is_start = 0;
+        d->has_trial = 0;
+    }
+    return status;
+}
+
+/* Answer to one request from a committed damper. */
+static int32_t answer_from(const damper_model *damper, const committed *d, const request *asked, dashpot_state *state,
+                           dashpot_output *output, int *steps)
+{
+    double dt = asked->time - d->time;
+    *steps = 0;
+    if (d->is_start && dt <= same_time(asked->time))
+        return steady(damper, &asked->input, state, output);
+    if (dt <= same_time(asked->time))
+        return at_once(damper, &d->state, &asked->input, state, output);
+    return advance(damper, &d->state, &asked->input, dt, state, output, steps);
+}
+
+/* Partials of the whole answer, by differences of what the answer is computed from. */
+static int32_t partials(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
+{
+    static const double NUDGE[2] = {1e-8, 1e-6};
+    double by[2];
+    int i, k, steps;
+    for (i = 0; i < 2; i++) {
+        double f[2];
+        for (k = 0; k < 2; k++) {
+            request other = *asked;
+            dashpot_state state;
+            dashpot_output output;
+            int32_t status;
+            *(i == 0 ? &other.input.displacement : &other.input.velocity) += k == 0 ? -NUDGE[i] : NUDGE[i];
+            status = answer_from(damper, d, &other, &state, &output, &steps);
+            if (status < 0)
+                return status;
+            f[k] = output.force;
+        }
+        by[i] = (f[1] - f[0]) / (2 * NUDGE[i]);
+    }
+    answer->by_displacement = by[0];
+    answer->by_velocity = by[1];
+    return 0;
+}
+
+int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
+                    int is_static, int is_difference, force_answer *answer)
+{
+    committed *stored = damper_of(kind, element);
+    committed d;
+    dashpot_state state;
+    dashpot_output output;
+    int32_t status = 0;
+    int steps = 0;
+    if (!stored)
+        return -1;
+    d = *stored;
+    /* A run begins, begins anew, or goes back to where this damper's past is not known. */
+    if (!d.is_set || is_static || accepted < d.time - same_time(accepted)) {
+        status = steady(damper, &asked->input, &d.state, &output);
+        d.time = accepted;
+        d.is_set = 1;
+        d.is_start = 1;
+        d.has_trial = 0;
+    } else if (accepted > d.time + same_time(accepted)) {
+        if (d.has_trial) {
+            status = commit(damper, &d, accepted);
+        } else {
+            /* Time went on without a call, as in a run where the element was switched off. */
+            status = steady(damper, &asked->input, &d.state, &output);
+            d.time = accepted;
+            d.is_start = 1;
+        }
+    }
+    if (refused(element, status))
+        return -1;
+    /* Until time moves, the beginning is wherever the solver puts the markers. */
+    if (d.is_start && asked->time <= d.time + same_time(d.time))
+        if (refused(element, steady(damper, &asked->input, &d.state, &output)))
+            return -1;
+    status = answer_from(damper, &d, asked, &state, &output, &steps);
+    if (refused(element, status))
+        return -1;
+    answer->force = output.force;
+    if (steps == 1) {
+        answer->by_displacement = output.force_by_displacement;
+        answer->by_velocity = output.force_by_velocity;
+    } else if (refused(element, partials(damper, &d, asked, answer))) {
+        return -1;
+    }
+    if (!is_difference) {
+        if (asked->time > d.time + same_time(d.time)) {
+            d.trial = *asked;
+            d.has_trial = 1;
+        }
+        d.output = output;
+        d.output_state = state;
+        d.has_output = 1;
+        *stored = d;
+    }
+    return 0;
+}
+
+int committed_last(int kind, int element, dashpot_output *output, dashpot_state *state)
+{
+    int i;
+    for (i = 0; i < MOST_DAMPERS && dampers[i].kind != 0; i++)
+        if (dampers[i].kind == kind && dampers[i].element == element && dampers[i].has_output) {
+            *output = dampers[i].output;
+            *state = dampers[i].output_state;
+            return 0;
+        }
+    return -1;
+}
+
+void committed_forget(int kind, int element)
+{
+    committed *d = damper_of(kind, element);
+    if (d) {
+        memset(d, 0, sizeof *d);
+        d->kind = kind;
+        d->element = element;
+    }
+}
+
+void committed_save(int kind, int element)
+{
+    const solver_functions *s = solver();
+    const char *lacks = solver_lacks(SOLVER_FOR_SAVING);
+    const committed *d = damper_of(kind, element);
+    int head[5];
+    double numbers[STATE_NUMBERS + 6];
+    if (lacks) {
+        message_stop(element, "the solver has no function %s, which saving needs", lacks);
+        return;
+    }
+    if (!d)
+        return;
+    head[0] = SAVED_FORMAT;
+    head[1] = STATE_NUMBERS;
+    head[2] = d->is_set;
+    head[3] = d->is_start;
+    head[4] = d->has_trial;
+    memcpy(numbers, &d->state, sizeof d->state);
+    numbers[STATE_NUMBERS] = d->time;
+    numbers[STATE_NUMBERS + 1] = d->trial.time;
+    numbers[STATE_NUMBERS + 2] = d->trial.input.displacement;
+    numbers[STATE_NUMBERS + 3] = d->trial.input.velocity;
+    numbers[STATE_NUMBERS + 4] = d->trial.input.side_force;
+    numbers[STATE_NUMBERS + 5] = d->trial.input.temperature;
+    s->serialize_integers(head, 5);
+    s->serialize_doubles(numbers, STATE_NUMBERS + 6);
+}
+
+void committed_reload(int kind, int element)
+{
+    const solver_functions *s = solver();
+    const char *lacks = solver_lacks(SOLVER_FOR_SAVING);
+    committed *d = damper_of(kind, element);
+    int head[5] = {0, 0, 0, 0, 0};
+    double numbers[STATE_NUMBERS + 6];
+    if (lacks) {
+        message_stop(element, "the solver has no function %s, which reloading needs", lacks);
+        return;
+    }
+    if (!d)
+        return;
+    s->unserialize_integers(head, 5);
+    if (head[0] != SAVED_FORMAT || head[1] != STATE_NUMBERS) {
+        message_stop(element, "the saved state is of another version of this library; run again from the start");
+        return;
+    }
+    s->unserialize_doubles(numbers, STATE_NUMBERS + 6);
+    committed_forget(kind, element);
+    memcpy(&d->state, numbers, sizeof d->state);
+    d->is_set = head[2];
+    d->is_start = head[3];
+    d->has_trial = head[4];
+    d->time = numbers[STATE_NUMBERS];
+    d->trial.time = numbers[STATE_NUMBERS + 1];
+    d->trial.input = dashpot_input_motion(numbers[STATE_NUMBERS + 2], numbers[STATE_NUMBERS + 3]);
+    d->trial.input.side_force = numbers[STATE_NUMBERS + 4];
+    d->trial.input.temperature = numbers[STATE_NUMBERS + 5];
+    d->trial.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+}

@@ -1,0 +1,44 @@
+/* Dampers that are called as a plain force: what they were at the last accepted instant, and what they would be now.
+ *
+ * A solver asks for the force many times a step: predictor, iterations, differencing, a rejected step, the step again.
+ * The answer is a pure function of the committed state, the time and the motion asked about. The committed state moves on
+ * only when the solver says that it accepted a time (c_timget), never on a trial. */
+#ifndef COMMITTED_H
+#define COMMITTED_H
+
+#include "damper_model.h"
+
+/* Motion and surroundings at one instant, SI. */
+typedef struct {
+    double time;
+    dashpot_input input;
+} request;
+
+/* Kinds of elements; ids are unique within a kind only. */
+enum { KIND_SFORCE = 1, KIND_GFORCE = 2 };
+
+/* What a call wants to know beyond the force. */
+typedef struct {
+    double force;            /* N, tension positive */
+    double by_displacement;  /* N/m */
+    double by_velocity;      /* N s/m */
+} force_answer;
+
+/* The force of element `element` at `asked`, when the solver has accepted the time `accepted`. `is_static`: velocities
+ * are zero and time stands still. `is_difference`: the solver differences; nothing is stored. Returns 0, or -1 after a
+ * message. */
+int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
+                    int is_static, int is_difference, force_answer *answer);
+
+/* The last answer of an element that was no difference, and the state there; for requests. Returns 0, or -1 where the
+ * element was never asked. */
+int committed_last(int kind, int element, dashpot_output *output, dashpot_state *state);
+
+/* Forgets an element. */
+void committed_forget(int kind, int element);
+
+/* Save and reload. */
+void committed_save(int kind, int element);
+void committed_reload(int kind, int element);
+
+#endif

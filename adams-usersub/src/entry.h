@@ -1,0 +1,27 @@
+/* The entry points that Adams Solver calls by name, ROUTINE=dashpot_adams::Dashpot_sfosub and so on.
+ *
+ * Names hold both cases: the solver calls an all-lowercase name as Fortran, with pointers where these take values. */
+#ifndef ENTRY_H
+#define ENTRY_H
+
+#include "solver.h"
+
+#if defined(_WIN32)
+#define ENTRY_POINT __declspec(dllexport)
+#else
+#define ENTRY_POINT __attribute__((visibility("default")))
+#endif
+
+ENTRY_POINT void Dashpot_gse_deriv(const adams_gse *, double time, int dflag, int iflag, int n, double *rates);
+ENTRY_POINT void Dashpot_gse_output(const adams_gse *, double time, int dflag, int iflag, int n, double *outputs);
+ENTRY_POINT void Dashpot_gse_update(const adams_gse *, double time, int dflag, int iflag, int n, double *states);
+ENTRY_POINT void Dashpot_gse_samp(const adams_gse *, double time, int iflag, double *interval);
+ENTRY_POINT void Dashpot_sfosub(const adams_sforce *, double time, int dflag, int iflag, double *result);
+ENTRY_POINT void Dashpot_gfosub(const adams_gforce *, double time, int dflag, int iflag, double *result);
+ENTRY_POINT void Dashpot_reqsub(const adams_request *, double time, int iflag, double *output);
+ENTRY_POINT void Dashpot_sfo2001(const int *id, const double *time, const double *par, const int *npar,
+                                 const int *dflag, const int *iflag, double *result);
+/* Answers without a solver: 0 where the library computes as it should; otherwise a number that selftest.c explains. */
+ENTRY_POINT int dashpot_adams_selftest(void);
+
+#endif

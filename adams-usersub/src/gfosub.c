@@ -1,0 +1,106 @@
+/* The damper as a GFORCE, with the side force of the rod guide in its friction:
+ *
+ *     GFORCE/1, I=11, JFLOAT=13, RM=14
+ *     , FUNCTION=USER(j marker, joint's i marker, joint's j marker, string, length at zero displacement
+ *                     [, temperature [, length unit, force unit, time unit]])\
+ *     , ROUTINE=dashpot_adams::Dashpot_gfosub
+ *
+ * J is the marker at the damper's other end, on the part of JFLOAT. The joint's markers are those of the joint or bushing
+ * that guides the rod; 0, 0 where there is none. Its force across the damper's axis is the side force. The result is
+ * the force on I in the axes of RM; it points along the line through both ends, so it needs no moment, and the reaction
+ * that the solver puts on JFLOAT, at the place of I, lies on that line too. */
+#include "axial.h"
+#include "entry.h"
+#include "messages.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { OWN_VALUES = 3 };
+
+static int id_of(double value) { return fabs(value) < 2e9 && value == floor(value) && value >= 0 ? (int)value : -1; }
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* Three numbers of the solver. */
+static int ask(const char *name, const int *markers, int count, double values[3])
+{
+    int number = 0, failed = 0;
+    memset(values, 0, 3 * sizeof(double));
+    solver()->sysary(name, markers, count, values, &number, &failed);
+    return failed || number != 3 ? -1 : 0;
+}
+
+void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int iflag, double *result)
+{
+    const char *lacks = solver_lacks(SOLVER_FOR_FORCES);
+    const unit_scales *u;
+    int ends[4], joint[3], j, what, is_static, k;
+    double from_j[3], velocity[3], guide[3], axis[3], length, speed, accepted, along, sforce;
+    axial_damper damper;
+    force_answer answer;
+    request asked;
+
+    for (k = 0; k < 6; k++)
+        result[k] = 0.0;
+    if (lacks) {
+        message_stop(gforce->id, "the solver has no function %s, which a force needs", lacks);
+        return;
+    }
+    what = axial_begin(KIND_GFORCE, gforce->id, iflag);
+    if (what == AXIAL_DONE)
+        return;
+    if (gforce->npar < OWN_VALUES + 2) {
+        message_stop(gforce->id, "%d USER values; a GFORCE takes j marker, joint's i marker, joint's j marker, string, "
+                                 "length at zero displacement [, temperature [, length unit, force unit, time unit]]",
+                     gforce->npar);
+        return;
+    }
+    j = id_of(gforce->par[0]);
+    joint[0] = id_of(gforce->par[1]);
+    joint[1] = id_of(gforce->par[2]);
+    joint[2] = gforce->rm;
+    if (j <= 0 || joint[0] < 0 || joint[1] < 0 || (joint[0] == 0) != (joint[1] == 0)) {
+        message_stop(gforce->id, "the first three USER values must be marker ids: the damper's other end, then both of the "
+                                 "guiding joint, or 0, 0");
+        return;
+    }
+    ends[0] = gforce->i;
+    ends[1] = j;
+    ends[2] = gforce->rm;
+    ends[3] = 0;
+    memset(guide, 0, sizeof guide);
+    if (ask("TDISP", ends, 3, from_j) || ask("TVEL", ends, 4, velocity) ||
+        (joint[0] && ask("TFORCE", joint, 3, guide))) {
+        message_stop(gforce->id, "the solver gives no motion between markers %d and %d%s", gforce->i, j,
+                     joint[0] ? ", or no force of the guiding joint" : "");
+        return;
+    }
+    if (axial_parameters(gforce->id, gforce->npar - OWN_VALUES, gforce->par + OWN_VALUES, iflag, &damper) ||
+        what == AXIAL_ASK_ONLY)
+        return;
+    length = sqrt(dot(from_j, from_j));
+    if (!(length > 0.0)) {
+        message_stop(gforce->id, "the damper's ends, markers %d and %d, lie in one point: it has no direction", gforce->i,
+                     j);
+        return;
+    }
+    for (k = 0; k < 3; k++)
+        axis[k] = from_j[k] / length;
+    speed = dot(axis, velocity);
+    along = dot(axis, guide);
+    u = &damper.damper->units;
+    axial_progress(&damper, &is_static, &accepted);
+    asked.time = is_static ? accepted : units_time(u, time);
+    asked.input = dashpot_input_motion(units_displacement(u, length) - damper.zero_length,
+                                       is_static ? 0.0 : units_velocity(u, speed));
+    asked.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+    asked.input.side_force = units_force(u, sqrt(fmax(0.0, dot(guide, guide) - along * along)));
+    asked.input.temperature = damper.temperature;
+    if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, is_static, dflag != 0, &answer))
+        return;
+    /* Tension pulls I towards J: an SFORCE's sign along the axis from J to I. */
+    sforce = units_sforce(u, answer.force);
+    for (k = 0; k < 3; k++)
+        result[k] = sforce * axis[k];
+}

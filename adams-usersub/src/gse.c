@@ -1,0 +1,321 @@
+/* The damper as a GSE: the solver integrates its states, and this file is a pure function of inputs and states.
+ *
+ *     USER(string [, length unit, force unit, time unit])
+ *
+ * inputs  (array U)  displacement, velocity [, side force [, temperature in degrees Celsius]], model units,
+ *                    extension positive
+ * states  (array X)  1 deflection: internal mass against driven end, model length
+ *                    2 velocity of the internal mass, model units
+ *                    3... private states of the elements, in SI
+ * outputs (array Y)  1 force as an SFORCE takes it: negative where the damper is in tension, as it is in rebound
+ *                    2 series deflection  3 velocity of the internal mass
+ *                    4 force of the primary damper  5 springs  6 friction  7 gas, tension positive
+ *
+ * The first state is relative to the driven end, so that zero is a fair initial value at any damper length and the
+ * solver's error tolerance is spent on what makes the force. */
+#include "damper_model.h"
+#include "entry.h"
+#include "messages.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { FEWEST_INPUTS = 2, MOST_INPUTS = 4, MOST_OUTPUTS = 7, UNITS_AT = 1 };
+
+/* Rate at which a state that the model does not use returns to zero, 1/s: statics must find it there. */
+static const double UNUSED_DECAY = 100.0;
+
+typedef struct {
+    const damper_model *damper;
+    int ns, ni, no;
+    dashpot_input input;
+    dashpot_state state;
+    double unused[MOST_STATES];
+} instant;
+
+/* Reads what the solver has; the same calls whatever the call is for. */
+static int read_instant(const adams_gse *gse, int iflag, instant *now)
+{
+    const solver_functions *s = solver();
+    const char *lacks = solver_lacks(SOLVER_FOR_GSE);
+    const unit_scales *u;
+    double x[MOST_STATES], in[MOST_INPUTS];
+    int i;
+    if (lacks) {
+        message_stop(gse->id, "the solver has no function %s, which a GSE needs", lacks);
+        return -1;
+    }
+    if (gse->npar != 1 && gse->npar != 4) {
+        message_stop(gse->id, "USER has %d values; a GSE takes USER(string) or USER(string, length unit, force unit, time "
+                              "unit)", gse->npar);
+        return -1;
+    }
+    now->damper = damper_model_of(gse->id, gse->npar, gse->par, UNITS_AT, iflag == SOLVER_INITIALISE);
+    if (!now->damper)
+        return -1;
+    now->ns = s->gse_ns();
+    now->ni = s->gse_ni();
+    now->no = s->gse_no();
+    if (now->ns != now->damper->states) {
+        message_stop(gse->id, "the GSE has NS=%d states; this model file needs NS=%d", now->ns, now->damper->states);
+        return -1;
+    }
+    if (now->ni < FEWEST_INPUTS || now->ni > MOST_INPUTS) {
+        message_stop(gse->id, "the GSE has NI=%d inputs; it takes displacement and velocity, then side force and "
+                              "temperature if wanted: NI=2, 3 or 4", now->ni);
+        return -1;
+    }
+    if (now->no < 1 || now->no > MOST_OUTPUTS) {
+        message_stop(gse->id, "the GSE has NO=%d outputs; it gives 1 to %d, the force first", now->no, MOST_OUTPUTS);
+        return -1;
+    }
+    memset(x, 0, sizeof x);
+    memset(in, 0, sizeof in);
+    s->gse_x(x, now->ns);
+    s->gse_u(in, now->ni);
+    u = &now->damper->units;
+    now->input = dashpot_input_motion(units_displacement(u, in[0]), units_velocity(u, in[1]));
+    if (now->ni > 2) {
+        now->input.known |= DASHPOT_KNOWS_SIDE_FORCE;
+        now->input.side_force = units_force(u, in[2]);
+    }
+    if (now->ni > 3) {
+        now->input.known |= DASHPOT_KNOWS_TEMPERATURE;
+        now->input.temperature = in[3];
+    }
+    memset(&now->state, 0, sizeof now->state);
+    now->state.displacement = now->input.displacement;
+    now->state.velocity = now->input.velocity;
+    now->state.mass_displacement = now->input.displacement + units_displacement(u, x[0]);
+    now->state.mass_velocity = units_velocity(u, x[1]);
+    for (i = 2; i < now->ns; i++)
+        now->state.memory[i - 2] = x[i];
+    memcpy(now->unused, x, sizeof now->unused);
+    return 0;
+}
+
+/* Model units per SI unit of state i. */
+static double state_scale(const unit_scales *u, int i)
+{
+    return i == 0 ? 1.0 / u->length : i == 1 ? u->time / u->length : 1.0;
+}
+
+/* SI per model unit of input i. */
+static double input_scale(const unit_scales *u, int i) { return i == 0 ? u->length : u->length / u->time; }
+
+static int wants_partials(void)
+{
+    const solver_functions *s = solver();
+    int wanted = 0;
+    if (s->needs_partials && s->gsepar_x && s->gsepar_u)
+        s->needs_partials(&wanted);
+    return wanted;
+}
+
+/* Partials of the rates, column by column: d(rate i)/d(state j) at i + j ns. */
+static void give_rate_partials(const instant *now, const dashpot_partials *p)
+{
+    const unit_scales *u = &now->damper->units;
+    double by_x[MOST_STATES * MOST_STATES], by_u[MOST_STATES * MOST_INPUTS];
+    int i, j;
+    memset(by_x, 0, sizeof by_x);
+    memset(by_u, 0, sizeof by_u);
+    for (i = 0; i < now->ns; i++) {
+        double to_model = state_scale(u, i) * u->time;
+        if (!now->damper->used[i]) {
+            by_x[i + i * now->ns] = -UNUSED_DECAY * u->time;
+            continue;
+        }
+        for (j = 0; j < now->ns; j++)
+            by_x[i + j * now->ns] = p->rate_by_state[i][j] * to_model / state_scale(u, j);
+        /* The mass stands at displacement + deflection. */
+        by_u[i] = (p->rate_by_input[i][0] + p->rate_by_state[i][0]) * to_model * input_scale(u, 0);
+        by_u[i + now->ns] = (p->rate_by_input[i][1] - (i == 0 ? 1.0 : 0.0)) * to_model * input_scale(u, 1);
+    }
+    /* Side force and temperature: by differences; the kernel has no partials for them. */
+    for (j = 2; j < now->ni; j++) {
+        double *member;
+        instant other = *now;
+        dashpot_state low, high;
+        dashpot_output unused;
+        double h, scale = j == 2 ? u->force : 1.0;
+        member = j == 2 ? &other.input.side_force : &other.input.temperature;
+        h = 1e-4 * (1.0 + fabs(*member));
+        *member -= h;
+        if (dashpot_evaluate(&now->damper->model, &now->state, &other.input, &unused, &low) < 0)
+            return;
+        *member += 2 * h;
+        if (dashpot_evaluate(&now->damper->model, &now->state, &other.input, &unused, &high) < 0)
+            return;
+        for (i = 0; i < now->ns; i++) {
+            double a = i == 0 ? low.mass_displacement : i == 1 ? low.mass_velocity : low.memory[i - 2];
+            double b = i == 0 ? high.mass_displacement : i == 1 ? high.mass_velocity : high.memory[i - 2];
+            by_u[i + j * now->ns] = now->damper->used[i] ? (b - a) / (2 * h) * state_scale(u, i) * u->time * scale : 0.0;
+        }
+    }
+    solver()->gsepar_x(by_x, now->ns * now->ns);
+    solver()->gsepar_u(by_u, now->ns * now->ni);
+}
+
+void Dashpot_gse_deriv(const adams_gse *gse, double time, int dflag, int iflag, int n, double *rates)
+{
+    instant now;
+    dashpot_output output;
+    dashpot_state rate;
+    dashpot_partials partials;
+    const unit_scales *u;
+    int32_t status;
+    int i;
+    (void)time;
+    (void)dflag;
+    for (i = 0; i < n; i++)
+        rates[i] = 0.0;
+    if (iflag != SOLVER_EVALUATE && iflag != SOLVER_INITIALISE && iflag != SOLVER_DEPENDENCIES)
+        return;
+    if (read_instant(gse, iflag, &now) || n != now.ns)
+        return;
+    if (iflag == SOLVER_INITIALISE && solver()->declare_threadsafe)
+        solver()->declare_threadsafe();
+    if (iflag != SOLVER_EVALUATE)
+        return;
+    status = dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
+    if (status < 0) {
+        message_stop(gse->id, "rates: %s", dashpot_status_text(status));
+        return;
+    }
+    u = &now.damper->units;
+    for (i = 0; i < n; i++) {
+        double si = i == 0   ? rate.mass_displacement - now.input.velocity
+                    : i == 1 ? rate.mass_velocity
+                             : rate.memory[i - 2];
+        rates[i] = now.damper->used[i] ? si * state_scale(u, i) * u->time : -UNUSED_DECAY * u->time * now.unused[i];
+    }
+    if (wants_partials() && dashpot_jacobian(&now.damper->model, &now.state, &now.input, &partials) >= 0)
+        give_rate_partials(&now, &partials);
+}
+
+static void outputs_of(const instant *now, const dashpot_output *o, double y[MOST_OUTPUTS])
+{
+    const unit_scales *u = &now->damper->units;
+    y[0] = units_sforce(u, o->force);
+    y[1] = o->series_deflection / u->length;
+    y[2] = now->state.mass_velocity * u->time / u->length;
+    y[3] = o->primary_force / u->force;
+    y[4] = o->spring_force / u->force;
+    y[5] = o->friction_force / u->force;
+    y[6] = o->gas_force / u->force;
+}
+
+/* Moves one input or state of the instant by `by`, in model units. */
+static void nudge(instant *now, int state, int input, double by)
+{
+    const unit_scales *u = &now->damper->units;
+    if (state == 0)
+        now->state.mass_displacement += by * u->length;
+    else if (state == 1)
+        now->state.mass_velocity += by * u->length / u->time;
+    else if (state > 1)
+        now->state.memory[state - 2] += by;
+    if (input == 0) {
+        now->input.displacement += by * u->length;
+        now->state.displacement += by * u->length;
+        now->state.mass_displacement += by * u->length;
+    } else if (input == 1) {
+        now->input.velocity += by * u->length / u->time;
+    } else if (input == 2) {
+        now->input.side_force += by * u->force;
+    } else if (input == 3) {
+        now->input.temperature += by;
+    }
+}
+
+/* One column of the outputs' partials: the diagnostics by central differences, the force from the kernel's partials. */
+static void output_column(const instant *now, const dashpot_partials *p, int state, int input, double *column)
+{
+    const unit_scales *u = &now->damper->units;
+    double h = state > 1 ? 1e-6 : input == 2 ? 1e-3 / u->force : input == 3 ? 1e-3 : 1e-8 / u->length;
+    double low[MOST_OUTPUTS], high[MOST_OUTPUTS];
+    dashpot_output output;
+    dashpot_state rate;
+    int i;
+    instant other = *now;
+    nudge(&other, state, input, -h);
+    if (dashpot_evaluate(&now->damper->model, &other.state, &other.input, &output, &rate) < 0)
+        return;
+    outputs_of(&other, &output, low);
+    other = *now;
+    nudge(&other, state, input, h);
+    if (dashpot_evaluate(&now->damper->model, &other.state, &other.input, &output, &rate) < 0)
+        return;
+    outputs_of(&other, &output, high);
+    for (i = 0; i < now->no; i++)
+        column[i] = (high[i] - low[i]) / (2 * h);
+    if (state >= 0)
+        column[0] = units_sforce(u, p->force_by_state[state]) / state_scale(u, state);
+    else if (input == 0)
+        column[0] = units_sforce(u, p->force_by_input[0] + p->force_by_state[0]) * input_scale(u, 0);
+    else if (input == 1)
+        column[0] = units_sforce(u, p->force_by_input[1]) * input_scale(u, 1);
+}
+
+void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag, int n, double *outputs)
+{
+    instant now;
+    dashpot_output output;
+    dashpot_state rate;
+    dashpot_partials partials;
+    double y[MOST_OUTPUTS];
+    int32_t status;
+    int i;
+    (void)time;
+    (void)dflag;
+    for (i = 0; i < n; i++)
+        outputs[i] = 0.0;
+    if (iflag != SOLVER_EVALUATE && iflag != SOLVER_INITIALISE && iflag != SOLVER_DEPENDENCIES)
+        return;
+    if (read_instant(gse, iflag, &now) || n != now.no)
+        return;
+    if (iflag == SOLVER_INITIALISE && solver()->declare_threadsafe)
+        solver()->declare_threadsafe();
+    if (iflag != SOLVER_EVALUATE)
+        return;
+    status = dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
+    if (status < 0) {
+        message_stop(gse->id, "force: %s", dashpot_status_text(status));
+        return;
+    }
+    outputs_of(&now, &output, y);
+    memcpy(outputs, y, (size_t)n * sizeof(double));
+    if (wants_partials() && dashpot_jacobian(&now.damper->model, &now.state, &now.input, &partials) >= 0) {
+        double by_x[MOST_OUTPUTS * MOST_STATES], by_u[MOST_OUTPUTS * MOST_INPUTS];
+        memset(by_x, 0, sizeof by_x);
+        memset(by_u, 0, sizeof by_u);
+        for (i = 0; i < now.ns; i++)
+            output_column(&now, &partials, i, -1, by_x + i * now.no);
+        for (i = 0; i < now.ni; i++)
+            output_column(&now, &partials, -1, i, by_u + i * now.no);
+        solver()->gsepar_x(by_x, now.no * now.ns);
+        solver()->gsepar_u(by_u, now.no * now.ni);
+    }
+}
+
+/* The damper has no discrete states; the solver may ask all the same. */
+void Dashpot_gse_update(const adams_gse *gse, double time, int dflag, int iflag, int n, double *states)
+{
+    int i;
+    (void)gse;
+    (void)time;
+    (void)dflag;
+    (void)iflag;
+    for (i = 0; i < n; i++)
+        states[i] = 0.0;
+}
+
+/* An interval that no run is longer than. */
+void Dashpot_gse_samp(const adams_gse *gse, double time, int iflag, double *interval)
+{
+    (void)gse;
+    (void)time;
+    (void)iflag;
+    *interval = 1e9;
+}

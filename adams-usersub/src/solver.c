@@ -1,0 +1,97 @@
+/* Finding the solver's utility functions in the process. The library links to none of them, so that it loads outside
+ * Adams, fits every release, and can say which one is missing. */
+#if !defined(_WIN32) && !defined(_GNU_SOURCE)
+#define _GNU_SOURCE /* RTLD_DEFAULT */
+#endif
+#include "solver.h"
+
+#include <string.h>
+
+#if defined(_WIN32)
+#include <windows.h>
+#else
+#include <dlfcn.h>
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__GLIBC__)
+/* The name that older systems have too: a library built on a new one must load on those that Adams supports. */
+__asm__(".symver dlsym, dlsym@GLIBC_2.2.5");
+#endif
+#endif
+
+typedef struct {
+    const char *name;
+    size_t offset;
+    int needed_for;
+} entry;
+
+#define ENTRY(member, name, needed_for) {name, offsetof(solver_functions, member), needed_for}
+
+static const entry ENTRIES[] = {
+    ENTRY(sysary, "c_sysary", SOLVER_FOR_FORCES),
+    ENTRY(sysfnc, "c_sysfnc", SOLVER_FOR_FORCES),
+    ENTRY(syspar, "c_syspar", 0),
+    ENTRY(errmes, "c_errmes", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
+    ENTRY(usrmes, "c_usrmes", 0),
+    ENTRY(timget, "c_timget", SOLVER_FOR_FORCES),
+    ENTRY(getmod, "c_getmod", SOLVER_FOR_FORCES),
+    ENTRY(gtstrg, "c_gtstrg", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
+    ENTRY(gtunts, "c_gtunts", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
+    ENTRY(needs_partials, "c_adams_needs_partials", 0),
+    ENTRY(declare_threadsafe, "c_adams_declare_threadsafe", 0),
+    ENTRY(serialize_integers, "c_adams_serialize_integers", SOLVER_FOR_SAVING),
+    ENTRY(serialize_doubles, "c_adams_serialize_doubles", SOLVER_FOR_SAVING),
+    ENTRY(unserialize_integers, "c_adams_unserialize_integers", SOLVER_FOR_SAVING),
+    ENTRY(unserialize_doubles, "c_adams_unserialize_doubles", SOLVER_FOR_SAVING),
+    ENTRY(gse_ns, "c_gse_ns", SOLVER_FOR_GSE),
+    ENTRY(gse_ni, "c_gse_ni", SOLVER_FOR_GSE),
+    ENTRY(gse_no, "c_gse_no", SOLVER_FOR_GSE),
+    ENTRY(gse_x, "c_gse_x", SOLVER_FOR_GSE),
+    ENTRY(gse_u, "c_gse_u", SOLVER_FOR_GSE),
+    ENTRY(gsepar_x, "c_gsepar_x", 0),
+    ENTRY(gsepar_u, "c_gsepar_u", 0),
+};
+
+typedef void (*any_function)(void);
+
+static any_function find(const char *name)
+{
+    any_function function = NULL;
+#if defined(_WIN32)
+    HMODULE utilities = GetModuleHandleA("AsUtility.dll");
+    if (utilities)
+        function = (any_function)GetProcAddress(utilities, name);
+#else
+    void *address = dlsym(RTLD_DEFAULT, name);
+    memcpy(&function, &address, sizeof function);
+#endif
+    return function;
+}
+
+/* Written with the same values by whoever comes first; `found` is set last. */
+static solver_functions functions;
+static volatile int found;
+
+const solver_functions *solver(void)
+{
+    if (!found) {
+        size_t i;
+        for (i = 0; i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
+            any_function function = find(ENTRIES[i].name);
+            memcpy((char *)&functions + ENTRIES[i].offset, &function, sizeof function);
+        }
+        found = 1;
+    }
+    return &functions;
+}
+
+const char *solver_lacks(int needs)
+{
+    const solver_functions *s = solver();
+    size_t i;
+    for (i = 0; i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
+        any_function function;
+        memcpy(&function, (const char *)s + ENTRIES[i].offset, sizeof function);
+        if ((ENTRIES[i].needed_for & needs) && !function)
+            return ENTRIES[i].name;
+    }
+    return NULL;
+}

@@ -1,0 +1,83 @@
+//! What a run folder of Adams needs for a damper: texts of all its files but the library.
+
+use super::native;
+use dashpot_core::{Input, Model, Params, State, evaluate::partials};
+use dashpot_rig::Matrix;
+use std::fmt::Write as _;
+
+/// A file of the folder.
+pub struct File {
+    /// Its name.
+    pub name: &'static str,
+    /// Its text.
+    pub text: String,
+}
+
+/// The files for a model whose length at zero displacement is `length` mm; and why there is no native.adm where there is
+/// none.
+pub fn files(
+    params: &Params,
+    model: &Model,
+    model_file: &str,
+    length: f64,
+    matrix: &Matrix,
+) -> (Vec<File>, Option<&'static str>) {
+    let states = states(model);
+    let fill = |template: &str| {
+        let zeros = vec!["0.0"; states].join(", ");
+        template
+            .replace("{length}", &format!("{length:?}"))
+            .replace("{states}", &states.to_string())
+            .replace("{zeros}", &zeros)
+            .replace("{model_file}", model_file)
+    };
+    let mut files = vec![
+        File { name: "damper.cmd", text: fill(include_str!("templates/damper.cmd")) },
+        File { name: "damper.adm", text: fill(include_str!("templates/damper.adm")) },
+        File { name: "rig.adm", text: fill(include_str!("templates/rig.adm")) },
+        File { name: "rig.acf", text: acf(matrix) },
+        File { name: "README.txt", text: fill(include_str!("templates/README.txt")) },
+    ];
+    match native::fragment(params, model, states, length) {
+        Ok(text) => {
+            files.push(File { name: "native.adm", text });
+            (files, None)
+        }
+        Err(reason) => (files, Some(reason)),
+    }
+}
+
+/// States that a GSE of this model integrates: internal mass, its velocity, and the private states in use. The library
+/// finds them in the same way, and stops a run whose GSE has another number.
+fn states(model: &Model) -> usize {
+    let mut count = 2;
+    for (x, v) in [(0.003, 0.02), (-0.011, -0.3), (0.02, 0.7)] {
+        let state: State = model.settled(&Input::motion(0.9 * x, 0.0));
+        let p = partials(model, &state, &Input::motion(x, v));
+        let moves = |i: usize| p.rate_by_input[i].iter().chain(&p.rate_by_state[i]).any(|d| *d != 0.0);
+        count = (count..p.rate_by_state.len()).filter(|i| moves(*i)).map(|i| i + 1).max().unwrap_or(count);
+    }
+    count
+}
+
+/// The test matrix on the rig: every test begins and ends at rest in the middle, so that one follows the other.
+fn acf(matrix: &Matrix) -> String {
+    let mut out =
+        String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
+    out += "INTEGRATOR/GSTIFF, SI2, ERROR=1.0E-5\nSIMULATE/STATICS\n";
+    let mut begin = 0.0;
+    for point in matrix.points() {
+        let (period, amplitude) = (1.0 / point.frequency_hz, 1e3 * point.amplitude_m);
+        let [rise, fall, end] = [1.0, 3.0, 4.0].map(|cycles| begin + cycles * period);
+        let w = std::f64::consts::TAU / period;
+        let _ = write!(
+            out,
+            "! {amplitude:.3} mm, {:.6} Hz\nMOTION/1, FUNCTION = {amplitude:.9}*SIN({w:.12}*(TIME-{begin:.9}))\n\
+             , *STEP(TIME,{begin:.9},0,{rise:.9},1)\n, *STEP(TIME,{fall:.9},1,{end:.9},0)\n\
+             SIMULATE/DYNAMICS, END={end:.9}, STEPS=800\n",
+            1.0 / period
+        );
+        begin = end;
+    }
+    out + "STOP\n"
+}

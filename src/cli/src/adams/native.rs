@@ -1,0 +1,65 @@
+//! The damper from Adams's own elements, without a routine: series spring and damper, mass, and splines for primary damper,
+//! parallel spring and friction.
+
+use dashpot_core::{Input, Model, Params, State, evaluate::force};
+use std::fmt::Write as _;
+
+/// Points of a spline.
+const POINTS: usize = 161;
+/// Splines of displacement reach this far, mm.
+const STROKE: f64 = 150.0;
+/// Fastest velocity of the splines, mm/s, and the velocity around which half of their points lie.
+const FASTEST: f64 = 5000.0;
+const FINE: f64 = 2.0;
+
+/// The dataset fragment, or why these elements cannot hold the model.
+///
+/// # Errors
+/// Where the model has what a spline of velocity or displacement cannot: private states, side force, no internal mass.
+pub fn fragment(params: &Params, model: &Model, states: usize, length: f64) -> Result<String, &'static str> {
+    if !params.is_on("series_compliance") {
+        return Err("the element series_compliance is off");
+    }
+    if params.is_on("side_force_friction") {
+        return Err("friction by side force is no function of velocity alone");
+    }
+    if states > 2 {
+        return Err("the model has private states");
+    }
+    // Inner and outer end move alike: what each element gives at this motion.
+    let at = |x: f64, v: f64| {
+        let state =
+            State { mass_displacement: 1e-3 * x, mass_velocity: 1e-3 * v, ..model.settled(&Input::motion(0.0, 0.0)) };
+        force(model, &state, &Input::motion(1e-3 * x, 1e-3 * v))
+    };
+    let velocities = spaced(|s| FINE * (s * (FASTEST / FINE).asinh()).sinh());
+    let displacements = spaced(|s| STROKE * s);
+    let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
+    let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
+    let friction = spline(3, &velocities, |v| at(0.0, v).friction_force);
+    Ok(include_str!("templates/native.adm")
+        .replace("{splines}", &format!("{primary}{spring}{friction}"))
+        .replace("{series_stiffness}", &format!("{:?}", 1e-3 * params.scalar("series_stiffness")))
+        .replace("{series_damping}", &format!("{:?}", 1e-3 * params.scalar("series_damping")))
+        .replace("{mass}", &format!("{:?}", params.scalar("internal_mass")))
+        .replace("{gas}", &format!("{:?}", -at(0.0, 0.0).gas_force))
+        .replace("{half}", &format!("{:?}", 0.5 * length))
+        .replace("{length}", &format!("{length:?}")))
+}
+
+/// Abscissae, symmetric about 0, from `of` over -1 to 1.
+fn spaced(of: impl Fn(f64) -> f64) -> Vec<f64> {
+    let half = (POINTS / 2) as f64;
+    (0..POINTS).map(|i| of((i as f64 - half) / half)).collect()
+}
+
+fn spline(id: usize, x: &[f64], y: impl Fn(f64) -> f64) -> String {
+    let mut out = format!("SPLINE/{id}\n");
+    for (name, values) in [("X", x.to_vec()), ("Y", x.iter().map(|x| y(*x)).collect())] {
+        for (i, values) in values.chunks(5).enumerate() {
+            let row: Vec<String> = values.iter().map(|v| format!("{v:.9e}")).collect();
+            let _ = writeln!(out, ", {}{}", if i == 0 { format!("{name} = ") } else { String::new() }, row.join(", "));
+        }
+    }
+    out
+}

@@ -1,0 +1,28 @@
+//! `dashpot export`: the damper for other programs.
+
+mod adams;
+mod adm;
+mod dpr;
+
+/// Write a damper for another program
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(subcommand)]
+    form: Form,
+}
+
+#[derive(clap::Subcommand)]
+enum Form {
+    Adams(adams::Args),
+    Adm(adm::Args),
+    Dpr(dpr::Args),
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    match &args.form {
+        Form::Adams(args) => adams::run(args),
+        Form::Adm(args) => adm::run(args),
+        Form::Dpr(args) => dpr::run(args),
+    }
+}

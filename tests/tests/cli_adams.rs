@@ -1,0 +1,212 @@
+//! What the command writes for Adams reads back and holds what its page says; what it reads from Adams comes back.
+
+use dashpot_tests::adams::{library, run, solver};
+use dashpot_tests::cli::{done, refused};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\", \
+                     \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\ngas_force = 141.5\n";
+
+/// Statements of a dataset by `NAME/id`, continuation lines joined; comments left out.
+fn statements(text: &str) -> BTreeMap<String, String> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    for line in text.lines().filter(|l| !l.starts_with('!')) {
+        if let Some(more) = line.strip_prefix(',') {
+            let last = all.last_mut().expect("a statement before a continuation line");
+            last.1 += &format!(",{}", more.trim_end_matches('\\'));
+        } else if let Some((name, rest)) = line.split_once('/') {
+            let (id, rest) = rest.split_once(',').unwrap_or((rest, ""));
+            all.push((format!("{name}/{}", id.trim()), rest.into()));
+        }
+    }
+    let count = all.len();
+    let map: BTreeMap<String, String> = all.into_iter().collect();
+    assert!(map.len() + 200 > count, "ids are used once");
+    map
+}
+
+/// Options of the Adams View command that begins with `command`.
+fn options(text: &str, command: &str) -> BTreeMap<String, String> {
+    let joined = text.replace("&\n", " ");
+    let line = joined.lines().find(|l| l.starts_with(command)).unwrap_or_else(|| panic!("no {command}"));
+    line.split_whitespace().filter_map(|w| w.split_once('=')).map(|(k, v)| (k.into(), v.into())).collect()
+}
+
+fn export(folder: &Path) {
+    std::fs::write(folder.join("damper.toml"), MODEL).unwrap();
+    let library = library().to_str().unwrap();
+    done(folder, &["export", "adams", "damper.toml", "-o", "run", "--length", "412.5", "--library", library]);
+}
+
+#[test]
+fn the_run_folder_holds_what_its_page_says_and_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    export(folder.path());
+    let run_folder = folder.path().join("run");
+    let read = |name: &str| std::fs::read_to_string(run_folder.join(name)).unwrap();
+    for name in ["damper.toml", "damper.cmd", "damper.adm", "rig.adm", "rig.acf", "dashpot_adams.so"] {
+        assert!(run_folder.join(name).is_file(), "{name}");
+    }
+    for name in ["damper.cmd", "damper.adm", "rig.adm", "rig.acf", "README.txt"] {
+        assert!(!read(name).contains('{') && !read(name).contains('}'), "a placeholder is left in {name}");
+        assert!(read(name).lines().all(|l| l.len() < 200), "{name}");
+    }
+    assert_eq!(read("damper.toml"), MODEL);
+
+    for name in ["damper.adm", "rig.adm"] {
+        let adm = statements(&read(name));
+        assert!(adm["SFORCE/1"].contains("FUNCTION = USER(7, 412.5)"), "{adm:?}");
+        assert!(adm["SFORCE/1"].contains("ROUTINE = dashpot_adams::Dashpot_sfosub"));
+        assert!(adm["STRING/7"].contains("STRING = damper.toml"));
+    }
+    let rig = statements(&read("rig.adm"));
+    for element in ["PART/1", "PART/2", "PART/3", "PART/4", "MOTION/1", "BUSHING/1", "BUSHING/2", "JOINT/1", "JOINT/2"]
+    {
+        assert!(rig.contains_key(element), "{element}");
+    }
+    // Markers that elements name exist.
+    for element in ["SFORCE/1", "BUSHING/1", "BUSHING/2", "JOINT/1", "JOINT/2"] {
+        for part in rig[element].split(',').filter_map(|p| p.split_once('=')) {
+            if matches!(part.0.trim(), "I" | "J") {
+                assert!(rig.contains_key(&format!("MARKER/{}", part.1.trim())), "{element}: {}", part.1);
+            }
+        }
+    }
+    let acf = read("rig.acf");
+    let matrix = dashpot_rig::Matrix::default();
+    assert_eq!(acf.matches("SIMULATE/DYNAMICS").count(), matrix.points().len());
+    assert!(acf.starts_with("rig\nrig\n") && acf.trim_end().ends_with("STOP"));
+
+    // The GSE of the command file is the one that the library wants.
+    let cmd = read("damper.cmd");
+    let gse = options(&cmd, "part create equation general_state_equation");
+    assert_eq!(gse["output_equation_count"], "7");
+    let x = options(&cmd, "data_element create array x_state_array");
+    assert_eq!(x["size"], gse["state_equation_count"]);
+    assert!(cmd.contains("function=\"ARYVAL(dashpot_y,1)\"") && cmd.contains("DM(damper_i,damper_j)-412.5"));
+    let settings = [
+        format!("model={}", run_folder.join("damper.toml").display()),
+        format!("ns={}", gse["state_equation_count"]),
+        format!("no={}", gse["output_equation_count"]),
+        "end=0.01".into(),
+    ];
+    let ran = run(&solver(&[]), "gse", &settings);
+    assert_eq!(ran.code, Some(0), "{}", ran.text);
+}
+
+#[test]
+fn a_property_file_comes_back_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), MODEL).unwrap();
+    done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.dpr"]);
+    done(folder.path(), &["import", "dpr", "a.dpr", "-o", "back.toml"]);
+    done(folder.path(), &["export", "dpr", "back.toml", "-o", "b.dpr"]);
+    let rows = |name: &str| -> Vec<Vec<f64>> {
+        let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        let table = text.split("force}\n").nth(1).unwrap().lines();
+        table.map(|l| l.split(' ').map(|n| n.parse().unwrap()).collect()).collect()
+    };
+    let (a, b) = (rows("a.dpr"), rows("b.dpr"));
+    assert!(a.len() > 4 && a.len() == b.len());
+    for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+        assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
+    }
+    // Rebound is the greater force, tension positive, in mm/s.
+    let last = a.last().unwrap();
+    assert!(last[0] > 100.0 && last[1] > 0.0 && a[0][0] < -100.0 && a[0][1] < 0.0);
+
+    done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.xml"]);
+    let xml = std::fs::read_to_string(folder.path().join("a.xml")).unwrap();
+    assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
+}
+
+#[test]
+fn a_property_file_that_is_none_is_refused_with_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n-100 -500\n0 0\n100 x\n";
+    std::fs::write(folder.path().join("a.dpr"), text).unwrap();
+    let words = refused(folder.path(), &["import", "dpr", "a.dpr", "-o", "b.toml"]);
+    assert!(words.contains("a.dpr") && words.contains("line 8"), "{words}");
+}
+
+#[test]
+fn a_compiled_model_is_patched() {
+    let folder = tempfile::tempdir().unwrap();
+    let adm = "Car\n!  adams_view_name='susp.dal_ride_damper.force'\nSFORCE/1\n, TRANSLATIONAL\n, I = 75\n, J = 76\n\
+               , FUNCTION = step(vr(75,76),-1e-4,1,1e-4,1)*akispl(vr(75,76),0,9)\nSPLINE/9\n, X = -100, 0, 100\n\
+               , Y = 500, 0, -900\nEND\n";
+    std::fs::write(folder.path().join("car.adm"), adm).unwrap();
+    let named = ["export", "adm", "car.adm", "-o", "new.adm", "--damper"];
+    done(folder.path(), &[&named[..], &["dal_ride_damper.force=412.5"]].concat());
+    let new = statements(&std::fs::read_to_string(folder.path().join("new.adm")).unwrap());
+    assert!(new["SFORCE/1"].contains("USER(1, 412.5)") && new["STRING/1"].contains("damper.toml"), "{new:?}");
+    assert_eq!(new["SPLINE/9"], statements(adm)["SPLINE/9"]);
+    let words = refused(
+        folder.path(),
+        &[&["export", "adm", "car.adm", "-o", "x.adm", "--damper"][..], &["no.force=1"]].concat(),
+    );
+    assert!(words.contains("no.force"), "{words}");
+}
+
+/// The value of a straight line between the points of a spline.
+fn between(points: &[(f64, f64)], at: f64) -> f64 {
+    let i = points.partition_point(|p| p.0 <= at).clamp(1, points.len() - 1);
+    let (a, b) = (points[i - 1], points[i]);
+    a.1 + (b.1 - a.1) * (at - a.0) / (b.0 - a.0)
+}
+
+fn spline(statement: &str) -> Vec<(f64, f64)> {
+    let numbers = |t: &str| -> Vec<f64> { t.split(',').filter_map(|n| n.trim().parse().ok()).collect() };
+    let (x, y) = statement.split_once("Y =").unwrap();
+    let x = numbers(x.split_once("X =").unwrap().1);
+    let points: Vec<(f64, f64)> = x.into_iter().zip(numbers(y)).collect();
+    assert!(points.len() > 100 && points.windows(2).all(|p| p[0].0 < p[1].0));
+    points
+}
+
+#[test]
+fn the_native_elements_agree_with_the_model() {
+    let text = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \
+                \"viscous_friction\", \"gas_preload\"]\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), text).unwrap();
+    done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--length", "400"]);
+    let adm = statements(&std::fs::read_to_string(folder.path().join("run/native.adm")).unwrap());
+    let (primary, spring, friction) = (spline(&adm["SPLINE/1"]), spline(&adm["SPLINE/2"]), spline(&adm["SPLINE/3"]));
+    // -k*(DM(11,31)-200.0)-c*VR(11,31), N and mm.
+    let series = adm["SFORCE/1"].split("FUNCTION = -").nth(1).unwrap();
+    let k: f64 = series.split('*').next().unwrap().parse().unwrap();
+    let c: f64 = series.rsplit(")-").next().unwrap().split('*').next().unwrap().parse().unwrap();
+    let gas: f64 = adm["SFORCE/3"].rsplit('+').next().unwrap().trim().parse().unwrap();
+    let mass: f64 = adm["PART/3"].split("MASS = ").nth(1).unwrap().split(',').next().unwrap().trim().parse().unwrap();
+    assert!(adm["SFORCE/2"].contains("-AKISPL(VR(31,12),0,1)-AKISPL(DM(31,12)-200.0,0,2)"));
+
+    let mut params = dashpot_core::Params::new();
+    dashpot_core::model_file::read(text.as_bytes(), &mut params).unwrap();
+    let model = dashpot_core::Model::new(&params).unwrap();
+    for (amplitude, frequency) in [(50.0, 2.0), (15.0, 5.0), (2.0, 20.0)] {
+        let w = std::f64::consts::TAU * frequency;
+        let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
+        let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
+        let mut state = model.settled(&input(0.0));
+        let (mut x, mut v) = (1e3 * state.mass_displacement, 0.0);
+        let dt = 2e-6;
+        let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+        for i in 0..(1.5 / frequency / dt) as usize {
+            let to = (i + 1) as f64 * dt;
+            let (xi, vi) = motion(to);
+            let series = k * (xi - x) + c * (vi - v);
+            // Half-implicit: the step is a thousandth of the mass's own period.
+            v += dt * 1e3 * (series - between(&primary, v) - between(&spring, x)) / mass;
+            x += dt * v;
+            let native = k * (xi - x) + c * (vi - v) + between(&friction, vi) - gas;
+            let (next, output) = dashpot_core::step(&model, &state, &input(to), dt);
+            state = next;
+            worst = worst.max((native - output.force).abs());
+            largest = largest.max(output.force.abs());
+        }
+        println!("{amplitude} mm {frequency} Hz: {:.3} % of the largest force", 100.0 * worst / largest);
+        assert!(worst < 0.01 * largest, "{amplitude} mm {frequency} Hz: {worst} N of {largest} N");
+    }
+}
