@@ -16,10 +16,11 @@ fn main() {
             let count: u64 = args.get(2).and_then(|s| s.parse().ok()).unwrap_or(1);
             (0..count)
                 .map(|k| {
-                    let case = what.split(',').filter(|w| *w != "nothing").fold(Case::nothing(seed + k), |case, word| {
-                        let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
-                        case.hiding(name, severity.parse().unwrap_or(1.5))
-                    });
+                    let case =
+                        what.split(',').filter(|w| *w != "nothing").fold(Case::nothing(seed + k), |case, word| {
+                            let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
+                            case.hiding(name, severity.parse().unwrap_or(1.5))
+                        });
                     Entry { block: if what == "nothing" { "null_white" } else { "single" }, case }
                 })
                 .collect()
@@ -34,7 +35,17 @@ fn main() {
                 Ok((o, _, found)) => {
                     eprintln!(
                         "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
-                        o.block, o.hidden, o.forms, o.seed, o.verdict, o.named, o.suspects, o.gap_closed, o.clean_before, o.clean_after, o.seconds
+                        o.block,
+                        o.hidden,
+                        o.forms,
+                        o.seed,
+                        o.verdict,
+                        o.named,
+                        o.suspects,
+                        o.gap_closed,
+                        o.clean_before,
+                        o.clean_after,
+                        o.seconds
                     );
                     if what.contains("nothing") || args.iter().any(|a| a == "-v") {
                         for f in &found.findings {

@@ -93,7 +93,9 @@ pub fn base_model(records: &[&Record]) -> Result<Params, ProvingError> {
         // Names of the kernel's own list.
         let _ = params.enable(name, true);
     }
-    for (name, value) in [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)] {
+    for (name, value) in
+        [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)]
+    {
         let _ = params.set(name, value);
     }
     Ok(params)

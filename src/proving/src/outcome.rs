@@ -94,7 +94,8 @@ fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let clean = dashpot_lab::diagnosis::mean_cycles(&records);
     let (mut before, mut after, mut count) = (0.0, 0.0, 0.0);
     for test in found.tests.iter().filter(|t| t.held_out) {
-        let Some((_, forces)) = clean.iter().find(|(name, f)| *name == test.test && f.len() == test.curves.before.len())
+        let Some((_, forces)) =
+            clean.iter().find(|(name, f)| *name == test.test && f.len() == test.curves.before.len())
         else {
             continue;
         };

@@ -66,7 +66,8 @@ pub fn table(all: &[Outcome]) -> String {
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
     let _ = writeln!(out, "outside the vocabulary, given a known name: {}", share(named, unknown.len()));
     let pairs = of("pair");
-    let both = pairs.iter().filter(|o| o.hidden.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();
+    let both =
+        pairs.iter().filter(|o| o.hidden.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();
     let extras: usize = pairs.iter().map(|o| o.named.iter().filter(|(n, _)| !o.is_hidden(n)).count()).sum();
     let _ = writeln!(
         out,
@@ -92,7 +93,8 @@ pub fn table(all: &[Outcome]) -> String {
     let honest = poor
         .iter()
         .filter(|o| {
-            right(o) || (o.named.is_empty() && o.verdict != Verdict::NothingMissing)
+            right(o)
+                || (o.named.is_empty() && o.verdict != Verdict::NothingMissing)
                 || o.truth().is_some_and(|t| o.could_not_test.iter().any(|c| c == t))
         })
         .count();
@@ -105,8 +107,7 @@ pub fn table(all: &[Outcome]) -> String {
 
 /// Expected calibration error and precision of the confident.
 fn calibration(all: &[Outcome]) -> String {
-    let given: Vec<(f64, bool)> =
-        all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_hidden(n)))).collect();
+    let given: Vec<(f64, bool)> = all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_hidden(n)))).collect();
     let mut error = 0.0;
     for bin in 0..10 {
         let (low, high) = (f64::from(bin) / 10.0, f64::from(bin + 1) / 10.0 + if bin == 9 { 1.0 } else { 0.0 });
@@ -130,7 +131,8 @@ fn calibration(all: &[Outcome]) -> String {
 pub fn confusion(all: &[Outcome]) -> String {
     let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for o in all.iter().filter(|o| o.block == "single" || o.block == "unknown" || o.block.starts_with("null")) {
-        let truth = if o.block.starts_with("null") { o.block.to_owned() } else { o.truth().unwrap_or("nothing").to_owned() };
+        let truth =
+            if o.block.starts_with("null") { o.block.to_owned() } else { o.truth().unwrap_or("nothing").to_owned() };
         let answer = match (o.named.first(), o.verdict) {
             (Some((name, _)), _) => name.clone(),
             (None, Verdict::NothingMissing) => "(nothing missing)".to_owned(),

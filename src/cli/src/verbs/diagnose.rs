@@ -15,7 +15,9 @@ use std::path::{Path, PathBuf};
 /// Every effect in question is added and everything is refitted with it. What is named has to explain tests that no refit
 /// has seen; where two effects explain the records as well, or none does, the answer says so.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json")]
+#[command(
+    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json"
+)]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
@@ -112,7 +114,12 @@ fn told(found: &Diagnosis) -> Vec<String> {
     }
     for finding in &found.findings {
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
-        lines.push(format!("  {}{form}, {:.0} % sure: {}", finding.effect, 100.0 * finding.confidence, finding.meaning));
+        lines.push(format!(
+            "  {}{form}, {:.0} % sure: {}",
+            finding.effect,
+            100.0 * finding.confidence,
+            finding.meaning
+        ));
         for (name, v) in &finding.parameters {
             let far = if v.plausible { "" } else { "; no damper shows such a value" };
             lines.push(format!("    {name} = {:.4} {} (95 %: {:.4} to {:.4}){far}", v.value, v.unit, v.low, v.high));
@@ -136,7 +143,8 @@ fn told(found: &Diagnosis) -> Vec<String> {
         lines.push(format!("  {:.0} % of the gap is closed on left-out tests", 100.0 * gap));
     }
     for shift in &found.shifts {
-        lines.push(format!("  {} moved from {:.4} to {:.4} {}", shift.parameter, shift.before, shift.after, shift.unit));
+        lines
+            .push(format!("  {} moved from {:.4} to {:.4} {}", shift.parameter, shift.before, shift.after, shift.unit));
     }
     for note in &found.notes {
         lines.push(format!("  note: {note}"));

@@ -110,8 +110,7 @@ fn unbend(to: &mut Hypothesis, stroke: f64) {
     let list = rises(to);
     let span = |point: usize| (velocity[point] - velocity[inner(point)]).abs();
     // The branch turns into a cap somewhere: the slope before that is the last that is not far below the one before.
-    let trusted: Vec<f64> =
-        list.iter().filter(|r| velocity[r.1].abs() <= TRUSTED).map(|r| r.2 / span(r.1)).collect();
+    let trusted: Vec<f64> = list.iter().filter(|r| velocity[r.1].abs() <= TRUSTED).map(|r| r.2 / span(r.1)).collect();
     let Some(slope) = trusted.last().copied().or_else(|| list.first().map(|r| r.2 / span(r.1))) else { return };
     for (place, point, rise) in list {
         if velocity[point].abs() > TRUSTED {

@@ -21,7 +21,9 @@ pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
         r.side_force.as_ref().map_or(0.0, |c| c.iter().map(|f| f.abs()).sum::<f64>() / c.len().max(1) as f64)
     };
     let band = |x: f64| if x > 0.0 { (2.0 * x.log2()).round() } else { -1000.0 };
-    let key = |r: &Record| [(side(r) / 100.0).round(), (r.mean_displacement / 0.01).round(), band(r.amplitude), r.peak_velocity];
+    let key = |r: &Record| {
+        [(side(r) / 100.0).round(), (r.mean_displacement / 0.01).round(), band(r.amplitude), r.peak_velocity]
+    };
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|a, b| {
         let (ka, kb) = (key(records[*a]), key(records[*b]));

@@ -212,7 +212,8 @@ impl Hypothesis {
         let (low, high) = number.bounds;
         let mut step = 1e-3 * number.step;
         let mut moved = theta.to_vec();
-        if moved[place] + step > high || (low..=high).contains(&(moved[place] - step)) && moved[place] > 0.5 * (low + high)
+        if moved[place] + step > high
+            || (low..=high).contains(&(moved[place] - step)) && moved[place] > 0.5 * (low + high)
         {
             step = -step;
         }

@@ -39,11 +39,19 @@ pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
 impl Diagnosis {
     /// The improved model as a fit to the records that were not held out; `fv_only` is the plain curve to compare with.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], fv_only: Params) -> Fit {
-        let used: Vec<&&Record> =
-            records.iter().zip(held_out.iter().chain(std::iter::repeat(&false))).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
+        let used: Vec<&&Record> = records
+            .iter()
+            .zip(held_out.iter().chain(std::iter::repeat(&false)))
+            .filter(|(_, out)| !**out)
+            .map(|(r, _)| r)
+            .collect();
         let mut notes = vec![format!("diagnosis: {}", self.summary)];
         notes.extend(self.findings.iter().map(|f| {
-            let place = if f.of_the_rig { "of the rig: corrected in the comparison, not in this model" } else { "added to this model" };
+            let place = if f.of_the_rig {
+                "of the rig: corrected in the comparison, not in this model"
+            } else {
+                "added to this model"
+            };
             format!("{} ({:.0} % sure) {place}", f.effect, 100.0 * f.confidence)
         }));
         Fit {

@@ -95,9 +95,7 @@ pub fn diagnose(
     options: &Options,
     progress: &(dyn Fn(f64, &str) + Sync),
 ) -> Result<Diagnosis, DiagnosisError> {
-    if let Some(name) =
-        options.candidates.iter().flatten().find(|n| !EFFECTS.contains(&n.as_str()))
-    {
+    if let Some(name) = options.candidates.iter().flatten().find(|n| !EFFECTS.contains(&n.as_str())) {
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
     progress(0.0, "preparing records");
@@ -111,11 +109,8 @@ pub fn diagnose(
     let heating = Heating::new(records, &fitted);
     let situation = Situation::new(params, records, &fitted);
     let heat_span = heating.span();
-    let base = Hypothesis {
-        base: *params,
-        numbers: vocabulary::base_numbers(params),
-        heating: Some(Arc::new(heating)),
-    };
+    let base =
+        Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: Some(Arc::new(heating)) };
     let may = |effect: &str| {
         options.candidates.as_ref().is_none_or(|list| list.iter().any(|n| n == effect))
             && EFFECTS
@@ -154,13 +149,7 @@ fn errors(hypothesis: &Hypothesis, theta: &[f64], records: &[&Record], tests: &[
         own.heating = Some(Arc::new(Heating::new(records, tests)));
     }
     let forces = own.forces(tests, theta)?;
-    Some(
-        tests
-            .iter()
-            .zip(&forces)
-            .map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect())
-            .collect(),
-    )
+    Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
 }
 
 fn rms(values: &[f64]) -> f64 {
@@ -261,10 +250,9 @@ impl Answer<'_> {
             corrections: self.corrections(),
             estimates: improved::estimates(found),
         };
-        for (held_out, tests, before, after) in [
-            (false, self.fitted, &fitted_before, &fitted_after),
-            (true, self.left, &left_before, &left_after),
-        ] {
+        for (held_out, tests, before, after) in
+            [(false, self.fitted, &fitted_before, &fitted_after), (true, self.left, &left_before, &left_after)]
+        {
             for (k, test) in tests.iter().enumerate() {
                 let measured = test.forces().to_vec();
                 let less = |e: &[f64]| measured.iter().zip(e).map(|(m, e)| m - e).collect();
@@ -296,9 +284,10 @@ impl Answer<'_> {
             .added
             .iter()
             .map(|added| {
-                let round = found.rounds.iter().find(|r| {
-                    r.tried.first().is_some_and(|t| t.candidate.effect == added.candidate.effect)
-                });
+                let round = found
+                    .rounds
+                    .iter()
+                    .find(|r| r.tried.first().is_some_and(|t| t.candidate.effect == added.candidate.effect));
                 let mut parameters = BTreeMap::new();
                 for (fresh, place) in added.candidate.fresh.iter().zip(added.numbers.clone()) {
                     let (value, deviation) = (end.theta[place], deviations[place]);
@@ -384,11 +373,9 @@ impl Answer<'_> {
         if judged.verdict == Verdict::NothingMissing {
             return Vec::new();
         }
-        let Some(round) = (if judged.verdict == Verdict::Named {
-            self.found.rounds.first()
-        } else {
-            self.found.rounds.last()
-        }) else {
+        let Some(round) =
+            (if judged.verdict == Verdict::Named { self.found.rounds.first() } else { self.found.rounds.last() })
+        else {
             return Vec::new();
         };
         let rivals: Vec<next_test::Rival> = round

@@ -134,7 +134,8 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
             for i in 0..rivals.len() {
                 for j in i + 1..rivals.len() {
                     let d = rms(&mut forces[i].iter().zip(&forces[j]).map(|(a, b)| a - b));
-                    let use_of_it = rivals[i].confidence.max(0.05) * rivals[j].confidence.max(0.05) * (d / noise).powi(2);
+                    let use_of_it =
+                        rivals[i].confidence.max(0.05) * rivals[j].confidence.max(0.05) * (d / noise).powi(2);
                     if use_of_it > best.0 {
                         best = (use_of_it, d, [i, j]);
                     }

@@ -178,7 +178,8 @@ pub fn refit(
 
 /// Normal equations under Huber's weights.
 fn normal(jacobian: &DMatrix<f64>, residual: &Residual) -> (DMatrix<f64>, DVector<f64>) {
-    let weights: Vec<f64> = residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
+    let weights: Vec<f64> =
+        residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
     let mut weighted = jacobian.clone();
     for mut column in weighted.column_iter_mut() {
         for (value, w) in column.iter_mut().zip(&weights) {

@@ -27,9 +27,8 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
     {
         for direction in [1.0, -1.0] {
             for band in 0..SPEEDS.len() - 1 {
-                let mut halves = [true, false].map(|rising| {
-                    region(tests, residual, which, &name, &Cell { direction, band, rising })
-                });
+                let mut halves = [true, false]
+                    .map(|rising| region(tests, residual, which, &name, &Cell { direction, band, rising }));
                 // Alike while speeding up and slowing down: one region.
                 if let [Some(up), Some(down)] = &mut halves {
                     if (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs()) {
@@ -113,7 +112,8 @@ fn joined(a: &Region, b: &Region) -> Region {
 }
 
 fn words(r: &Region, error: f64) -> String {
-    let (slow, fast) = (r.velocity_m_s[0].abs().min(r.velocity_m_s[1].abs()), r.velocity_m_s[0].abs().max(r.velocity_m_s[1].abs()));
+    let (slow, fast) =
+        (r.velocity_m_s[0].abs().min(r.velocity_m_s[1].abs()), r.velocity_m_s[0].abs().max(r.velocity_m_s[1].abs()));
     let phase = match r.acceleration {
         "speeding_up" => " while it speeds up",
         "slowing_down" => " while it slows down",

@@ -83,8 +83,7 @@ fn of_record(place: usize, record: &Record) -> Vec<Test> {
     }
     let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
     let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];
-    let stretches =
-        if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, MOST_STRETCHES) } else { 1 };
+    let stretches = if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, MOST_STRETCHES) } else { 1 };
     (0..stretches)
         .map(|k| {
             let range = k * cycles / stretches..(k + 1) * cycles / stretches;
@@ -112,8 +111,7 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     around
         .clone()
         .map(|i| {
-            let weight: f64 =
-                around.clone().filter(|j| *j != i).map(|j| (t - time[j]) / (time[i] - time[j])).product();
+            let weight: f64 = around.clone().filter(|j| *j != i).map(|j| (t - time[j]) / (time[i] - time[j])).product();
             weight * values[i]
         })
         .sum()

@@ -121,7 +121,9 @@ pub fn remedy(effect: &str) -> &'static str {
         "oil_compressibility" => "one peak velocity at several strokes and frequencies, at two mean positions",
         "aeration" => "one test after a night's rest and after 200 cycles",
         "cavitation" => "one peak velocity at several strokes, with the gas pressure raised",
-        "temperature_fade" => "a reference test repeated cold and hot, in shuffled order, with the temperature recorded",
+        "temperature_fade" => {
+            "a reference test repeated cold and hot, in shuffled order, with the temperature recorded"
+        }
         "position_dependent_damping" => "5 to 10 mm sines at five or more mean positions",
         "bump_stop" => "push slowly into the stop, then at two speeds",
         "rebound_stop" => "pull slowly into the stop, then at two speeds",

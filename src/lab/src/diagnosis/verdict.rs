@@ -129,5 +129,10 @@ fn rival(t: &Tried, best: &Tried) -> Rival {
             100.0 * best.evidence.share
         )
     };
-    Rival { effect: t.candidate.effect, confidence: t.confidence.min(1.0 - NAMED.min(best.confidence)), share: t.evidence.share, why }
+    Rival {
+        effect: t.candidate.effect,
+        confidence: t.confidence.min(1.0 - NAMED.min(best.confidence)),
+        share: t.evidence.share,
+        why,
+    }
 }

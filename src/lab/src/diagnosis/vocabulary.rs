@@ -81,7 +81,12 @@ fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
     Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None }
 }
 
-fn candidate(effect: &'static str, elements: &'static [&'static str], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
+fn candidate(
+    effect: &'static str,
+    elements: &'static [&'static str],
+    fresh: Vec<Fresh>,
+    starts: Vec<Start>,
+) -> Candidate {
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false }
 }
 
@@ -210,7 +215,10 @@ fn series(s: &Situation, all: &mut Vec<Candidate>) {
         "free_play",
         &["free_play"],
         vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (1.0, 150.0), 0.8)],
-        grid(&[5e-5, 2e-4], &[15.0]).into_iter().chain([Start::moving(&[1e-4, 15.0], &[("series_stiffness", 1.3)])]).collect(),
+        grid(&[5e-5, 2e-4], &[15.0])
+            .into_iter()
+            .chain([Start::moving(&[1e-4, 15.0], &[("series_stiffness", 1.3)])])
+            .collect(),
     ));
 }
 
@@ -385,12 +393,7 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
 fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(Candidate {
         sponge: true,
-        ..candidate(
-            "moving_mass",
-            &["moving_mass"],
-            vec![linear("moving_mass", (0.2, 30.0))],
-            vec![Start::at(&[2.0])],
-        )
+        ..candidate("moving_mass", &["moving_mass"], vec![linear("moving_mass", (0.2, 30.0))], vec![Start::at(&[2.0])])
     });
     let rig = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
         sponge: true,

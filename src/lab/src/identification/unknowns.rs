@@ -108,7 +108,11 @@ impl Unknowns {
                     Unknown::Log(name) => {
                         let (low, high) = of(name);
                         // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
-                        let high = if name.starts_with("stribeck") && name.ends_with("velocity") { high.min(STRIBECK_WIDEST) } else { high };
+                        let high = if name.starts_with("stribeck") && name.ends_with("velocity") {
+                            high.min(STRIBECK_WIDEST)
+                        } else {
+                            high
+                        };
                         (low.max(1e-6).ln(), high.ln())
                     }
                     Unknown::Above(..) => (0.0, HIGHEST_PEAK),
