@@ -1,5 +1,6 @@
-/* Many steps in a row, for counting instructions: cost <steps> [<parameter> <value>]... Run it with two numbers of
- * steps; the difference of the counts, divided by the difference of the steps, is the cost of one dashpot_step(). */
+/* Many steps in a row, for counting instructions: cost <steps> [+<element> | -<element> | <parameter> <value>]... Run it
+ * with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of one
+ * dashpot_step(). */
 #include "dashpot.h"
 
 #include <stdio.h>
@@ -17,7 +18,14 @@ int main(int argc, char **argv) {
   double sum = 0.0, x = 0.0;
   int32_t status = dashpot_params_default(&params);
   int k;
-  for (k = 2; k + 1 < argc && status == DASHPOT_OK; k += 2) status = dashpot_params_set(&params, argv[k], atof(argv[k + 1]));
+  for (k = 2; k < argc && status == DASHPOT_OK; k++) {
+    const char *word = argv[k];
+    if (word[0] == '+' || word[0] == '-') {
+      status = dashpot_params_enable(&params, word + 1, word[0] == '+');
+    } else if (k + 1 < argc) {
+      status = dashpot_params_set(&params, word, atof(argv[++k]));
+    }
+  }
   if (status == DASHPOT_OK) status = dashpot_model_init(&model, &params);
   if (status == DASHPOT_OK) status = dashpot_state_init(&model, 0.0, &state);
   /* A periodic motion at 1 ms that passes through all of the FV curve. */

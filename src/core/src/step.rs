@@ -23,6 +23,7 @@ use crate::input::{Input, Path, PathPoint};
 use crate::math::pair;
 use crate::model::Model;
 use crate::parameter::{Parameter, Params};
+use crate::paths::acting;
 use crate::state::{Output, State};
 
 /// How a host step is integrated.
@@ -82,7 +83,7 @@ impl Integration {
         let stiffness = params.scalar("series_stiffness") * (1.0 + elements.bushing.share);
         let frequency = libm::sqrt(stiffness / params.scalar("internal_mass"));
         // Elements in the paths bend the forces more sharply within a step.
-        let sharpness = if elements.has_paths() { 2.0 } else { 1.0 };
+        let sharpness = if acting::is_sharp(elements) { 2.0 } else { 1.0 };
         Ok(Integration::new(method, params.scalar("substeps") as u32, 0.4 * sharpness * frequency))
     }
 
@@ -652,13 +653,19 @@ fn advance_paths_by<T: Tableau>(
     let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
-    let through = paths::advance::<T>(model, &path, substeps, to.temperature, state, output, follow);
+    let method = paths::Table::of::<T>();
+    let drive = paths::Drive { model, path: &path, substeps, temperature: to.temperature, method };
+    let through = paths::advance(&drive, state, output, follow);
     state.displacement = x;
     state.velocity = v;
     let (friction, preload) = (e.friction(&outer), e.preload(&outer));
     output.friction_force = friction.force;
     output.gas_force = preload.force;
-    let extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
+    let mut extras = Response::NONE;
+    output.stop_force = 0.0;
+    if e.has_beside() {
+        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
+    }
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
     output.force_by_velocity = through.by_v + friction.by_v + preload.by_v + extras.by_v;

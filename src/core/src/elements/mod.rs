@@ -234,6 +234,8 @@ macro_rules! elements {
             $($stop: $Stop,)*
             /// Where the states of the coupled paths are kept.
             slots: Slots,
+            /// What acts in their stages.
+            acting: u32,
         }
 
         impl Elements {
@@ -264,6 +266,7 @@ macro_rules! elements {
                     $($memory: ready!($memory, $Memory),)*
                     $($stop: ready!($stop, $Stop),)*
                     slots: Slots::NONE,
+                    acting: 0,
                 };
                 if !elements.has_series() {
                     $(if elements.has(Place::$law) {
@@ -271,6 +274,7 @@ macro_rules! elements {
                     })*
                 }
                 elements.slots = paths::slots(&elements);
+                elements.acting = paths::acting::of(&elements);
                 if elements.memories() > MAX_MEMORY {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
@@ -363,6 +367,13 @@ macro_rules! elements {
                 const EXTRAS: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
                     $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & EXTRAS != 0
+            }
+
+            /// Whether an element beside the damper is on that has a private state or is a stop.
+            #[inline(always)]
+            pub fn has_beside(&self) -> bool {
+                const BESIDE: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & BESIDE != 0
             }
 
             /// Whether the internal mass is there and nothing that its plain step does not know.
@@ -471,6 +482,17 @@ impl Elements {
     #[inline(always)]
     pub(crate) fn has_column(&self) -> bool {
         self.has(Place::oil_compressibility) || self.has(Place::aeration)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_aeration(&self) -> bool {
+        self.has(Place::aeration)
+    }
+
+    /// What acts in the stages of the coupled paths: bits of [`crate::paths::acting`].
+    #[inline(always)]
+    pub(crate) fn acting(&self) -> u32 {
+        self.acting
     }
 
     /// Where the states of the coupled paths are kept.

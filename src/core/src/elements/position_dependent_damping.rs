@@ -54,9 +54,19 @@ impl PositionDependentDamping {
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
         let [compression_acts, rebound_acts] = self.acts;
-        if !(if rebound { rebound_acts } else { compression_acts }) {
-            return R::constant(1.0);
-        }
+        if if rebound { rebound_acts } else { compression_acts } { self.window(x) } else { R::constant(1.0) }
+    }
+
+    /// s(x) on the compression and on the rebound stroke.
+    #[inline(always)]
+    pub(crate) fn factors<R: Real>(&self, x: R) -> [R; 2] {
+        let window = self.window(x);
+        self.acts.map(|acts| if acts { window } else { R::constant(1.0) })
+    }
+
+    /// s(x) where it acts.
+    #[inline(always)]
+    fn window<R: Real>(&self, x: R) -> R {
         let from = x.plus(-self.centre);
         let (rise, fall) = (from.plus(self.half_width) * self.per_blend, from.plus(-self.half_width) * self.per_blend);
         (-((rise.tanh() - fall.tanh()) * (0.5 * self.share))).plus(1.0)

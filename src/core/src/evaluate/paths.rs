@@ -6,7 +6,7 @@ use crate::elements::{Elements, Motion};
 use crate::input::Input;
 use crate::paths::hydraulic::{Around, column_force, flow};
 use crate::paths::series::{self, Frame};
-use crate::paths::solve::oil_velocity;
+use crate::paths::solve::{Residual, oil_velocity};
 use crate::paths::{STATES, place};
 use crate::state::State;
 
@@ -24,7 +24,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     let frame = Frame::of(e);
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let standing = R::constant(e.fv_curve.at_zero());
-    let flow = flow(e, curve, standing, w, around, states, 0.0);
+    let flow = flow(e, curve, standing, w, around, states);
     let mut rates = [R::constant(0.0); STATES];
     let (primary, residual);
     let opens = |force: R| e.cavitation.rate(force, around.v, states[place::VOID]);
@@ -70,6 +70,12 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
 /// Relative change of the velocity at which it is found.
 const TOLERANCE: f64 = 1e-13;
 
+/// A residual with its slopes over the velocity of the oil and the force of the FV curve.
+fn sloped(residual: impl Fn(Dual<2>, Dual<2>) -> Dual<2>, w: f64, f: f64) -> Residual {
+    let r = residual(Dual::along(w, 0), Dual::along(f, 1));
+    Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
+}
+
 /// The velocity of the oil at given states.
 fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -> f64 {
     let u = if e.has_series() { states[place::U] } else { v };
@@ -79,7 +85,7 @@ fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -
     let lifted = states.map(Dual::<2>::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    oil_velocity(e, u, least, TOLERANCE, |w, f| instant(e, &lifted, &around, w, f).residual)
+    oil_velocity(e, u, least, TOLERANCE, |w, f| sloped(|w, f| instant(e, &lifted, &around, w, f).residual, w, f))
 }
 
 /// Number of directions: the states, displacement, velocity, and the velocity of the oil.
@@ -191,13 +197,17 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
             let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
             let standing = Dual::constant(standing);
             let steady = |w: Dual<2>, f: Dual<2>| {
-                let force = flow(e, f, standing, w, &around, &lifted, 0.0).force;
+                let force = flow(e, f, standing, w, &around, &lifted).force;
                 let void = e.cavitation.rate(force, around.v, lifted[place::VOID]);
                 w + void * e.cavitation.sign - around.v
             };
-            if e.has_cavitation() { oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, steady) } else { v }
+            if e.has_cavitation() {
+                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, |w, f| sloped(&steady, w, f))
+            } else {
+                v
+            }
         };
-        let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states, 0.0);
+        let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
         held[place::SELECTIVE] = flow.selective_target;
         held[place::VALVE] = flow.valve_target;
         let still = held == states && force == flow.force;

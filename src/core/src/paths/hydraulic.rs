@@ -1,8 +1,9 @@
 //! The hydraulic path: what the valves make of the oil's velocity, and what the oil makes of the piston's.
 
+use super::acting::{AIR, FADE, POSITION, SELECTIVE, VALVE, acts};
 use super::place;
 use super::{STATES, soft_gap::SoftGap};
-use crate::dual::Real;
+use crate::dual::{Dual, Real};
 use crate::elements::Elements;
 
 /// What surrounds the path at one instant.
@@ -16,63 +17,190 @@ pub struct Around<R> {
     pub temperature: f64,
 }
 
-/// The force of the valves and what became of their states.
+/// The force of the valves and where it draws their states.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<R> {
     /// F_h.
     pub force: R,
-    /// Force before frequency-selective damping, what that is drawn to, and its state.
+    /// What the state of frequency-selective damping is drawn to.
     pub selective_target: R,
-    /// State of frequency-selective damping.
-    pub selective: R,
     /// What the valve's opening is drawn to.
     pub valve_target: R,
-    /// The valve's opening.
-    pub valve: R,
 }
 
 /// Leakage beside the valves, N s/m, where an oil column is: so that a force finds its velocity even where the FV curve
 /// is level. Far below all that is measured.
 const LEAKAGE: f64 = 0.01;
 
-/// F_h = N(s F_d(w)) where `curve` is F_d(w), after an implicit stage of `g` from the `known` states; `g` = 0 takes the
-/// states as they are. What the FV curve has at standstill is no flow's: the force `standing` keeps its size.
+/// F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). What the FV curve has at standstill is no flow's: the
+/// force `standing` keeps its size.
 #[inline(always)]
-pub fn flow<R: Real>(
-    e: &Elements,
-    curve: R,
-    standing: R,
-    w: R,
-    around: &Around<R>,
-    known: &[R; STATES],
-    g: f64,
-) -> Flow<R> {
+pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<R>, states: &[R; STATES]) -> Flow<R> {
     let mut above = curve - standing;
     if e.has_position() {
         above = above * e.position_dependent_damping.factor(around.x, above.value() >= 0.0);
     }
     if e.has_fade() {
-        above = above * e.temperature_fade.factor(around.temperature, known[place::HEAT]);
+        above = above * e.temperature_fade.factor(around.temperature, states[place::HEAT]);
     }
     let mut force = above + standing;
-    let (mut valve, mut valve_target) = (known[place::VALVE], known[place::VALVE]);
+    let (mut valve_target, mut selective_target) = (states[place::VALVE], states[place::SELECTIVE]);
     if e.has_valve() {
-        valve = if g > 0.0 { e.valve_hysteresis.stage(force, valve, g) } else { valve };
-        valve_target = e.valve_hysteresis.target(force, valve);
-        force = e.valve_hysteresis.force(force, valve);
+        valve_target = e.valve_hysteresis.target(force, states[place::VALVE]);
+        force = e.valve_hysteresis.force(force, states[place::VALVE]);
     }
-    let (mut selective, mut selective_target) = (known[place::SELECTIVE], known[place::SELECTIVE]);
     if e.has_frequency_selective() {
-        let element = &e.frequency_selective_damping;
-        selective_target = element.target(force, w);
-        let per = g * element.per_time;
-        selective = (selective + selective_target * per) * (1.0 / (1.0 + per));
-        force = element.force(force, w, selective);
+        selective_target = e.frequency_selective_damping.target(force, w);
+        force = e.frequency_selective_damping.force(force, w, states[place::SELECTIVE]);
     }
     if e.has_column() {
         force = force + w * LEAKAGE;
     }
-    Flow { force, selective_target, selective, valve_target, valve }
+    Flow { force, selective_target, valve_target }
+}
+
+/// The factor s of a stage: it depends on nothing that the stage has to find.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factors {
+    /// On the compression and the rebound stroke, and their slopes over the displacement.
+    strokes: [[f64; 2]; 2],
+    /// By temperature, and its slope over the rise.
+    fade: [f64; 2],
+}
+
+impl Factors {
+    #[inline(always)]
+    pub fn of<const ON: u32>(e: &Elements, x: f64, temperature: f64, rise: f64) -> Factors {
+        let mut factors = Factors { strokes: [[1.0, 0.0]; 2], fade: [1.0, 0.0] };
+        if acts::<ON>(e, POSITION) {
+            let x = Dual::<1>::along(x, 0);
+            factors.strokes = e.position_dependent_damping.factors(x).map(|s| [s.value, s.slope(0)]);
+        }
+        if acts::<ON>(e, FADE) {
+            let s = e.temperature_fade.factor(temperature, Dual::<1>::along(rise, 0));
+            factors.fade = [s.value, s.slope(0)];
+        }
+        factors
+    }
+}
+
+/// The force of the valves after an implicit stage, with its slopes, link by link: s F_d, what a late valve makes of it,
+/// what frequency-selective damping makes of that.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Valves {
+    /// F_h.
+    pub force: f64,
+    /// The valve's opening after the stage.
+    pub valve: f64,
+    /// State of frequency-selective damping after the stage.
+    pub selective: f64,
+    /// ∂F_h/∂F_d and ∂F_h/∂w.
+    pub by_curve: f64,
+    pub by_w: f64,
+    /// Of s F_d over F_d, displacement and rise of temperature.
+    scaled_by: [f64; 3],
+    /// Of the force behind the late valve, and of its opening, over the force before and the known opening.
+    late_by: [f64; 2],
+    valve_by: [f64; 2],
+    /// Of the force behind frequency-selective damping, and of its state, over the force before, w and the known state.
+    selected_by: [f64; 3],
+    selective_by: [f64; 3],
+}
+
+/// What moves the force of the valves, in one direction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moves {
+    pub curve: f64,
+    pub standing: f64,
+    pub w: f64,
+    pub x: f64,
+    pub rise: f64,
+    pub valve: f64,
+    pub selective: f64,
+}
+
+impl Valves {
+    /// From the `known` states and the force and velocity that the stage tries; `leaks` where there is an oil column.
+    #[inline(always)]
+    pub fn stage<const ON: u32>(
+        e: &Elements,
+        factors: &Factors,
+        [curve, standing, w]: [f64; 3],
+        known: &[f64; STATES],
+        g: f64,
+        leaks: bool,
+    ) -> Valves {
+        let above = curve - standing;
+        let [on_stroke, by_x] = factors.strokes[usize::from(above >= 0.0)];
+        let [fade, by_rise] = factors.fade;
+        let factor = on_stroke * fade;
+        let (mut force, mut by_curve, mut by_w) = (factor * above + standing, factor, 0.0);
+        let mut valves = Valves {
+            force,
+            valve: known[place::VALVE],
+            selective: known[place::SELECTIVE],
+            by_curve,
+            by_w,
+            scaled_by: [factor, above * by_x * fade, above * on_stroke * by_rise],
+            late_by: [1.0, 0.0],
+            valve_by: [0.0, 1.0],
+            selected_by: [1.0, 0.0, 0.0],
+            selective_by: [0.0, 0.0, 1.0],
+        };
+        if acts::<ON>(e, VALVE) {
+            let before = Dual::<2>::along(force, 0);
+            let opening = e.valve_hysteresis.stage(before, Dual::along(valves.valve, 1), g);
+            let late = e.valve_hysteresis.force(before, opening);
+            (force, valves.late_by) = (late.value, late.slopes);
+            (valves.valve, valves.valve_by) = (opening.value, opening.slopes);
+            by_curve *= late.slope(0);
+        }
+        if acts::<ON>(e, SELECTIVE) {
+            let element = &e.frequency_selective_damping;
+            let (before, w) = (Dual::<3>::along(force, 0), Dual::<3>::along(w, 1));
+            let per = g * element.per_time;
+            let state = Dual::<3>::along(valves.selective, 2) + element.target(before, w) * per;
+            let state = state * (1.0 / (1.0 + per));
+            let selected = element.force(before, w, state);
+            (force, valves.selected_by) = (selected.value, selected.slopes);
+            (valves.selective, valves.selective_by) = (state.value, state.slopes);
+            by_curve *= selected.slope(0);
+            by_w = selected.slope(1);
+        }
+        if leaks {
+            force += LEAKAGE * w;
+            by_w += LEAKAGE;
+        }
+        (valves.force, valves.by_curve, valves.by_w) = (force, by_curve, by_w);
+        valves
+    }
+
+    /// What the force, the valve's opening and the state of frequency-selective damping become in a direction.
+    #[inline(always)]
+    pub fn along<const ON: u32>(&self, e: &Elements, by: &Moves, leaks: bool) -> [f64; 3] {
+        let [factor, by_x, by_rise] = self.scaled_by;
+        let mut force = factor * by.curve + (1.0 - factor) * by.standing;
+        if acts::<ON>(e, POSITION) {
+            force += by_x * by.x;
+        }
+        if acts::<ON>(e, FADE) {
+            force += by_rise * by.rise;
+        }
+        let (mut valve, mut selective) = (0.0, 0.0);
+        if acts::<ON>(e, VALVE) {
+            valve = self.valve_by[0] * force + self.valve_by[1] * by.valve;
+            force = self.late_by[0] * force + self.late_by[1] * by.valve;
+        }
+        if acts::<ON>(e, SELECTIVE) {
+            let all = |[by_force, by_w, by_state]: [f64; 3]| by_force * force + by_w * by.w + by_state * by.selective;
+            selective = all(self.selective_by);
+            force = all(self.selected_by);
+        }
+        if leaks {
+            force += LEAKAGE * by.w;
+        }
+        [force, valve, selective]
+    }
 }
 
 /// The oil column as air in line with oil, and the oil's compliance.
@@ -85,7 +213,18 @@ fn column(e: &Elements) -> (SoftGap, f64) {
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Elements, force: R) -> R {
     let (air, compliance) = column(e);
-    air.deflection(compliance, force)
+    if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
+}
+
+/// As [`deflection`] in a stage, with its slope.
+#[inline(always)]
+pub(crate) fn deflection_in_stage<const ON: u32>(e: &Elements, force: f64) -> [f64; 2] {
+    let (air, compliance) = column(e);
+    if !acts::<ON>(e, AIR) {
+        return [force * compliance, compliance];
+    }
+    let q = air.deflection(compliance, Dual::<1>::along(force, 0));
+    [q.value, q.slope(0)]
 }
 
 /// F_h = φ_o(q).

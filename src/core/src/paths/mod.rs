@@ -12,6 +12,7 @@
 //! With no element of either path on, φ is straight, w = u and F_h = F_d(u): the plain step of [`crate::step`] and the
 //! short formulas of [`crate::evaluate`] then do, and nothing here is called.
 
+pub mod acting;
 pub mod hydraulic;
 pub mod series;
 pub mod soft_gap;

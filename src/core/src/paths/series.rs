@@ -1,6 +1,7 @@
 //! The series path: what pulls at the internal mass.
 
-use crate::dual::Real;
+use super::acting::{ANY, BUSHING, FREE_PLAY, acts};
+use crate::dual::{Dual, Real};
 use crate::elements::Elements;
 
 /// The series spring and damper, as numbers that may be differentiated by.
@@ -25,13 +26,13 @@ impl<R: Real> Frame<R> {
 
 /// The elastic force φ and its slope φ' at a deflection, and the share of the contact that is closed, from 0 to 1.
 #[inline(always)]
-fn elastic<R: Real>(e: &Elements, stiffness: R, deflection: R) -> (R, R, R) {
+fn elastic<const ON: u32, R: Real>(e: &Elements, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut slope, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
-    if e.has_free_play() {
+    if acts::<ON>(e, FREE_PLAY) {
         (force, slope) = e.free_play.0.force(stiffness, deflection);
         closed = slope * stiffness.inverse();
     }
-    if e.has_bushing() {
+    if acts::<ON>(e, BUSHING) {
         (force, slope) = e.bushing.hardened(stiffness, force, slope);
     }
     (force, slope, closed)
@@ -40,7 +41,7 @@ fn elastic<R: Real>(e: &Elements, stiffness: R, deflection: R) -> (R, R, R) {
 /// F_s at a deflection, its rate, and the Maxwell spring's deflection z.
 #[inline(always)]
 pub fn force<R: Real>(e: &Elements, frame: &Frame<R>, deflection: R, rate: R, maxwell: R) -> R {
-    let (elastic, _, closed) = elastic(e, frame.stiffness, deflection);
+    let (elastic, _, closed) = elastic::<ANY, _>(e, frame.stiffness, deflection);
     let mut force = elastic + frame.damping * closed * rate;
     if e.has_bushing() {
         force = force + frame.stiffness * maxwell * e.bushing.share;
@@ -48,9 +49,56 @@ pub fn force<R: Real>(e: &Elements, frame: &Frame<R>, deflection: R, rate: R, ma
     force
 }
 
+/// F_s in a stage, with its slopes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sloped {
+    /// F_s.
+    pub force: f64,
+    /// Over deflection, its rate, z, k_s and c_s.
+    pub by_deflection: f64,
+    pub by_rate: f64,
+    pub by_maxwell: f64,
+    pub by_stiffness: f64,
+    pub by_damping: f64,
+}
+
+impl Sloped {
+    /// Where there is no series path.
+    pub const NONE: Sloped =
+        Sloped { force: 0.0, by_deflection: 0.0, by_rate: 0.0, by_maxwell: 0.0, by_stiffness: 0.0, by_damping: 0.0 };
+}
+
+/// As [`force`], in a stage.
+#[inline(always)]
+pub(crate) fn sloped<const ON: u32>(e: &Elements, deflection: f64, rate: f64, maxwell: f64) -> Sloped {
+    let (k, c) = (e.series_compliance.stiffness, e.series_compliance.damping);
+    let mut s = Sloped {
+        force: k * deflection + c * rate,
+        by_deflection: k,
+        by_rate: c,
+        by_maxwell: 0.0,
+        by_stiffness: deflection,
+        by_damping: rate,
+    };
+    if acts::<ON>(e, FREE_PLAY | BUSHING) {
+        let (force, _, closed) = elastic::<ON, _>(e, Dual::<2>::along(k, 1), Dual::along(deflection, 0));
+        let force = force + closed * (c * rate);
+        s.force = force.value;
+        [s.by_deflection, s.by_stiffness] = force.slopes;
+        s.by_rate = c * closed.value;
+        s.by_damping = closed.value * rate;
+    }
+    if acts::<ON>(e, BUSHING) {
+        s.by_maxwell = k * e.bushing.share;
+        s.force += s.by_maxwell * maxwell;
+        s.by_stiffness += e.bushing.share * maxwell;
+    }
+    s
+}
+
 /// The elastic force and its slope, for the static answer.
 pub fn held(e: &Elements, deflection: f64) -> (f64, f64) {
-    let (force, slope, _) = elastic(e, e.series_compliance.stiffness, deflection);
+    let (force, slope, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
     (force, slope)
 }
 

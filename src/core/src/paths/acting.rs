@@ -1,0 +1,81 @@
+//! What acts in a stage of the coupled paths, as bits: the stages of common dampers are compiled for their own.
+
+use super::place;
+use crate::elements::Elements;
+
+/// The series compliance.
+pub const SERIES: u32 = 1;
+/// Free play in it.
+pub const FREE_PLAY: u32 = 1 << 1;
+/// A bushing in it.
+pub const BUSHING: u32 = 1 << 2;
+/// The oil column.
+pub const COLUMN: u32 = 1 << 3;
+/// Air in the oil column.
+pub const AIR: u32 = 1 << 4;
+/// Cavitation.
+pub const CAVITATION: u32 = 1 << 5;
+/// Position-dependent damping.
+pub const POSITION: u32 = 1 << 6;
+/// Temperature fade.
+pub const FADE: u32 = 1 << 7;
+/// The damper's own heat.
+pub const HEAT: u32 = 1 << 8;
+/// Frequency-selective damping.
+pub const SELECTIVE: u32 = 1 << 9;
+/// Valve hysteresis.
+pub const VALVE: u32 = 1 << 10;
+/// Whatever the model says.
+pub const ANY: u32 = u32::MAX;
+
+/// Those that scale the FV curve slowly and do nothing else.
+const FACTORS: u32 = FADE | HEAT;
+
+/// The bits of an element set.
+pub(crate) fn of(e: &Elements) -> u32 {
+    let mut acting = 0;
+    for (bit, on) in [
+        (SERIES, e.has_series()),
+        (FREE_PLAY, e.has_free_play()),
+        (BUSHING, e.has_bushing()),
+        (COLUMN, e.has_column()),
+        (AIR, e.has_aeration()),
+        (CAVITATION, e.has_cavitation()),
+        (POSITION, e.has_position()),
+        (FADE, e.has_fade()),
+        (HEAT, e.temperature_fade.heats_itself),
+        (SELECTIVE, e.has_frequency_selective()),
+        (VALVE, e.has_valve()),
+    ] {
+        if on {
+            acting |= bit;
+        }
+    }
+    acting
+}
+
+/// Whether the elements of the paths bend the forces more sharply within a step than the plain damper does.
+pub(crate) fn is_sharp(e: &Elements) -> bool {
+    e.acting() & !(SERIES | FACTORS) != 0
+}
+
+/// Whether one acts in a stage that is compiled for those `ON`.
+#[inline(always)]
+pub fn acts<const ON: u32>(e: &Elements, bit: u32) -> bool {
+    if ON == ANY { e.acting() & bit != 0 } else { ON & bit != 0 }
+}
+
+/// Whether a state moves.
+#[inline(always)]
+pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
+    let bit = match state {
+        place::X | place::U => SERIES,
+        place::BUSHING => BUSHING,
+        place::COLUMN => COLUMN,
+        place::VOID => CAVITATION,
+        place::SELECTIVE => SELECTIVE,
+        place::VALVE => VALVE,
+        _ => HEAT,
+    };
+    acts::<ON>(e, bit)
+}

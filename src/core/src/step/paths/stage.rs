@@ -1,0 +1,341 @@
+//! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
+
+use super::{Balance, Known};
+use crate::dual::Dual;
+use crate::elements::{Elements, Motion, Response};
+use crate::input::PathPoint;
+use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, HEAT, SERIES, acts};
+use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage};
+use crate::paths::series;
+use crate::paths::solve::{Residual, oil_velocity};
+use crate::paths::{STATES, place};
+
+/// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
+const TOLERANCE: f64 = 1e-7;
+
+/// One stage after it was solved: all that a derivative of the step needs. `ON` is what acts in it
+/// ([`crate::paths::acting`]).
+#[derive(Clone, Copy, Debug)]
+pub struct PathsStage<'a, const ON: u32> {
+    elements: &'a Elements,
+    /// Place of the stage in its substep.
+    pub index: usize,
+    /// Whether it ends the substep.
+    pub last: bool,
+    /// γ.
+    pub gamma: f64,
+    /// The row of the method below the diagonal, for the stages before this one.
+    pub row: &'a [f64],
+    /// The driven end.
+    pub path: PathPoint,
+    /// Velocity at which the FV curve was read.
+    pub oil_velocity: f64,
+    /// Displacement and velocity of the mass after the stage.
+    pub x_m: f64,
+    /// Velocity of the mass.
+    pub u: f64,
+    g: f64,
+    known: [f64; STATES],
+    /// Slope of the FV curve.
+    slope: f64,
+    at: Look,
+    /// 1/(dR/dw).
+    per: f64,
+}
+
+/// One direction in which what a stage depends on moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Seed {
+    /// Known parts of the states.
+    pub known: [f64; STATES],
+    /// Displacement and velocity of the driven end.
+    pub x: f64,
+    /// Velocity of the driven end.
+    pub v: f64,
+    /// Height of the FV curve where it was read.
+    pub curve: f64,
+    /// Height of the FV curve at standstill.
+    pub standing: f64,
+    /// Force of the series path, all else held: see [`PathsStage::series_by_frame`].
+    pub series: f64,
+    /// Force of springs and inertia that holds the mass back, all else held.
+    pub drag: f64,
+}
+
+impl Seed {
+    /// Nothing moves.
+    pub const NONE: Seed =
+        Seed { known: [0.0; STATES], x: 0.0, v: 0.0, curve: 0.0, standing: 0.0, series: 0.0, drag: 0.0 };
+}
+
+/// The derivatives of a stage in one direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Derivative {
+    /// Of the states after the stage.
+    pub states: [f64; STATES],
+    /// Of the force between driven end and ground through both paths.
+    pub force: f64,
+}
+
+/// What follows from a velocity of the oil, with its slopes.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    residual: Residual,
+    valves: Valves,
+    /// q and its slope over F_h.
+    column: [f64; 2],
+    /// e and its slopes over F_h, velocity of the driven end and E.
+    void: f64,
+    void_by: [f64; 3],
+    /// ∂u/∂F_h.
+    u_by_force: f64,
+    x: f64,
+    u: f64,
+    maxwell: f64,
+    law: series::Sloped,
+    inner: Response,
+    /// d(force on the mass)/du, held back.
+    resists: f64,
+}
+
+impl<'a, const ON: u32> PathsStage<'a, ON> {
+    /// Solves the stage from a guess of the velocity of the oil.
+    #[inline(always)]
+    pub(super) fn solve(
+        elements: &'a Elements,
+        known: &Known<'a>,
+        path: PathPoint,
+        temperature: f64,
+        guess: f64,
+    ) -> PathsStage<'a, ON> {
+        let e = elements;
+        let (g, states) = (known.g, known.states);
+        let factors = Factors::of::<ON>(e, path.x, temperature, states[place::HEAT]);
+        let standing = e.fv_curve.at_zero();
+        let per_g = 1.0 / g;
+        let look = |w: f64, curve: f64| {
+            let leaks = acts::<ON>(e, COLUMN);
+            let valves = Valves::stage::<ON>(e, &factors, [curve, standing, w], &states, g, leaks);
+            Look::new::<ON>(e, valves, w, &path, temperature, &states, [g, per_g])
+        };
+        let w = if acts::<ON>(e, SERIES | COLUMN | CAVITATION) {
+            let least =
+                if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
+            // So short that the mass has not moved by more than a picometre.
+            let short = 1e-9 / (g * (1e-3 + guess.abs()));
+            let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
+            oil_velocity(e, guess, least, tolerance, |w, f| look(w, f).residual)
+        } else {
+            path.v
+        };
+        let curve = e.fv_curve.at(w);
+        let at = look(w, curve.value);
+        let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
+        PathsStage {
+            elements,
+            index: known.index,
+            last: known.last,
+            gamma: known.gamma,
+            row: known.row,
+            path,
+            oil_velocity: w,
+            x_m: at.x,
+            u: at.u,
+            g,
+            known: states,
+            slope: curve.slope,
+            at,
+            per: if by_w != 0.0 { 1.0 / by_w } else { 0.0 },
+        }
+    }
+
+    /// States and forces after the stage.
+    #[inline(always)]
+    pub(super) fn balance(&self) -> Balance {
+        let (e, at, g) = (self.elements, &self.at, self.g);
+        let mut states = self.known;
+        let primary = at.valves.force;
+        states[place::X] = at.x;
+        states[place::U] = at.u;
+        if acts::<ON>(e, BUSHING) {
+            states[place::BUSHING] = at.maxwell;
+        }
+        if acts::<ON>(e, COLUMN) {
+            states[place::COLUMN] = at.column[0];
+        }
+        if acts::<ON>(e, CAVITATION) {
+            states[place::VOID] = at.void;
+        }
+        states[place::SELECTIVE] = at.valves.selective;
+        states[place::VALVE] = at.valves.valve;
+        if acts::<ON>(e, HEAT) {
+            let fade = &e.temperature_fade;
+            let heated = self.known[place::HEAT] + primary * self.oil_velocity * (g * fade.per_capacity);
+            states[place::HEAT] = heated / (1.0 + g * fade.cooling);
+        }
+        let force = if acts::<ON>(e, SERIES) { at.law.force } else { at.inner.force + primary };
+        Balance { states, force, primary, inner: at.inner.force }
+    }
+
+    /// Slopes of the force of the series path over k_s and c_s, and of the inertia over m: what moves the stage when
+    /// these do.
+    #[inline(always)]
+    pub fn series_by_frame(&self) -> [f64; 3] {
+        [self.at.law.by_stiffness, self.at.law.by_damping, (self.u - self.known[place::U]) / self.g]
+    }
+
+    /// The derivatives of the stage in one direction.
+    #[inline(always)]
+    pub fn along(&self, seed: &Seed) -> Derivative {
+        let (e, at, g) = (self.elements, &self.at, self.g);
+        let (known, has_series) = (&seed.known, acts::<ON>(e, SERIES));
+        let leaks = acts::<ON>(e, COLUMN);
+        let per_g = 1.0 / g;
+        let mut moves = Moves {
+            curve: seed.curve,
+            standing: seed.standing,
+            w: 0.0,
+            x: seed.x,
+            rise: known[place::HEAT],
+            valve: known[place::VALVE],
+            selective: known[place::SELECTIVE],
+        };
+        // First with w held, then w as it follows.
+        let [held, ..] = at.valves.along::<ON>(e, &moves, leaks);
+        let mut u_held = at.u_by_force * held;
+        let [void_by_force, void_by_v, void_by_void] = at.void_by;
+        let void_held = void_by_v * seed.v + void_by_void * known[place::VOID];
+        if acts::<ON>(e, COLUMN) {
+            u_held -= per_g * known[place::COLUMN];
+        }
+        if acts::<ON>(e, CAVITATION) {
+            u_held += (per_g * e.cavitation.sign) * (void_held - known[place::VOID]);
+        }
+        let law = &at.law;
+        let gives_way = if acts::<ON>(e, BUSHING) { 1.0 / (1.0 + g * e.bushing.per_time) } else { 0.0 };
+        let by_rate = law.by_rate + law.by_maxwell * (g * gives_way);
+        let residual = if has_series {
+            let mut residual = at.resists * u_held + held + (at.inner.by_x + law.by_deflection) * known[place::X]
+                - (e.series_compliance.mass * per_g) * known[place::U]
+                - law.by_deflection * seed.x
+                - by_rate * seed.v
+                + (seed.drag - seed.series);
+            if acts::<ON>(e, BUSHING) {
+                residual -= law.by_maxwell * gives_way * known[place::BUSHING];
+            }
+            residual
+        } else {
+            u_held - seed.v
+        };
+        moves.w = -residual * self.per;
+        moves.curve += self.slope * moves.w;
+        let [primary, valve, selective] = at.valves.along::<ON>(e, &moves, leaks);
+        let u = u_held + moves.w + at.u_by_force * (primary - held);
+        let mut states = [0.0; STATES];
+        if acts::<ON>(e, COLUMN) {
+            states[place::COLUMN] = at.column[1] * primary;
+        }
+        if acts::<ON>(e, CAVITATION) {
+            states[place::VOID] = void_held + void_by_force * primary;
+        }
+        states[place::SELECTIVE] = selective;
+        states[place::VALVE] = valve;
+        if acts::<ON>(e, HEAT) {
+            let fade = &e.temperature_fade;
+            let power = at.valves.force * moves.w + self.oil_velocity * primary;
+            states[place::HEAT] = (known[place::HEAT] + power * (g * fade.per_capacity)) / (1.0 + g * fade.cooling);
+        }
+        if !has_series {
+            states[place::X] = seed.x;
+            states[place::U] = seed.v;
+            let inner = at.inner.by_x * seed.x + at.inner.by_v * seed.v;
+            return Derivative { states, force: inner + primary + seed.drag };
+        }
+        let x = known[place::X] + g * u;
+        states[place::X] = x;
+        states[place::U] = u;
+        let mut force = law.by_deflection * (seed.x - x) + law.by_rate * (seed.v - u) + seed.series;
+        if acts::<ON>(e, BUSHING) {
+            let maxwell = gives_way * (known[place::BUSHING] + g * (seed.v - u));
+            states[place::BUSHING] = maxwell;
+            force += law.by_maxwell * maxwell;
+        }
+        Derivative { states, force }
+    }
+}
+
+impl Look {
+    #[inline(always)]
+    fn new<const ON: u32>(
+        e: &Elements,
+        valves: Valves,
+        w: f64,
+        path: &PathPoint,
+        temperature: f64,
+        known: &[f64; STATES],
+        [g, per_g]: [f64; 2],
+    ) -> Look {
+        let (mut u, mut u_by_force) = (w, 0.0);
+        let mut column = [0.0; 2];
+        if acts::<ON>(e, COLUMN) {
+            column = deflection_in_stage::<ON>(e, valves.force);
+            u += (column[0] - known[place::COLUMN]) * per_g;
+            u_by_force += column[1] * per_g;
+        }
+        let (mut void, mut void_by) = (0.0, [0.0; 3]);
+        if acts::<ON>(e, CAVITATION) {
+            let force = Dual::<3>::along(valves.force, 0);
+            let after = e.cavitation.stage(force, Dual::along(path.v, 1), Dual::along(known[place::VOID], 2), g);
+            (void, void_by) = (after.value, after.slopes);
+            let per = per_g * e.cavitation.sign;
+            u += (void - known[place::VOID]) * per;
+            u_by_force += void_by[0] * per;
+        }
+        let inner = |x: f64, u: f64| e.inner(&Motion { displacement: x, velocity: u, side_force: 0.0, temperature });
+        if !acts::<ON>(e, SERIES) {
+            let residual = Residual {
+                value: u - path.v,
+                by_w: 1.0 + u_by_force * valves.by_w,
+                by_curve: u_by_force * valves.by_curve,
+            };
+            let law = series::Sloped::NONE;
+            let (x, u) = (path.x, path.v);
+            let inner = inner(x, u);
+            return Look {
+                residual,
+                valves,
+                column,
+                void,
+                void_by,
+                u_by_force,
+                x,
+                u,
+                maxwell: 0.0,
+                law,
+                inner,
+                resists: 1.0,
+            };
+        }
+        let x = known[place::X] + u * g;
+        let rate = path.v - u;
+        let (mut maxwell, mut gives_way) = (0.0, 0.0);
+        if acts::<ON>(e, BUSHING) {
+            gives_way = 1.0 / (1.0 + g * e.bushing.per_time);
+            maxwell = (known[place::BUSHING] + rate * g) * gives_way;
+        }
+        let law = series::sloped::<ON>(e, path.x - x, rate, maxwell);
+        let inner = inner(x, u);
+        let mass_rate = e.series_compliance.mass * per_g;
+        let mut resists = mass_rate + inner.by_v + g * inner.by_x + g * law.by_deflection + law.by_rate;
+        if acts::<ON>(e, BUSHING) {
+            resists += law.by_maxwell * (g * gives_way);
+        }
+        let follows = 1.0 + resists * u_by_force;
+        let residual = Residual {
+            value: mass_rate * (u - known[place::U]) + inner.force + valves.force - law.force,
+            by_w: resists + follows * valves.by_w,
+            by_curve: follows * valves.by_curve,
+        };
+        Look { residual, valves, column, void, void_by, u_by_force, x, u, maxwell, law, inner, resists }
+    }
+}
