@@ -1,5 +1,6 @@
 //! `dashpot`: from rig records to a damper that a simulator can run.
 
+mod fmu;
 mod plot;
 mod progress;
 mod report;
@@ -31,6 +32,7 @@ enum Verb {
     Rig(verbs::rig::Args),
     Demo(verbs::demo::Args),
     Bench(verbs::bench::Args),
+    Export(verbs::export::Args),
 }
 
 fn main() -> ExitCode {
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
         Verb::Rig(args) => verbs::rig::run(&args),
         Verb::Demo(args) => verbs::demo::run(&args),
         Verb::Bench(args) => verbs::bench::run(&args),
+        Verb::Export(args) => verbs::export::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -3,6 +3,7 @@
 pub mod bench;
 mod data;
 pub mod demo;
+pub mod export;
 pub mod fit;
 pub mod matrix;
 mod output;
