@@ -4,3 +4,4 @@ pub mod bridge;
 pub mod cli;
 pub mod header;
 pub mod library;
+pub mod python;
