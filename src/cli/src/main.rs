@@ -32,6 +32,7 @@ enum Verb {
     Rig(verbs::rig::Args),
     Demo(verbs::demo::Args),
     Bench(verbs::bench::Args),
+    Manoeuvre(verbs::manoeuvre::Args),
     Export(verbs::export::Args),
 }
 
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
         Verb::Rig(args) => verbs::rig::run(&args),
         Verb::Demo(args) => verbs::demo::run(&args),
         Verb::Bench(args) => verbs::bench::run(&args),
+        Verb::Manoeuvre(args) => verbs::manoeuvre::run(&args),
         Verb::Export(args) => verbs::export::run(&args),
     };
     match done {

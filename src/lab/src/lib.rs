@@ -9,6 +9,7 @@
 //! | [`prediction`] | the forces a model gives for a record |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`validation`] | error figures, error matrix, hysteresis |
+//! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
@@ -19,3 +20,4 @@ pub mod motion;
 pub mod prediction;
 pub mod records;
 pub mod validation;
+pub mod vehicle;

@@ -5,6 +5,7 @@ mod data;
 pub mod demo;
 pub mod export;
 pub mod fit;
+pub mod manoeuvre;
 pub mod matrix;
 mod output;
 pub mod rig;
