@@ -72,3 +72,30 @@ fn only_create_and_destroy_allocate_and_read() {
     assert!(foreign.iter().all(|n| ["memset", "memcpy", "__stack_chk_fail"].contains(&n.as_str())), "{foreign:?}");
     assert!(reached.iter().any(|n| n == "dashpot_step"), "{reached:?}");
 }
+
+/// Two simulated minutes here; `tests/hosts/soak.c` says how to run half an hour.
+#[test]
+fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let model = directory.path().join("model.toml");
+    std::fs::write(&model, MODEL).expect("a model file");
+    let program = bridge_host("soak.c", &["-O2"], directory.path());
+    let output = Command::new(program).arg(&model).arg("120").output().expect("the host runs");
+    if output.status.code() == Some(3) {
+        println!("not tested: {}", String::from_utf8_lossy(&output.stderr).trim());
+        return;
+    }
+    assert!(output.status.success(), "{output:?}: a signal says that the loop made a system call");
+    let text = String::from_utf8(output.stdout).expect("text");
+    print!("{text}");
+    let figure = |name: &str| -> f64 {
+        let line = text.lines().find_map(|l| l.strip_prefix(name)).unwrap_or_else(|| panic!("{name} in {text}"));
+        line.trim().parse().expect("a number")
+    };
+    assert_eq!((figure("steps "), figure("missed ")), (120_000.0, 0.0));
+    // None where mlockall() is allowed, a page or two of first touches where it is not.
+    assert!(figure("page_faults ") <= 2.0, "{text}");
+    // The host's own integration rule differs by half a step of velocity, which does not add up.
+    assert!(figure("drift_mm ") < 1.0, "{text}");
+    assert!((figure("rms_late_n ") / figure("rms_early_n ") - 1.0).abs() < 0.2, "{text}");
+}
