@@ -54,7 +54,7 @@ typedef struct dashpot_corner_input {
 /* What the host gets, in its own signs and units. */
 typedef struct dashpot_corner_output {
     double force;
-    double force_by_rate;   /* change of force per change of jounce rate: negative where both count compression, but force is tension */
+    double force_by_rate;   /* change of force per change of jounce rate */
     double force_by_jounce; /* change of force per change of jounce */
     int32_t status;         /* 0, warnings of dashpot.h, or DASHPOT_BRIDGE_HELD */
     uint32_t reserved;
@@ -129,7 +129,8 @@ typedef struct dashpot_self_test {
 
 /* Runs the self-test with the host's own meaning of its signs: push_positive is 1 where the host takes a positive force as
  * pushing wheel and body apart, rate_compresses 1 where a positive rate compresses. Give what the host does, not what
- * the map says: that is what is tested. The bridge's state is as before. Returns 1 where every corner dissipates. */
+ * the map says: that is what is tested. length_unit is the m in the host's unit of motion (0.001 for mm), force_unit the N
+ * in its unit of force. The bridge's state is as before. Returns 1 where every corner dissipates. */
 int dashpot_bridge_self_test(const dashpot_bridge *bridge, int push_positive, int rate_compresses, double length_unit,
                              double force_unit, dashpot_self_test result[DASHPOT_BRIDGE_CORNERS]);
 
