@@ -259,8 +259,9 @@ def solve(rows_of, seconds, h):
 
 
 def exchange_is_the_same_damper():
-    """The corners of the thesis's matrix that the bridge's trace holds, and a slow and a fast test, by the two kinds."""
-    for amplitude, frequency in [(0.05, 0.3), (0.015, 3.0), (0.002, 12.0), (0.001, 2.0)]:
+    """Tests along the edges of the rig matrix (the doubled amplitude of a raised cosine), by the two kinds."""
+    for amplitude, frequency in [
+            (0.05, 0.3), (0.05, 3.3), (0.03, 5.6), (0.015, 3.0), (0.005, 20.0), (0.002, 12.0), (0.001, 2.0), (0.001, 20.0)]:
         w = 2 * math.pi * frequency
         # Begins at rest: half a raised cosine leads into the sine.
         def rows_of(t):

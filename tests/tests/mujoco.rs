@@ -22,6 +22,8 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     let flags = [
         "-isystem".to_owned(),
         format!("{folder}/include"),
+        // The sources that call it come later on the command line.
+        "-Wl,--no-as-needed".to_owned(),
         library.to_owned(),
         format!("-Wl,-rpath,{folder}"),
         "-Wno-pedantic".to_owned(),
