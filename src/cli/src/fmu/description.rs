@@ -100,10 +100,10 @@ fn units(out: &mut String, variables: &[Variable]) {
 fn choices(variables: &[Variable]) -> Vec<(&'static Parameter, &'static [&'static str])> {
     let mut found: Vec<(&Parameter, &[&str])> = Vec::new();
     for p in variables.iter().filter_map(|v| v.parameter) {
-        if let Shape::Choice(words) = p.shape
-            && !found.iter().any(|(q, _)| q.name == p.name)
-        {
-            found.push((p, words));
+        if let Shape::Choice(words) = p.shape {
+            if !found.iter().any(|(q, _)| q.name == p.name) {
+                found.push((p, words));
+            }
         }
     }
     found

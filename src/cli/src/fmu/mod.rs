@@ -78,7 +78,7 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     let ran = command.output().with_context(|| {
         format!(
             "an FMU is compiled when it is exported, and {} cannot be run; install gcc or set CC",
-            compiler.display()
+            compiler.to_string_lossy()
         )
     })?;
     if !ran.status.success() {

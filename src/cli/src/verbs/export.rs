@@ -71,9 +71,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         })
         .collect::<anyhow::Result<_>>()?;
     let corners: Vec<Params> = match (&models[..], args.four) {
-        ([one], false) => vec![one.clone()],
-        ([one], true) => vec![one.clone(); 4],
-        ([front, rear], _) => vec![front.clone(), front.clone(), rear.clone(), rear.clone()],
+        ([one], false) => vec![*one],
+        ([one], true) => vec![*one; 4],
+        ([front, rear], _) => vec![*front, *front, *rear, *rear],
         ([_, _, _, _], _) => models.clone(),
         _ => bail!("give one model file, two (front, rear) or four (L1, R1, L2, R2)"),
     };

@@ -140,7 +140,7 @@ fn fv_only(file: &ModelFile) -> anyhow::Result<Params> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");
     }
-    let (on_gas, mut params) = (file.params.is_on("gas_preload"), file.params.clone());
+    let (on_gas, mut params) = (file.params.is_on("gas_preload"), file.params);
     params.disable_all();
     for (element, on) in [("fv_curve", true), ("gas_preload", on_gas)] {
         params.enable(element, on).map_err(|fault| anyhow::anyhow!("{element} {}", fault.reason.text()))?;

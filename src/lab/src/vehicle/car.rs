@@ -77,7 +77,7 @@ impl Car {
     /// Place of a corner: forward and to the left of the centre of gravity, m.
     pub fn place(&self, corner: usize) -> [f64; 2] {
         let x = if corner < 2 { self.axle[0] } else { -self.axle[1] };
-        [x, if corner.is_multiple_of(2) { 0.5 * self.track } else { -0.5 * self.track }]
+        [x, if corner % 2 == 0 { 0.5 * self.track } else { -0.5 * self.track }]
     }
 
     /// Static load of a wheel, N.
@@ -124,12 +124,12 @@ impl Car {
         body.heave_acceleration = heave / self.sprung_mass;
         roll += self.sprung_mass * self.roll_arm * body.lateral_acceleration;
         let rate = [body.heave_acceleration, roll / self.inertia[0], pitch / self.inertia[1]];
-        for k in 0..3 {
-            body.velocity[k] += dt * rate[k];
+        for (k, rate) in rate.iter().enumerate() {
+            body.velocity[k] += dt * rate;
             body.position[k] += dt * body.velocity[k];
         }
-        for i in 0..4 {
-            body.wheel_velocity[i] += dt * wheel[i];
+        for (i, wheel) in wheel.iter().enumerate() {
+            body.wheel_velocity[i] += dt * wheel;
             body.wheel[i] += dt * body.wheel_velocity[i];
         }
         body.lateral[0] += dt * (body.lateral_acceleration - speed * body.lateral[1]);
