@@ -1,7 +1,9 @@
 //! What the whole-system tests share.
 
 pub mod adams;
+pub mod bridge;
 pub mod cli;
 pub mod header;
 pub mod kernel_campaign;
 pub mod library;
+pub mod python;

@@ -1,6 +1,7 @@
 //! `dashpot`: from rig records to a damper that a simulator can run.
 
 mod adams;
+mod fmu;
 mod plot;
 mod progress;
 mod report;
@@ -35,6 +36,7 @@ enum Verb {
     Bench(verbs::bench::Args),
     Export(verbs::export::Args),
     Import(verbs::import::Args),
+    Manoeuvre(verbs::manoeuvre::Args),
 }
 
 fn main() -> ExitCode {
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         Verb::Bench(args) => verbs::bench::run(&args),
         Verb::Export(args) => verbs::export::run(&args),
         Verb::Import(args) => verbs::import::run(&args),
+        Verb::Manoeuvre(args) => verbs::manoeuvre::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

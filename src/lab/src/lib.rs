@@ -10,6 +10,7 @@
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`validation`] | error figures, error matrix, hysteresis |
 //! | [`diagnosis`] | where model and records disagree, and which effect is missing |
+//! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
@@ -21,3 +22,4 @@ pub mod motion;
 pub mod prediction;
 pub mod records;
 pub mod validation;
+pub mod vehicle;

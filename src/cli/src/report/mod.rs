@@ -55,6 +55,11 @@ pub fn render(input: &ReportInput<'_>) -> String {
     page::page(&input.title, &subtitle(input), &sections(input))
 }
 
+/// A report of other sections, in the same format.
+pub fn render_sections(title: &str, subtitle: &str, sections: &[Section]) -> String {
+    page::page(title, subtitle, sections)
+}
+
 /// Writes the report, replacing an older one only when the new one is complete.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ pub mod diagnose;
 pub mod export;
 pub mod fit;
 pub mod import;
+pub mod manoeuvre;
 pub mod matrix;
 mod output;
 pub mod rig;

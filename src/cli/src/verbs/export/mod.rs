@@ -3,6 +3,7 @@
 mod adams;
 mod adm;
 mod dpr;
+mod fmu;
 
 /// Write a damper for another program
 #[derive(clap::Args)]
@@ -16,6 +17,7 @@ enum Form {
     Adams(adams::Args),
     Adm(adm::Args),
     Dpr(dpr::Args),
+    Fmu(fmu::Args),
 }
 
 /// Runs the verb.
@@ -24,5 +26,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Form::Adams(args) => adams::run(args),
         Form::Adm(args) => adm::run(args),
         Form::Dpr(args) => dpr::run(args),
+        Form::Fmu(args) => fmu::run(args),
     }
 }

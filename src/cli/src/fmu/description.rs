@@ -1,0 +1,233 @@
+//! `modelDescription.xml`, for FMI 2.0 and 3.0.
+
+use super::sources::Version;
+use super::variables::{Kind, Variable};
+use dashpot_core::parameter::{Parameter, Shape};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// The identifier of model and binary.
+pub const IDENTIFIER: &str = "dashpot_damper";
+
+/// The description of an FMU with these variables.
+pub fn description(version: Version, variables: &[Variable], guid: &str) -> String {
+    let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
+    let attributes = "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"";
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let about = "automotive suspension damper with hysteresis and friction, identified from rig records";
+    match version {
+        Version::Two => {
+            let attributes = attributes.replace("FMUState", "FMUstate");
+            let _ = write!(
+                out,
+                "<fmiModelDescription fmiVersion=\"2.0\" modelName=\"dashpot damper\" guid=\"{guid}\" description=\"{about}\" \
+                 generationTool=\"{generator}\" variableNamingConvention=\"structured\" numberOfEventIndicators=\"0\">\n  \
+                 <ModelExchange modelIdentifier=\"{IDENTIFIER}\" completedIntegratorStepNotNeeded=\"true\" {attributes} \
+                 providesDirectionalDerivative=\"true\"/>\n  \
+                 <CoSimulation modelIdentifier=\"{IDENTIFIER}\" canHandleVariableCommunicationStepSize=\"true\" {attributes} \
+                 providesDirectionalDerivative=\"true\"/>\n"
+            );
+        }
+        Version::Three => {
+            let _ = write!(
+                out,
+                "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"dashpot damper\" instantiationToken=\"{guid}\" \
+                 description=\"{about}\" generationTool=\"{generator}\" variableNamingConvention=\"structured\">\n  \
+                 <ModelExchange modelIdentifier=\"{IDENTIFIER}\" {attributes} providesDirectionalDerivatives=\"true\" \
+                 providesAdjointDerivatives=\"true\"/>\n  \
+                 <CoSimulation modelIdentifier=\"{IDENTIFIER}\" canHandleVariableCommunicationStepSize=\"true\" {attributes} \
+                 providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"/>\n"
+            );
+        }
+    }
+    units(&mut out, variables);
+    types(&mut out, variables, version);
+    out.push_str(
+        "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n  \
+         </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n",
+    );
+    for (reference, v) in variables.iter().enumerate() {
+        variable(&mut out, version, variables, reference, v);
+    }
+    out.push_str("  </ModelVariables>\n");
+    structure(&mut out, version, variables);
+    out.push_str("</fmiModelDescription>\n");
+    out
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A unit in SI exponents, where it is one that can be told; all others are told by name alone.
+fn base(unit: &str) -> Option<&'static str> {
+    Some(match unit {
+        "s" => "s=\"1\"",
+        "m" => "m=\"1\"",
+        "m/s" => "m=\"1\" s=\"-1\"",
+        "m/s^2" => "m=\"1\" s=\"-2\"",
+        "s/m" => "m=\"-1\" s=\"1\"",
+        "N" => "kg=\"1\" m=\"1\" s=\"-2\"",
+        "N/m" => "kg=\"1\" s=\"-2\"",
+        "N/m^2" => "kg=\"1\" m=\"-1\" s=\"-2\"",
+        "N/m^3" => "kg=\"1\" m=\"-2\" s=\"-2\"",
+        "N/m^4" => "kg=\"1\" m=\"-3\" s=\"-2\"",
+        "N s/m" => "kg=\"1\" s=\"-1\"",
+        "N s^2/m" => "kg=\"1\"",
+        "N s^2/m^2" => "kg=\"1\" m=\"-1\"",
+        "kg" => "kg=\"1\"",
+        "degC" => "K=\"1\" offset=\"273.15\"",
+        "1/K" => "K=\"-1\"",
+        "J/K" => "kg=\"1\" m=\"2\" s=\"-2\" K=\"-1\"",
+        "W/K" => "kg=\"1\" m=\"2\" s=\"-3\" K=\"-1\"",
+        _ => return None,
+    })
+}
+
+fn units(out: &mut String, variables: &[Variable]) {
+    let used: BTreeSet<&str> = variables.iter().map(|v| v.unit).filter(|u| *u != "-").collect();
+    out.push_str("  <UnitDefinitions>\n");
+    for unit in used {
+        let name = escaped(unit);
+        let _ = match base(unit) {
+            Some(exponents) => writeln!(out, "    <Unit name=\"{name}\">\n      <BaseUnit {exponents}/>\n    </Unit>"),
+            None => writeln!(out, "    <Unit name=\"{name}\"/>"),
+        };
+    }
+    out.push_str("  </UnitDefinitions>\n");
+}
+
+fn choices(variables: &[Variable]) -> Vec<(&'static Parameter, &'static [&'static str])> {
+    let mut found: Vec<(&Parameter, &[&str])> = Vec::new();
+    for p in variables.iter().filter_map(|v| v.parameter) {
+        if let Shape::Choice(words) = p.shape {
+            if !found.iter().any(|(q, _)| q.name == p.name) {
+                found.push((p, words));
+            }
+        }
+    }
+    found
+}
+
+fn types(out: &mut String, variables: &[Variable], version: Version) {
+    let choices = choices(variables);
+    if choices.is_empty() {
+        return;
+    }
+    out.push_str("  <TypeDefinitions>\n");
+    for (p, words) in choices {
+        let (open, close) = match version {
+            Version::Two => (
+                format!("<SimpleType name=\"{}_type\">\n      <Enumeration>", p.name),
+                "</Enumeration>\n    </SimpleType>".to_owned(),
+            ),
+            Version::Three => (format!("<EnumerationType name=\"{}_type\">", p.name), "</EnumerationType>".to_owned()),
+        };
+        let _ = writeln!(out, "    {open}");
+        for (value, word) in words.iter().enumerate() {
+            let _ = writeln!(out, "      <Item name=\"{word}\" value=\"{value}\"/>");
+        }
+        let _ = writeln!(out, "    {close}");
+    }
+    out.push_str("  </TypeDefinitions>\n");
+}
+
+fn variable(out: &mut String, version: Version, all: &[Variable], reference: usize, v: &Variable) {
+    let (causality, variability, initial) = match v.kind {
+        Kind::Time => ("independent", "continuous", None),
+        k if k.is_input() => ("input", "continuous", None),
+        Kind::Status => ("output", "discrete", Some("calculated")),
+        k if k.is_output() => ("output", "continuous", Some("calculated")),
+        Kind::State | Kind::Rate => ("local", "continuous", Some("calculated")),
+        Kind::Parameter => ("parameter", "tunable", Some("exact")),
+        _ => ("parameter", "fixed", Some("exact")),
+    };
+    let initial = initial.map_or(String::new(), |i| format!(" initial=\"{i}\""));
+    let common = format!(
+        "name=\"{}\" valueReference=\"{reference}\" causality=\"{causality}\" variability=\"{variability}\"{initial} \
+         description=\"{}\"",
+        escaped(&v.name),
+        escaped(&v.meaning)
+    );
+    let mut typed = String::new();
+    let tag = match v.kind {
+        Kind::Status => "Integer",
+        Kind::DisplacementGiven => "Boolean",
+        Kind::Choice => "Enumeration",
+        _ => "Real",
+    };
+    if v.unit != "-" && tag == "Real" {
+        let _ = write!(typed, " unit=\"{}\"", escaped(v.unit));
+    }
+    if let Some(p) = v.parameter {
+        if tag == "Real" {
+            let _ = write!(typed, " min=\"{:?}\" max=\"{:?}\"", p.low, p.high);
+        } else {
+            let _ = write!(typed, " declaredType=\"{}_type\"", p.name);
+        }
+    }
+    if v.kind == Kind::State {
+        typed.push_str(" nominal=\"0.001\"");
+    }
+    if v.kind == Kind::Rate {
+        let state = all.iter().position(|s| s.kind == Kind::State && (s.corner, s.index) == (v.corner, v.index));
+        let _ = write!(typed, " derivative=\"{}\"", state.unwrap_or(0) + usize::from(version == Version::Two));
+    }
+    if let Some(start) = v.start {
+        let _ = match tag {
+            "Boolean" => write!(typed, " start=\"{}\"", start != 0.0),
+            "Enumeration" => write!(typed, " start=\"{start:.0}\""),
+            _ => write!(typed, " start=\"{start:?}\""),
+        };
+    }
+    let _ = match version {
+        Version::Two => {
+            writeln!(out, "    <ScalarVariable {common}>\n      <{tag}{typed}/>\n    </ScalarVariable>")
+        }
+        Version::Three => {
+            let tag = match tag {
+                "Real" => "Float64",
+                "Integer" => "Int32",
+                other => other,
+            };
+            writeln!(out, "    <{tag} {common}{typed}/>")
+        }
+    };
+}
+
+/// What outputs and derivatives of a corner depend on.
+fn dependencies(version: Version, all: &[Variable], v: &Variable) -> String {
+    let on: Vec<String> = all
+        .iter()
+        .enumerate()
+        .filter(|(_, d)| d.corner == v.corner && (d.kind.is_input() || d.kind == Kind::State))
+        .map(|(i, _)| (i + usize::from(version == Version::Two)).to_string())
+        .collect();
+    on.join(" ")
+}
+
+fn structure(out: &mut String, version: Version, all: &[Variable]) {
+    let two = version == Version::Two;
+    let unknown = |out: &mut String, tag: &str, i: usize, depends: bool| {
+        let key = if two { format!("index=\"{}\"", i + 1) } else { format!("valueReference=\"{i}\"") };
+        let depends =
+            if depends { format!(" dependencies=\"{}\"", dependencies(version, all, &all[i])) } else { String::new() };
+        let _ = writeln!(out, "    <{tag} {key}{depends}/>");
+    };
+    let group = |out: &mut String, name: &str, tag: &str, depends: bool, of: &dyn Fn(Kind) -> bool| {
+        if two {
+            let _ = writeln!(out, "    <{name}>");
+        }
+        for (i, _) in all.iter().enumerate().filter(|(_, v)| of(v.kind)) {
+            unknown(out, if two { "Unknown" } else { tag }, i, depends);
+        }
+        if two {
+            let _ = writeln!(out, "    </{name}>");
+        }
+    };
+    out.push_str("  <ModelStructure>\n");
+    group(out, "Outputs", "Output", true, &Kind::is_output);
+    group(out, "Derivatives", "ContinuousStateDerivative", true, &|k| k == Kind::Rate);
+    group(out, "InitialUnknowns", "InitialUnknown", false, &|k| k.is_output() || matches!(k, Kind::State | Kind::Rate));
+    out.push_str("  </ModelStructure>\n");
+}

@@ -1,0 +1,208 @@
+//! Masses, springs, tyres and their equations of motion.
+//!
+//! Axes: x forward, y to the left, z up. Corners in the order L1, R1, L2, R2. All heights are from the static position, all
+//! suspension forces from the static ones, so that the vehicle starts in equilibrium.
+
+/// A vehicle.
+#[derive(Clone, Debug)]
+pub struct Car {
+    /// Sprung mass, kg.
+    pub sprung_mass: f64,
+    /// Mass of a wheel with its share of the suspension, kg.
+    pub unsprung_mass: f64,
+    /// Roll, pitch and yaw inertia, kg m².
+    pub inertia: [f64; 3],
+    /// Distance of the front and of the rear axle from the centre of gravity, m.
+    pub axle: [f64; 2],
+    /// Track, m.
+    pub track: f64,
+    /// Height of the centre of gravity above the roll axis, m.
+    pub roll_arm: f64,
+    /// Spring rate at the wheel, front and rear, N/m.
+    pub spring: [f64; 2],
+    /// Anti-roll rate at the wheel, front and rear, N/m of difference in stroke.
+    pub anti_roll: [f64; 2],
+    /// Vertical tyre stiffness, N/m.
+    pub tyre: f64,
+    /// Cornering stiffness of a tyre, N/rad.
+    pub cornering: f64,
+    /// Friction of the tyre on the road.
+    pub grip: f64,
+    /// Damper travel per wheel travel.
+    pub motion_ratio: f64,
+}
+
+impl Default for Car {
+    /// A passenger car.
+    fn default() -> Car {
+        Car {
+            sprung_mass: 1400.0,
+            unsprung_mass: 40.0,
+            inertia: [500.0, 2200.0, 2500.0],
+            axle: [1.2, 1.5],
+            track: 1.55,
+            roll_arm: 0.45,
+            spring: [24e3, 26e3],
+            anti_roll: [12e3, 6e3],
+            tyre: 220e3,
+            cornering: 60e3,
+            grip: 1.0,
+            motion_ratio: 0.9,
+        }
+    }
+}
+
+/// Positions and velocities.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Body {
+    /// Heave, roll (left side up) and pitch (nose down): m, rad, rad.
+    pub position: [f64; 3],
+    /// Their velocities.
+    pub velocity: [f64; 3],
+    /// Heights of the wheels, m.
+    pub wheel: [f64; 4],
+    /// Their velocities, m/s.
+    pub wheel_velocity: [f64; 4],
+    /// Velocity to the left, m/s, and yaw rate, rad/s.
+    pub lateral: [f64; 2],
+    /// Heave acceleration, m/s².
+    pub heave_acceleration: f64,
+    /// Lateral acceleration, m/s².
+    pub lateral_acceleration: f64,
+}
+
+const GRAVITY: f64 = 9.81;
+
+impl Car {
+    /// Place of a corner: forward and to the left of the centre of gravity, m.
+    pub fn place(&self, corner: usize) -> [f64; 2] {
+        let x = if corner < 2 { self.axle[0] } else { -self.axle[1] };
+        [x, if corner % 2 == 0 { 0.5 * self.track } else { -0.5 * self.track }]
+    }
+
+    /// Static load of a wheel, N.
+    fn load(&self, corner: usize) -> f64 {
+        let wheelbase = self.axle[0] + self.axle[1];
+        let share = self.axle[if corner < 2 { 1 } else { 0 }] / wheelbase;
+        GRAVITY * (0.5 * share * self.sprung_mass + self.unsprung_mass)
+    }
+
+    /// Stroke of a suspension and its rate, extension positive, at the wheel.
+    pub fn stroke(&self, body: &Body, corner: usize) -> [f64; 2] {
+        let [x, y] = self.place(corner);
+        let above = |q: &[f64; 3]| q[0] + y * q[1] - x * q[2];
+        [above(&body.position) - body.wheel[corner], above(&body.velocity) - body.wheel_velocity[corner]]
+    }
+
+    /// One step of `dt` on the road heights under the wheels, at a forward speed and a steering angle, with these damper
+    /// forces above the static ones, at the wheel, tension positive. Semi-implicit: velocities first, then positions.
+    pub fn step(&self, body: &mut Body, dt: f64, speed: f64, steer: f64, road: [f64; 4], damper: [f64; 4]) {
+        let stroke: [f64; 4] = std::array::from_fn(|i| self.stroke(body, i)[0]);
+        let (mut heave, mut roll, mut pitch, mut side, mut yaw) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let mut wheel = [0.0; 4];
+        for i in 0..4 {
+            let ([x, y], axle, other) = (self.place(i), i / 2, i ^ 1);
+            // What lifts the body and presses the wheel down.
+            let lift = -self.spring[axle] * stroke[i] - self.anti_roll[axle] * (stroke[i] - stroke[other]) - damper[i];
+            let load = (self.load(i) + self.tyre * (road[i] - body.wheel[i])).max(0.0);
+            wheel[i] = (load - self.load(i) - lift) / self.unsprung_mass;
+            let slip = if axle == 0 { steer } else { 0.0 } - ((body.lateral[0] + x * body.lateral[1]) / speed).atan();
+            let force = if load > 0.0 {
+                let limit = self.grip * load;
+                limit * (self.cornering * slip / limit).tanh()
+            } else {
+                0.0
+            };
+            heave += lift;
+            roll += y * lift;
+            pitch -= x * lift;
+            side += force;
+            yaw += x * force;
+        }
+        let mass = self.sprung_mass + 4.0 * self.unsprung_mass;
+        body.lateral_acceleration = side / mass;
+        body.heave_acceleration = heave / self.sprung_mass;
+        roll += self.sprung_mass * self.roll_arm * body.lateral_acceleration;
+        let rate = [body.heave_acceleration, roll / self.inertia[0], pitch / self.inertia[1]];
+        for (k, rate) in rate.iter().enumerate() {
+            body.velocity[k] += dt * rate;
+            body.position[k] += dt * body.velocity[k];
+        }
+        for (i, wheel) in wheel.iter().enumerate() {
+            body.wheel_velocity[i] += dt * wheel;
+            body.wheel[i] += dt * body.wheel_velocity[i];
+        }
+        body.lateral[0] += dt * (body.lateral_acceleration - speed * body.lateral[1]);
+        body.lateral[1] += dt * yaw / self.inertia[2];
+    }
+
+    /// Energy of heave, pitch, roll, wheels, springs and tyres above the static position, J, on a flat road.
+    pub fn energy(&self, body: &Body) -> f64 {
+        let kinetic: f64 = self.sprung_mass * body.velocity[0].powi(2)
+            + self.inertia[0] * body.velocity[1].powi(2)
+            + self.inertia[1] * body.velocity[2].powi(2)
+            + body.wheel_velocity.iter().map(|v| self.unsprung_mass * v * v).sum::<f64>();
+        let potential: f64 = (0..4)
+            .map(|i| {
+                let (stroke, other) = (self.stroke(body, i)[0], self.stroke(body, i ^ 1)[0]);
+                self.spring[i / 2] * stroke * stroke
+                    + 0.5 * self.anti_roll[i / 2] * (stroke - other).powi(2)
+                    + self.tyre * body.wheel[i].powi(2)
+            })
+            .sum();
+        0.5 * (kinetic + potential)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Free swings lose in energy what the dampers take, to the order of the step.
+    #[test]
+    fn energy_goes_where_the_dampers_take_it() {
+        let car = Car::default();
+        let error = |dt: f64| {
+            let mut body = Body { position: [0.03, 0.02, 0.01], ..Body::default() };
+            let before = car.energy(&body);
+            let mut taken = 0.0;
+            for _ in 0..(1.0 / dt) as usize {
+                let rate: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
+                let force = rate.map(|v| 1500.0 * v);
+                // A speed at which the tyres' side forces hardly matter, and no roll from them.
+                car.step(&mut body, dt, 1e9, 0.0, [0.0; 4], force);
+                let after: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
+                taken += dt * (0..4).map(|i| force[i] * 0.5 * (rate[i] + after[i])).sum::<f64>();
+            }
+            ((before - car.energy(&body) - taken) / before).abs()
+        };
+        let (coarse, fine) = (error(1e-3), error(2.5e-4));
+        assert!(coarse < 0.02 && fine < 0.4 * coarse, "{coarse} {fine}");
+    }
+
+    #[test]
+    fn a_vehicle_on_a_flat_road_stands_still() {
+        let (car, mut body) = (Car::default(), Body::default());
+        for _ in 0..1000 {
+            car.step(&mut body, 1e-3, 20.0, 0.0, [0.0; 4], [0.0; 4]);
+        }
+        assert!(body.position.iter().chain(&body.wheel).all(|x| x.abs() < 1e-12), "{body:?}");
+    }
+
+    /// Steady cornering has the yaw rate of the linear single-track model, and rolls to the outside.
+    #[test]
+    fn steady_cornering_is_that_of_the_single_track_model() {
+        let (car, mut body) = (Car::default(), Body::default());
+        let (speed, steer) = (20.0, 0.005);
+        for _ in 0..6000 {
+            let force = std::array::from_fn(|i| 1500.0 * car.stroke(&body, i)[1]);
+            car.step(&mut body, 1e-3, speed, steer, [0.0; 4], force);
+        }
+        let ([a, b], c) = (car.axle, 2.0 * car.cornering);
+        let mass = car.sprung_mass + 4.0 * car.unsprung_mass;
+        let understeer = mass * (b - a) / (c * (a + b));
+        let yaw = speed * steer / (a + b + understeer * speed * speed);
+        assert!((body.lateral[1] / yaw - 1.0).abs() < 0.02, "{} {yaw}", body.lateral[1]);
+        assert!(body.position[1] > 0.0, "left turn: the left side rises");
+    }
+}

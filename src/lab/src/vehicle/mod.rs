@@ -1,0 +1,12 @@
+//! A vehicle on four dampers, stepped as a real-time simulator steps: the damper forces of one step are held through the
+//! next, and the dampers answer the motion that results.
+//!
+//! Small on purpose: it shows what a damper model changes in a vehicle, it does not predict one.
+
+mod car;
+mod manoeuvre;
+mod run;
+
+pub use car::{Body, Car};
+pub use manoeuvre::{Manoeuvre, Road};
+pub use run::{CORNERS, Corner, Run, Sample, VehicleError, run};

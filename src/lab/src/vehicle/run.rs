@@ -1,0 +1,153 @@
+//! A manoeuvre driven from beginning to end at a fixed step.
+
+use super::{Body, Car, Manoeuvre, Road};
+use dashpot_core::{Input, Model, step};
+
+/// Names of the corners.
+pub const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
+
+/// What a damper saw and gave.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Corner {
+    /// Displacement of the damper from its static position, m, extension positive.
+    pub displacement: f64,
+    /// Its velocity, m/s.
+    pub velocity: f64,
+    /// Its force, N, tension positive.
+    pub force: f64,
+}
+
+/// One instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// s.
+    pub time: f64,
+    /// The vehicle.
+    pub body: Body,
+    /// The dampers.
+    pub corner: [Corner; 4],
+}
+
+/// A manoeuvre as it went.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Every host step.
+    pub samples: Vec<Sample>,
+    /// Largest c h / m: slope of the damper at the wheel times step over unsprung mass. Above 2 an explicit host is
+    /// unstable; with one more step of delay above 1.
+    pub coupling: f64,
+}
+
+/// Why a manoeuvre could not be driven.
+#[derive(Debug, thiserror::Error)]
+pub enum VehicleError {
+    /// The step is no step of a real-time simulator.
+    #[error("a vehicle is stepped by 0.0001 to 0.005 s, not {0}")]
+    Step(f64),
+    /// The exchange of force and motion swung up.
+    #[error(
+        "the vehicle left the road after {0:.3} s: the exchange of damper force and motion is unstable at this step"
+    )]
+    Unstable(f64),
+}
+
+/// Drives a manoeuvre with dampers L1, R1, L2, R2 at a fixed step.
+///
+/// # Errors
+/// Where the step is out of range, or the run unstable.
+pub fn run(car: &Car, manoeuvre: Manoeuvre, dampers: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
+    if !(1e-4..=5e-3).contains(&dt) {
+        return Err(VehicleError::Step(dt));
+    }
+    let road = Road::new(1);
+    let ratio = car.motion_ratio;
+    let mut body = Body::default();
+    let mut states = dampers.map(|model| model.settled(&Input::motion(0.0, 0.0)));
+    // dt = 0 is the static answer.
+    let rest: [f64; 4] = std::array::from_fn(|i| step(dampers[i], &states[i], &Input::motion(0.0, 0.0), 0.0).1.force);
+    let mut force = rest;
+    let steps = (manoeuvre.duration() / dt).round() as usize;
+    let mut samples = Vec::with_capacity(steps);
+    let mut coupling: f64 = 0.0;
+    for k in 0..steps {
+        let time = k as f64 * dt;
+        let heights = std::array::from_fn(|i| manoeuvre.road(&road, time, car.place(i)[0], i % 2));
+        let held = std::array::from_fn(|i| ratio * (force[i] - rest[i]));
+        car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
+        let mut corner = [Corner::default(); 4];
+        for i in 0..4 {
+            let [stroke, rate] = car.stroke(&body, i);
+            let (displacement, velocity) = (ratio * stroke, ratio * rate);
+            if !(velocity.abs() < 50.0 && displacement.abs() < 1.0) {
+                return Err(VehicleError::Unstable(time));
+            }
+            let (next, answer) = step(dampers[i], &states[i], &Input::motion(displacement, velocity), dt);
+            states[i] = next;
+            force[i] = answer.force;
+            coupling = coupling.max(answer.force_by_velocity.abs() * ratio * ratio * dt / car.unsprung_mass);
+            corner[i] = Corner { displacement, velocity, force: answer.force };
+        }
+        samples.push(Sample { time: time + dt, body, corner });
+    }
+    Ok(Run { samples, coupling })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::Params;
+
+    fn drive(manoeuvre: Manoeuvre, dt: f64) -> Run {
+        let model = Model::new(&Params::new()).unwrap();
+        run(&Car::default(), manoeuvre, [&model; 4], dt).unwrap()
+    }
+
+    /// Heave at common instants, relative to its largest.
+    fn apart(a: &Run, b: &Run, every: [usize; 2]) -> f64 {
+        let heave = |r: &Run, n: usize| -> Vec<f64> {
+            r.samples.iter().skip(n - 1).step_by(n).map(|s| s.body.position[0]).collect()
+        };
+        let (a, b) = (heave(a, every[0]), heave(b, every[1]));
+        let peak = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        a.iter().zip(&b).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs())) / peak
+    }
+
+    /// Steps from 2 to 0.25 ms tell the same story, the more so the shorter.
+    #[test]
+    fn runs_converge_with_the_step() {
+        for manoeuvre in [Manoeuvre::Bump, Manoeuvre::Track] {
+            let fine = drive(manoeuvre, 1.25e-4);
+            let error = |dt: f64, n: usize| apart(&drive(manoeuvre, dt), &fine, [1, n]);
+            let errors = [error(2e-3, 16), error(1e-3, 8), error(2.5e-4, 2)];
+            assert!(errors[0] < 0.1 && errors[2] < 0.5 * errors[1], "{manoeuvre:?} {errors:?}");
+        }
+    }
+
+    #[test]
+    fn dampers_take_energy_in_every_manoeuvre() {
+        for (name, manoeuvre) in Manoeuvre::ALL {
+            let run = drive(manoeuvre, 1e-3);
+            for i in 0..4 {
+                let taken: f64 = run.samples.iter().map(|s| s.corner[i].force * s.corner[i].velocity * 1e-3).sum();
+                assert!(taken > 0.0, "{name} {i}: {taken}");
+            }
+        }
+    }
+
+    #[test]
+    fn both_sides_of_a_bump_are_alike_and_a_step_steer_is_not() {
+        let bump = drive(Manoeuvre::Bump, 1e-3);
+        assert!(bump.samples.iter().all(|s| s.corner[0].force == s.corner[1].force));
+        let steer = drive(Manoeuvre::StepSteer, 1e-3);
+        let last = steer.samples.last().unwrap();
+        assert!(last.corner[0].displacement > 0.005 && last.corner[1].displacement < -0.005);
+    }
+
+    #[test]
+    fn a_step_that_is_none_is_refused() {
+        let model = Model::new(&Params::new()).unwrap();
+        for dt in [0.0, -1e-3, f64::NAN, 0.1] {
+            assert!(run(&Car::default(), Manoeuvre::Bump, [&model; 4], dt).is_err());
+        }
+    }
+}

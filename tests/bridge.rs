@@ -1,0 +1,43 @@
+//! The sources of the simulator bridge, and host programs compiled with them.
+
+use crate::library::Language::C;
+use crate::library::{Linkage, host, root};
+use std::path::{Path, PathBuf};
+
+/// A model with elements that the bridge's tests are run with.
+pub const MODEL: &str = r#"
+format = 1
+elements = ["fv_curve", "series_compliance", "parallel_spring", "stribeck_friction", "viscous_friction", "side_force_friction", "gas_preload"]
+gas_force = 141.5
+"#;
+
+/// The C sources of a folder of `vi-crt-bridge`, in order.
+pub fn sources(folder: &str) -> Vec<String> {
+    let folder = root().join("vi-crt-bridge").join(folder);
+    let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("an entry").path().to_str().expect("a path in UTF-8").to_owned());
+    let mut sources: Vec<String> = paths.filter(|path| path.ends_with(".c")).collect();
+    sources.sort();
+    sources
+}
+
+/// Compiles `tests/hosts/<source>` with the bridge and more flags.
+pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
+    let include = format!("-I{}", root().join("vi-crt-bridge/bridge").display());
+    let sources = sources("bridge");
+    let mut all: Vec<&str> = vec![&include];
+    all.extend(sources.iter().map(String::as_str));
+    all.extend(flags);
+    host(source, C, Linkage::Static, &all, to)
+}
+
+/// The channel map of VI-CarRealTime with the user's own input channel filled in.
+pub fn map(folder: &Path) -> PathBuf {
+    let path = root().join("vi-crt-bridge/maps/vi-carrealtime.toml");
+    let text = std::fs::read_to_string(path).expect("the map");
+    let filled = text.replace("\nforce = \"\"", "\nforce = \"My.Damper_Force.{corner}\"");
+    assert_ne!(text, filled, "the map asks for the unknown channel");
+    let to = folder.join("map.toml");
+    std::fs::write(&to, filled).expect("a file");
+    to
+}

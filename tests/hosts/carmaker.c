@@ -1,0 +1,115 @@
+/* Calls the CarMaker shim as the simulator does. Argument: model file. */
+#include "carmaker_declarations.h"
+#include "check.h"
+#include "corner.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+int dashpot_carmaker_register(void);
+
+static tModelClassDescr one, four;
+static const char *file;
+static int errors;
+
+int Model_Register(int kind, const char *name, tModelClassDescr *description)
+{
+    CHECK(!strcmp(name, "dashpot"));
+    *(kind == ModelClass_Susp_Damper ? &one : &four) = *description;
+    return 0;
+}
+
+const char *iGetStrOpt(struct tInfos *inf, const char *key, const char *otherwise)
+{
+    (void)inf;
+    return strstr(key, "Missing") ? otherwise : file;
+}
+
+double iGetDblOpt(struct tInfos *inf, const char *key, double otherwise)
+{
+    (void)inf;
+    return strstr(key, "Length") ? 0.45 : otherwise;
+}
+
+void LogErrF(int where, const char *format, ...)
+{
+    (void)where;
+    (void)format;
+    errors++;
+}
+
+#if DASHPOT_CARMAKER_API == 13
+#define NEW(class, config, kind) class.New(NULL, config, kind)
+#define CALC(class, model, io, dt) class.Calc(model, io, dt)
+#define DELETE(class, model) class.Delete(model)
+#else
+#define NEW(class, config, kind) class.New(NULL, config, kind, "id")
+#define CALC(class, model, io, dt) class.Calc(model, io, NULL, dt)
+#define DELETE(class, model) class.Delete(model, "id")
+#endif
+
+int main(int argc, char **argv)
+{
+    struct tSusp_DamperCfgIF config = {0};
+    struct tSusp_DamperSystemCfgIF system_config = {0, 4};
+    static dashpot_corner kernel;
+    dashpot_fault fault;
+    tSusp_DamperIF io = {0};
+    tSusp_DamperSystemIF all = {{0}, {0}, {0}, {0}};
+    void *model, *car;
+    double energy = 0.0, rest;
+    int k, i;
+
+    if (argc != 2)
+        return 2;
+    file = argv[1];
+    CHECK(dashpot_carmaker_register() == 0);
+    CHECK(!NEW(one.Susp_Damper, &config, "Missing") && errors == 1);
+    model = NEW(one.Susp_Damper, &config, "SuspF.Damp");
+    car = NEW(four.Susp_DamperSystem, &system_config, "Damp");
+    CHECK(model && car);
+    if (!model || !car)
+        return 1;
+    CHECK(dashpot_corner_load(&kernel, file, &fault) == 0);
+
+    /* Preparation: dt = 0, any number of times, then the run from the last position. */
+    io.length = 0.44;
+    CALC(one.Susp_Damper, model, &io, 0.0);
+    io.length = 0.45;
+    CALC(one.Susp_Damper, model, &io, 0.0);
+    rest = io.Force;
+    CHECK(dashpot_corner_rest(&kernel, 0.0) == 0);
+    CHECK(rest == -kernel.now.output.force && rest > 0.0); /* gas pushes */
+    for (k = 1; k <= 2000; k++) {
+        double t = k * 1e-3, w = 12.566370614359172;
+        dashpot_input input;
+
+        io.length = 0.45 + 0.02 * sin(w * t);
+        io.vel = 0.02 * w * cos(w * t);
+        CALC(one.Susp_Damper, model, &io, 1e-3);
+        input = dashpot_input_motion(io.length - 0.45, io.vel);
+        dashpot_corner_step(&kernel, &input, 1e-3);
+        CHECK(io.Force == -kernel.now.output.force);
+        /* A push gives energy while the damper extends. */
+        energy += io.Force * io.vel * 1e-3;
+        for (i = 0; i < 4; i++) {
+            all.length[i] = io.length;
+            all.vel[i] = io.vel;
+        }
+        if (k == 1) {
+            double length[4] = {0.45, 0.45, 0.45, 0.45};
+            tSusp_DamperSystemIF before = all;
+            memcpy(before.length, length, sizeof length);
+            memset(before.vel, 0, sizeof before.vel);
+            CALC(four.Susp_DamperSystem, car, &before, 0.0);
+        }
+        CALC(four.Susp_DamperSystem, car, &all, 1e-3);
+        for (i = 0; i < 4; i++)
+            CHECK(all.Force[i] == io.Force);
+    }
+    CHECK(energy < -10.0);
+    DELETE(one.Susp_Damper, model);
+    DELETE(four.Susp_DamperSystem, car);
+    return failures != 0;
+}

@@ -1,0 +1,45 @@
+/* The public layout of CarMaker's damper classes, in declarations of our own: what the shim is compiled against here. */
+#ifndef CARMAKER_DECLARATIONS_H
+#define CARMAKER_DECLARATIONS_H
+
+struct tInfos;
+const char *iGetStrOpt(struct tInfos *inf, const char *key, const char *otherwise);
+double iGetDblOpt(struct tInfos *inf, const char *key, double otherwise);
+enum { EC_Init = 3 };
+void LogErrF(int where, const char *format, ...);
+
+struct tSusp_DamperCfgIF { int SuspModID; };
+struct tSusp_DamperSystemCfgIF { int VehicleClassId, nWheels; };
+typedef struct tSusp_DamperIF { double length, vel, CtrlIn, Force; } tSusp_DamperIF;
+typedef struct tSusp_DamperSystemIF { double length[4], vel[4], CtrlIn[4], Force[4]; } tSusp_DamperSystemIF;
+
+#define Susp_Damper_Version 1
+#define Susp_DamperSystem_Version 1
+
+#if DASHPOT_CARMAKER_API == 13
+#define CLASS(Name)                                                                                                    \
+    struct {                                                                                                           \
+        int VersionId;                                                                                                 \
+        void *(*New)(struct tInfos *, struct t##Name##CfgIF *, const char *kind);                                      \
+        int (*Calc)(void *model, t##Name##IF *io, double dt);                                                          \
+        void (*Delete)(void *model);                                                                                   \
+    } Name
+#else
+#define CLASS(Name)                                                                                                    \
+    struct {                                                                                                           \
+        int VersionId;                                                                                                 \
+        void *(*New)(struct tInfos *, void *config, char const *kind, char const *id);                                 \
+        int (*Calc)(void *model, void *first, void *second, double dt);                                                \
+        void (*Delete)(void *model, char const *ident);                                                                \
+    } Name
+#endif
+
+typedef union {
+    CLASS(Susp_Damper);
+    CLASS(Susp_DamperSystem);
+} tModelClassDescr;
+
+enum { ModelClass_Susp_Damper = 1, ModelClass_Susp_DamperSystem = 2 };
+int Model_Register(int kind, const char *name, tModelClassDescr *description);
+
+#endif

@@ -1,0 +1,82 @@
+/* Calls the CarSim shim as the solver does, in mm and N. Arguments: model file, channel map. */
+#include "check.h"
+#include "corner.h"
+#include "vs_declarations.h"
+#include <math.h>
+#include <string.h>
+
+int dashpot_vs_install(const char *front, const char *rear, const char *map);
+void dashpot_vs_end(void);
+
+static void (*call)(vs_real, vs_ext_loc);
+static const char *const names[12] = {"CMPD_L1", "CMPRD_L1", "CMPD_R1", "CMPRD_R1", "CMPD_L2",   "CMPRD_L2",
+                                      "CMPD_R2", "CMPRD_R2", "IMP_FD_L1", "IMP_FD_R1", "IMP_FD_L2", "IMP_FD_R2"};
+static vs_real values[12];
+static int imports, errors;
+
+void vs_install_calc_function(void (*calculate)(vs_real, vs_ext_loc))
+{
+    call = calculate;
+}
+
+vs_real *vs_get_var_ptr(const char *name)
+{
+    int i;
+    for (i = 0; i < 12; i++)
+        if (!strcmp(names[i], name))
+            return &values[i];
+    return NULL;
+}
+
+int vs_statement(const char *keyword, const char *line, int stop)
+{
+    CHECK(!strcmp(keyword, "IMPORT") && !strncmp(line, "IMP_FD_", 7) && strstr(line, " vs_replace") && stop == 1);
+    imports++;
+    return 0;
+}
+
+void vs_set_error_message(const char *text)
+{
+    (void)text;
+    errors++;
+}
+
+int main(int argc, char **argv)
+{
+    static dashpot_corner kernel;
+    dashpot_fault fault;
+    double energy = 0.0;
+    int k, i;
+
+    if (argc != 3)
+        return 2;
+    CHECK(dashpot_vs_install("missing.toml", argv[1], argv[2]) < 0 && errors == 1 && !call);
+    CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == 0 && call);
+    CHECK(dashpot_corner_load(&kernel, argv[1], &fault) == 0);
+    if (!call)
+        return 1;
+    call(0.0, VS_EXT_AFTER_READ);
+    CHECK(imports == 4);
+    call(0.0, VS_EXT_EQ_INIT);
+    CHECK(values[8] == -kernel.now.output.force);
+    for (k = 1; k <= 2000; k++) {
+        double t = k * 1e-3, w = 12.566370614359172;
+        dashpot_input input;
+
+        for (i = 0; i < 4; i++) {
+            values[2 * i] = 20.0 * sin(w * t);
+            values[2 * i + 1] = 20.0 * w * cos(w * t);
+        }
+        call(t, VS_EXT_EQ_IN);
+        call(t, VS_EXT_EQ_OUT);
+        input = dashpot_input_motion(-1e-3 * values[0], -1e-3 * values[1]);
+        dashpot_corner_step(&kernel, &input, 1e-3);
+        for (i = 0; i < 4; i++)
+            CHECK(fabs(values[8 + i] + kernel.now.output.force) < 1e-6 * (1.0 + fabs(values[8 + i])));
+        /* A compressive force takes energy while the damper is compressed. */
+        energy += values[8] * 1e-3 * values[1] * 1e-3;
+    }
+    CHECK(energy > 10.0);
+    dashpot_vs_end();
+    return failures != 0;
+}

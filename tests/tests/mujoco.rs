@@ -1,0 +1,42 @@
+//! MuJoCo as a host: the dampers in its passive-force callback, at 1 ms.
+
+use dashpot_tests::bridge::{MODEL, bridge_host};
+use dashpot_tests::library::{root, succeed};
+use dashpot_tests::python::python;
+use std::process::Command;
+
+/// The curve and the gas force of [`MODEL`] alone.
+const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 141.5\n";
+
+/// The host compares MuJoCo's quarter car with one integrated by hand and refuses a vehicle that gains energy.
+#[test]
+fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let at = directory.path();
+    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
+    std::fs::write(at.join("curve.toml"), CURVE).expect("a model file");
+    let find = "import mujoco, os, glob; f = os.path.dirname(mujoco.__file__); print(f); print(glob.glob(f + '/libmujoco.so*')[0])";
+    let found = succeed(Command::new(python()).args(["-c", find]));
+    let (folder, library) = found.trim().split_once('\n').expect("two lines");
+    // MuJoCo's own headers are not ours to warn about.
+    let flags = [
+        "-isystem".to_owned(),
+        format!("{folder}/include"),
+        // The sources that call it come later on the command line.
+        "-Wl,--no-as-needed".to_owned(),
+        library.to_owned(),
+        format!("-Wl,-rpath,{folder}"),
+        "-Wno-pedantic".to_owned(),
+    ];
+    let flags: Vec<&str> = flags.iter().map(String::as_str).collect();
+    let source = root().join("vi-crt-bridge/mujoco/vehicle.c");
+    let program = bridge_host(source.to_str().expect("a path in UTF-8"), &flags, at);
+    let told = succeed(Command::new(program).arg(at.join("model.toml")).arg(at.join("curve.toml")));
+    print!("{told}");
+    let figures: Vec<f64> = told
+        .lines()
+        .skip(1)
+        .map(|l| l.split("dissipated ").nth(1).and_then(|r| r.split(' ').next()).expect("a figure").parse().expect("J"))
+        .collect();
+    assert!(figures.len() == 2 && figures[0] != figures[1], "the model is not its curve: {told}");
+}

@@ -1,0 +1,38 @@
+//! The source shims for CarMaker and CarSim, compiled against declarations of our own and called as their hosts call.
+
+use dashpot_tests::bridge::{MODEL, bridge_host};
+use dashpot_tests::library::{root, succeed};
+use std::process::Command;
+
+const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+
+fn runs(host: &str, shim: &str, defines: &[&str], map: Option<&str>) {
+    let directory = tempfile::tempdir().expect("a directory");
+    let model = directory.path().join("model.toml");
+    std::fs::write(&model, MODEL).expect("a model file");
+    let source = root().join("vi-crt-bridge").join(shim);
+    let include = format!("-I{}", root().join("tests/hosts").display());
+    let mut flags = vec![source.to_str().expect("a path in UTF-8"), &include];
+    flags.extend(SANITIZERS);
+    flags.extend(defines);
+    let mut host = Command::new(bridge_host(host, &flags, directory.path()));
+    host.arg(&model);
+    if let Some(map) = map {
+        host.arg(root().join("vi-crt-bridge").join(map));
+    }
+    succeed(&mut host);
+}
+
+#[test]
+fn carmaker_in_both_generations() {
+    let header = "-DDASHPOT_CARMAKER_HEADER=\"carmaker_declarations.h\"";
+    for api in ["-DDASHPOT_CARMAKER_API=13", "-DDASHPOT_CARMAKER_API=15"] {
+        runs("carmaker.c", "carmaker/susp_damper.c", &[header, api], None);
+    }
+}
+
+#[test]
+fn carsim_in_its_own_units() {
+    let header = "-DDASHPOT_VS_HEADER=\"vs_declarations.h\"";
+    runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
+}

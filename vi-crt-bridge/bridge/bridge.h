@@ -1,0 +1,29 @@
+/* Inside of a bridge: for the files of this folder. */
+#ifndef DASHPOT_BRIDGE_INSIDE_H
+#define DASHPOT_BRIDGE_INSIDE_H
+
+#include "dashpot_bridge.h"
+
+#define MOST_INPUTS (DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS)
+
+struct dashpot_bridge {
+    dashpot_corner corner[DASHPOT_BRIDGE_CORNERS];
+    dashpot_channel_map map;
+    uint32_t corners;
+    /* Flat vectors: names made once, at create. */
+    uint32_t inputs;
+    enum dashpot_channel input_channel[MOST_INPUTS];
+    char input_name[MOST_INPUTS][DASHPOT_CHANNEL_NAME];
+    char output_name[DASHPOT_BRIDGE_CORNERS][DASHPOT_CHANNEL_NAME];
+};
+
+/* Names the entries of the flat vectors; -1 where a name is too long. */
+int dashpot_bridge_name_vectors(dashpot_bridge *bridge);
+
+/* The kernel's input of a corner's. */
+dashpot_input dashpot_bridge_to_kernel(const dashpot_bridge *bridge, uint32_t corner, const dashpot_corner_input *in);
+
+/* The host's output of a corner's last answer. */
+void dashpot_bridge_to_host(const dashpot_bridge *bridge, uint32_t corner, int32_t status, dashpot_corner_output *out);
+
+#endif

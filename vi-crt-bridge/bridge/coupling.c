@@ -1,0 +1,40 @@
+/* Stability of an explicit exchange between host and damper. */
+#include "bridge.h"
+#include <math.h>
+
+dashpot_coupling dashpot_bridge_coupling(double force_by_rate, double effective_mass, double dt, double *ratio)
+{
+    /* v[k+1] = (1 - a) v[k]; with one more step of delay v[k+1] = v[k] - a v[k-1]. */
+    double a = fabs(force_by_rate) * dt / effective_mass;
+
+    if (ratio)
+        *ratio = a;
+    if (a <= 0.25)
+        return DASHPOT_COUPLING_CALM;
+    if (a <= 1.0)
+        return DASHPOT_COUPLING_DELAY_RINGS;
+    /* Written so that a mass of zero or NaN ends here. */
+    return a < 2.0 ? DASHPOT_COUPLING_RINGS : DASHPOT_COUPLING_UNSTABLE;
+}
+
+double dashpot_bridge_steepest(const dashpot_bridge *bridge, uint32_t corner, double dt)
+{
+    const dashpot_corner *damper = &bridge->corner[corner];
+    double steepest = 0.0;
+    int k;
+
+    if (corner >= bridge->corners)
+        return 0.0;
+    /* Speeds from 0.1 mm/s to 3 m/s both ways: friction is steep near zero, the curve beyond. */
+    for (k = -45; k <= 45; k++) {
+        double speed = k == 0 ? 0.0 : 1e-4 * pow(10.0, (k < 0 ? -k : k) / 10.0);
+        dashpot_input input = dashpot_input_velocity(k < 0 ? -speed : speed);
+        dashpot_state state = damper->now.state;
+        dashpot_output output;
+
+        state.velocity = input.velocity;
+        if (dashpot_step(&damper->model, &state, &input, dt, &state, &output) >= 0)
+            steepest = fmax(steepest, fabs(output.force_by_velocity));
+    }
+    return steepest * fabs(bridge->map.force_scale[corner / 2] * bridge->map.motion_scale[corner / 2]);
+}

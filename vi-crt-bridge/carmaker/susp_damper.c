@@ -1,0 +1,184 @@
+/* dashpot as an IPG CarMaker damper model: class Susp_Damper (one corner, CarMaker 10 and later) and Susp_DamperSystem
+ * (four corners).
+ *
+ * Built against your own CarMaker headers; none are here. Name the headers that declare the two model classes with
+ * DASHPOT_CARMAKER_HEADER, and the generation of the plug-in interface with DASHPOT_CARMAKER_API:
+ *
+ *   gcc -O2 -c -DDASHPOT_CARMAKER_HEADER='"dashpot_carmaker.h"' -DDASHPOT_CARMAKER_API=13 susp_damper.c
+ *
+ * 13: CarMaker 9 to 13, 15: CarMaker 15. dashpot_carmaker.h is a file of yours that includes CarMaker.h, InfoUtils and the
+ * header of the suspension classes. Register both from User_Register() with dashpot_carmaker_register().
+ *
+ * Keys of the model, after its kind key: DashpotModel (model file; for the system DashpotModel.FL, .FR, .RL and .RR),
+ * DashpotLength (length of the damper at its design position, m; without it, the length of the first call).
+ *
+ * CarMaker counts length and velocity positive in extension and force positive where the damper pushes. A call with
+ * dt = 0 (preparation, model check) is answered statically and leaves the states. */
+#include DASHPOT_CARMAKER_HEADER
+#include "corner.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if !defined(DASHPOT_CARMAKER_API) || (DASHPOT_CARMAKER_API != 13 && DASHPOT_CARMAKER_API != 15)
+#error "define DASHPOT_CARMAKER_API as 13 (CarMaker 9 to 13) or 15 (CarMaker 15)"
+#endif
+
+/* The one change of sign: tension to push. */
+#define PUSH (-1.0)
+
+struct damper {
+    dashpot_corner corner;
+    double design_length; /* NaN until it is known */
+    int running; /* a call has settled it */
+};
+
+static int load(struct damper *damper, struct tInfos *inf, const char *kind, const char *corner)
+{
+    char key[256];
+    const char *path;
+    dashpot_fault fault;
+    int32_t status;
+
+    snprintf(key, sizeof key, "%s.DashpotModel%s", kind, corner);
+    path = iGetStrOpt(inf, key, "");
+    status = dashpot_corner_load(&damper->corner, path, &fault);
+    if (status < 0) {
+        LogErrF(EC_Init, "dashpot: %s = '%s', line %u: %s %s", key, path, (unsigned)fault.line, fault.parameter,
+                status <= DASHPOT_CORNER_NO_FILE ? "the file cannot be read" : dashpot_status_text(status));
+        return -1;
+    }
+    snprintf(key, sizeof key, "%s.DashpotLength%s", kind, corner);
+    damper->design_length = iGetDblOpt(inf, key, NAN);
+    damper->running = 0;
+    return 0;
+}
+
+static double force(struct damper *damper, double length, double velocity, double dt)
+{
+    dashpot_input input;
+
+    if (isnan(damper->design_length))
+        damper->design_length = length;
+    input = dashpot_input_motion(length - damper->design_length, velocity);
+    if (!damper->running || dt == 0.0) {
+        /* Settled at every static call, so that the run starts from the equilibrium that was found. */
+        dashpot_corner_rest(&damper->corner, input.displacement);
+        damper->running = 1;
+    }
+    dashpot_corner_step(&damper->corner, &input, dt);
+    return PUSH * damper->corner.now.output.force;
+}
+
+/* ---- one corner ------------------------------------------------------------------------------------------------- */
+
+#if DASHPOT_CARMAKER_API == 13
+static void *one_new(struct tInfos *inf, struct tSusp_DamperCfgIF *config, const char *kind)
+#else
+static void *one_new(struct tInfos *inf, void *config, char const *kind, char const *id)
+#endif
+{
+    struct damper *damper = calloc(1, sizeof *damper);
+
+    (void)config;
+#if DASHPOT_CARMAKER_API == 15
+    (void)id;
+#endif
+    if (damper && load(damper, inf, kind, "")) {
+        free(damper);
+        return NULL;
+    }
+    return damper;
+}
+
+#if DASHPOT_CARMAKER_API == 13
+static int one_calc(void *model, tSusp_DamperIF *io, double dt)
+{
+#else
+static int one_calc(void *model, void *first, void *second, double dt)
+{
+    tSusp_DamperIF *io = first;
+
+    (void)second;
+#endif
+    io->Force = force(model, io->length, io->vel, dt);
+    return 0;
+}
+
+/* ---- four corners: FL, FR, RL, RR -------------------------------------------------------------------------------- */
+
+#if DASHPOT_CARMAKER_API == 13
+static void *four_new(struct tInfos *inf, struct tSusp_DamperSystemCfgIF *config, const char *kind)
+#else
+static void *four_new(struct tInfos *inf, void *config, char const *kind, char const *id)
+#endif
+{
+    static const char *const corner[4] = {".FL", ".FR", ".RL", ".RR"};
+    struct damper *damper = calloc(4, sizeof *damper);
+    int i;
+
+    (void)config;
+#if DASHPOT_CARMAKER_API == 15
+    (void)id;
+#endif
+    for (i = 0; damper && i < 4; i++)
+        if (load(&damper[i], inf, kind, corner[i])) {
+            free(damper);
+            return NULL;
+        }
+    return damper;
+}
+
+#if DASHPOT_CARMAKER_API == 13
+static int four_calc(void *model, tSusp_DamperSystemIF *io, double dt)
+{
+#else
+static int four_calc(void *model, void *first, void *second, double dt)
+{
+    tSusp_DamperSystemIF *io = first;
+#endif
+    struct damper *damper = model;
+    int i;
+
+#if DASHPOT_CARMAKER_API == 15
+    (void)second;
+#endif
+    for (i = 0; i < 4; i++)
+        io->Force[i] = force(&damper[i], io->length[i], io->vel[i], dt);
+    return 0;
+}
+
+/* ---- both -------------------------------------------------------------------------------------------------------- */
+
+#if DASHPOT_CARMAKER_API == 13
+static void model_delete(void *model)
+{
+    free(model);
+}
+#else
+static void model_delete(void *model, char const *ident)
+{
+    (void)ident;
+    free(model);
+}
+#endif
+
+int dashpot_carmaker_register(void)
+{
+    tModelClassDescr description;
+
+    memset(&description, 0, sizeof description);
+    description.Susp_Damper.VersionId = Susp_Damper_Version;
+    description.Susp_Damper.New = one_new;
+    description.Susp_Damper.Calc = one_calc;
+    description.Susp_Damper.Delete = model_delete;
+    if (Model_Register(ModelClass_Susp_Damper, "dashpot", &description) < 0)
+        return -1;
+    memset(&description, 0, sizeof description);
+    description.Susp_DamperSystem.VersionId = Susp_DamperSystem_Version;
+    description.Susp_DamperSystem.New = four_new;
+    description.Susp_DamperSystem.Calc = four_calc;
+    description.Susp_DamperSystem.Delete = model_delete;
+    return Model_Register(ModelClass_Susp_DamperSystem, "dashpot", &description);
+}

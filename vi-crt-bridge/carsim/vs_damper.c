@@ -1,0 +1,105 @@
+/* dashpot as the dampers of a CarSim or TruckSim vehicle, by the VehicleSim API: the imports IMP_FD_L1, IMP_FD_R1,
+ * IMP_FD_L2 and IMP_FD_R2 replace the forces of the solver's own dampers.
+ *
+ * Built against your own VS headers, named with DASHPOT_VS_HEADER. Call dashpot_vs_install(front, rear, map) from your
+ * vs_setdef_and_read function, with two model files and the channel map (maps/carsim.toml), and dashpot_vs_end() when the
+ * run is over. Set OPT_IO_SYNC_FM in the vehicle, so that the force belongs to the kinematics of its own step. */
+#include DASHPOT_VS_HEADER
+#include "dashpot_bridge.h"
+#include <stdio.h>
+
+/* The VS solver runs one vehicle per process; its call-backs carry no pointer of ours. */
+static dashpot_bridge *bridge;
+static vs_real *input[DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS];
+static vs_real *output[DASHPOT_BRIDGE_CORNERS];
+static vs_real last_time;
+static int ready;
+
+static void import_forces(void)
+{
+    uint32_t i;
+
+    for (i = 0; i < dashpot_bridge_output_count(bridge); i++) {
+        char line[DASHPOT_CHANNEL_NAME + 16];
+        snprintf(line, sizeof line, "%s vs_replace 0", dashpot_bridge_output_name(bridge, i));
+        vs_statement("IMPORT", line, 1);
+    }
+}
+
+/* 1 where the solver knows every channel. */
+static int find_channels(void)
+{
+    uint32_t i;
+
+    for (i = 0; i < dashpot_bridge_input_count(bridge); i++)
+        if (!(input[i] = vs_get_var_ptr(dashpot_bridge_input_name(bridge, i)))) {
+            vs_set_error_message("dashpot: the solver has no variable of the name in the channel map");
+            return 0;
+        }
+    for (i = 0; i < dashpot_bridge_output_count(bridge); i++)
+        if (!(output[i] = vs_get_var_ptr(dashpot_bridge_output_name(bridge, i)))) {
+            vs_set_error_message("dashpot: the solver has no import of the name in the channel map");
+            return 0;
+        }
+    return 1;
+}
+
+static void dampers(vs_real time, int first)
+{
+    double u[DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS], y[DASHPOT_BRIDGE_CORNERS];
+    uint32_t inputs = dashpot_bridge_input_count(bridge), outputs = dashpot_bridge_output_count(bridge), i;
+
+    for (i = 0; i < inputs; i++)
+        u[i] = *input[i];
+    if (first)
+        dashpot_bridge_init_vector(bridge, u, inputs, y, outputs);
+    else
+        /* The same instant asked for twice is a static answer. */
+        dashpot_bridge_step_vector(bridge, time > last_time ? time - last_time : 0.0, u, inputs, y, outputs);
+    last_time = time;
+    for (i = 0; i < outputs; i++)
+        *output[i] = y[i];
+}
+
+static void calculate(vs_real time, vs_ext_loc where)
+{
+    if (!bridge)
+        return;
+    switch (where) {
+    case VS_EXT_AFTER_READ:
+        import_forces();
+        break;
+    case VS_EXT_EQ_INIT:
+        ready = find_channels();
+        if (ready)
+            dampers(time, 1);
+        break;
+    case VS_EXT_EQ_IN:
+        if (ready)
+            dampers(time, 0);
+        break;
+    default:
+        break;
+    }
+}
+
+int dashpot_vs_install(const char *front, const char *rear, const char *map)
+{
+    const char *models[4] = {front, front, rear, rear};
+    static dashpot_bridge_fault fault;
+
+    ready = 0;
+    bridge = dashpot_bridge_create(4, models, map, &fault);
+    if (!bridge) {
+        vs_set_error_message(fault.text);
+        return -1;
+    }
+    vs_install_calc_function(calculate);
+    return 0;
+}
+
+void dashpot_vs_end(void)
+{
+    dashpot_bridge_destroy(bridge);
+    bridge = NULL;
+}

@@ -1,0 +1,53 @@
+/* dashpot as a MEX function, for GNU Octave and MATLAB.
+ *
+ *   mkoctfile --mex -Iinclude -Ivi-crt-bridge/bridge vi-crt-bridge/octave/dashpot_step.c vi-crt-bridge/bridge/corner.c target/release/libdashpot.a
+ *
+ *   force = dashpot_step('damper.toml', displacement, velocity, dt)
+ *
+ * runs a damper from rest at displacement(1) through equally spaced samples (m, m/s, extension positive) and returns the
+ * force at each (N, tension positive). */
+#include "corner.h"
+#include "mex.h"
+#include <string.h>
+
+void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
+{
+    static dashpot_corner corner;
+    static char path[4096];
+    dashpot_fault fault;
+    const double *displacement, *velocity;
+    double *force, dt;
+    size_t n, i;
+    int32_t status;
+
+    if (inputs != 4 || outputs > 1)
+        mexErrMsgTxt("force = dashpot_step(MODEL_FILE, displacement, velocity, dt)");
+    if (mxGetString(input[0], path, sizeof path))
+        mexErrMsgTxt("the model file is a text");
+    for (i = 1; i < 4; i++)
+        if (!mxIsDouble(input[i]) || mxIsComplex(input[i]))
+            mexErrMsgTxt("displacement, velocity and dt are real numbers");
+    n = mxGetNumberOfElements(input[1]);
+    if (n == 0 || mxGetNumberOfElements(input[2]) != n || mxGetNumberOfElements(input[3]) != 1)
+        mexErrMsgTxt("displacement and velocity have equal lengths, and dt is one number");
+    displacement = mxGetPr(input[1]);
+    velocity = mxGetPr(input[2]);
+    dt = mxGetScalar(input[3]);
+    status = dashpot_corner_load(&corner, path, &fault);
+    if (status < 0)
+        mexErrMsgIdAndTxt("dashpot:model", "%s, line %u: %s %s", path, (unsigned)fault.line, fault.parameter,
+                          status <= DASHPOT_CORNER_NO_FILE ? "cannot be read" : dashpot_status_text(status));
+    status = dashpot_corner_rest(&corner, displacement[0]);
+    if (status < 0)
+        mexErrMsgIdAndTxt("dashpot:start", "the first displacement: %s", dashpot_status_text(status));
+    output[0] = mxCreateDoubleMatrix(mxGetM(input[1]), mxGetN(input[1]), mxREAL);
+    force = mxGetPr(output[0]);
+    force[0] = corner.now.output.force;
+    for (i = 1; i < n; i++) {
+        dashpot_input to = dashpot_input_motion(displacement[i], velocity[i]);
+
+        if (dashpot_corner_step(&corner, &to, dt) & DASHPOT_BRIDGE_HELD)
+            mexErrMsgIdAndTxt("dashpot:input", "sample %u or the step is not finite", (unsigned)(i + 1));
+        force[i] = corner.now.output.force;
+    }
+}
