@@ -62,13 +62,19 @@ impl Prepare for GasSpring {
 }
 
 impl GasSpring {
-    /// ξ^e and its slope over x.
-    fn volume_to(&self, x: f64, e: f64) -> (f64, f64) {
+    /// ξ held above the smallest, what it is below that, and ξ^(γ−1).
+    #[inline(always)]
+    fn compressed(&self, x: f64) -> (f64, f64, f64) {
         let ratio = 1.0 + x * self.per_length;
         let inside = if ratio > SMALLEST { ratio } else { SMALLEST };
-        let value = power(inside, e);
-        let slope = e * value / inside;
-        (value + slope * (ratio - inside), slope * self.per_length)
+        (inside, ratio - inside, power(inside, self.index - 1.0))
+    }
+
+    /// A power of ξ, prolonged straight, and its slope over x, from its exponent and its value at `inside`.
+    #[inline(always)]
+    fn prolonged(&self, exponent: f64, value: f64, per_inside: f64, below: f64) -> (f64, f64) {
+        let slope = exponent * value * per_inside;
+        (value + slope * below, slope * self.per_length)
     }
 }
 
@@ -78,8 +84,11 @@ impl Memory for GasSpring {
     }
 
     fn recall(&self, at: &Motion, z: f64) -> Recall {
-        let (pressure, pressure_by_x) = self.volume_to(at.displacement, -self.index);
-        let (isothermal, isothermal_by_x) = self.volume_to(at.displacement, self.index - 1.0);
+        let (inside, below, value) = self.compressed(at.displacement);
+        let per_inside = 1.0 / inside;
+        let (isothermal, isothermal_by_x) = self.prolonged(self.index - 1.0, value, per_inside, below);
+        // ξ^−γ = 1/(ξ ξ^(γ−1))
+        let (pressure, pressure_by_x) = self.prolonged(-self.index, per_inside / value, per_inside, below);
         Recall {
             force: self.push * (1.0 - (1.0 + z) * pressure),
             by_x: -self.push * (1.0 + z) * pressure_by_x,
@@ -92,6 +101,7 @@ impl Memory for GasSpring {
     }
 
     fn settled(&self, at: &Motion) -> f64 {
-        self.volume_to(at.displacement, self.index - 1.0).0 - 1.0
+        let (inside, below, value) = self.compressed(at.displacement);
+        self.prolonged(self.index - 1.0, value, 1.0 / inside, below).0 - 1.0
     }
 }

@@ -172,6 +172,31 @@ pub trait Memory {
 /// Most private states that a model may carry.
 pub const MAX_MEMORY: usize = 8;
 
+/// Where an element acts: the blocks of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Acts {
+    /// The FV curve.
+    Primary,
+    /// The series compliance.
+    Series,
+    /// In the law of the series compliance.
+    SeriesLaw,
+    /// Between the internal mass and the FV curve.
+    Hydraulic,
+    /// On the internal mass.
+    Inner,
+    /// Beside the damper: friction.
+    Friction,
+    /// Beside the damper: position.
+    Preload,
+    /// Beside the damper, with a private state.
+    Memory,
+    /// Beside the damper, at the ends of the stroke.
+    Stop,
+    /// Nowhere: the settings.
+    Nowhere,
+}
+
 /// Expands the list of elements into their prepared set, the table's groups and the sums the equations need.
 macro_rules! elements {
     (
@@ -209,6 +234,25 @@ macro_rules! elements {
             $(Group { name: stringify!($stop), meaning: <$Stop>::MEANING, parameters: <$Stop>::PARAMETERS },)*
             Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
         ];
+
+        /// Where the element of a group acts.
+        pub fn acts(group: usize) -> Acts {
+            const fn acts(place: Acts, _: Place) -> Acts {
+                place
+            }
+            const ACTS: &[Acts] = &[
+                Acts::Primary,
+                Acts::Series,
+                $(acts(Acts::SeriesLaw, Place::$law),)*
+                $(acts(Acts::Hydraulic, Place::$hydraulic),)*
+                $(acts(Acts::Inner, Place::$inner),)*
+                $(acts(Acts::Friction, Place::$friction),)*
+                $(acts(Acts::Preload, Place::$preload),)*
+                $(acts(Acts::Memory, Place::$memory),)*
+                $(acts(Acts::Stop, Place::$stop),)*
+            ];
+            ACTS.get(group).copied().unwrap_or(Acts::Nowhere)
+        }
 
         /// Number of elements: the groups without the settings.
         pub const COUNT: usize = Place::$settings as usize;

@@ -85,7 +85,10 @@ fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -
     let lifted = states.map(Dual::<2>::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    oil_velocity(e, u, least, TOLERANCE, |w, f| sloped(|w, f| instant(e, &lifted, &around, w, f).residual, w, f))
+    oil_velocity(e, u, least, TOLERANCE, &|w: f64, f: f64| {
+        sloped(|w, f| instant(e, &lifted, &around, w, f).residual, w, f)
+    })
+    .answer()
 }
 
 /// Number of directions: the states, displacement, velocity, and the velocity of the oil.
@@ -202,7 +205,7 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
                 w + void * e.cavitation.sign - around.v
             };
             if e.has_cavitation() {
-                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, |w, f| sloped(&steady, w, f))
+                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f)).answer()
             } else {
                 v
             }

@@ -119,6 +119,10 @@ pub(crate) struct Moves {
     pub selective: f64,
 }
 
+impl Moves {
+    pub const NONE: Moves = Moves { curve: 0.0, standing: 0.0, w: 0.0, x: 0.0, rise: 0.0, valve: 0.0, selective: 0.0 };
+}
+
 impl Valves {
     /// From the `known` states and the force and velocity that the stage tries; `leaks` where there is an oil column.
     #[inline(always)]

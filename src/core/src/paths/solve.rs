@@ -1,5 +1,6 @@
 //! The one scalar equation of a stage or an instant: which velocity w of the oil answers R(w, F_d(w)) = 0.
 
+use crate::curve::Value;
 use crate::elements::Elements;
 
 /// Most rounds; two are common, and each narrows a bracket once there is one.
@@ -10,7 +11,11 @@ const STEPS: usize = 2;
 /// Relative distance within which Newton's step is taken, and in how many rounds at most: beyond them the steps go to
 /// and fro, and every other one halves the bracket.
 const NEAR: f64 = 1e-2;
-const PATIENCE: usize = 4;
+const PATIENCE: usize = 8;
+/// Rounds after which steps across standstill stop there.
+const REST: usize = 3;
+/// Relative step at which Newton's method has begun to settle.
+const SETTLED: f64 = 1e-4;
 
 /// R and its slopes over w and over F_d.
 #[derive(Clone, Copy, Debug)]
@@ -23,46 +28,85 @@ pub struct Residual {
     pub by_curve: f64,
 }
 
-/// Finds w from a guess. `tolerance` is the relative step that is the last: its own error is of the square.
+/// R, and what else is found on the way to it.
+pub trait Equation {
+    /// What is found beside R.
+    type Seen;
+    /// R at a velocity and the force of the FV curve there.
+    fn look(&self, w: f64, curve: f64) -> (Residual, Self::Seen);
+}
+
+impl<F: Fn(f64, f64) -> Residual> Equation for F {
+    type Seen = ();
+    #[inline(always)]
+    fn look(&self, w: f64, curve: f64) -> (Residual, ()) {
+        (self(w, curve), ())
+    }
+}
+
+/// The answer: R was looked at beside it, and `step` leads from there to it.
+pub struct Found<A> {
+    /// Where R was looked at last.
+    pub w: f64,
+    /// What is left to the answer, so short that all goes straight.
+    pub step: f64,
+    /// The FV curve there.
+    pub curve: Value,
+    /// What was found beside R.
+    pub look: A,
+}
+
+impl<A> Found<A> {
+    /// w.
+    pub fn answer(&self) -> f64 {
+        self.w + self.step
+    }
+}
+
+/// Finds w from a guess. `tolerance` is the relative step that is the last: what it leaves is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
 /// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
 /// round lies on the right side of the last, and a bracket closes over those that do not settle.
 #[inline(always)]
-pub fn oil_velocity(
+pub fn oil_velocity<Q: Equation>(
     e: &Elements,
     guess: f64,
     least: [f64; 2],
     tolerance: f64,
-    residual: impl Fn(f64, f64) -> Residual,
-) -> f64 {
+    equation: &Q,
+) -> Found<Q::Seen> {
     let mut w = guess;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for round in 0..ROUNDS {
+    let mut last = 0.0;
+    let mut round = 0;
+    loop {
         let curve = e.fv_curve.at(w);
-        let r = residual(w, curve.value);
-        if r.value > 0.0 {
-            high = w;
-        } else if r.value < 0.0 {
-            low = w;
-        } else {
-            break;
-        }
+        let (r, seen) = equation.look(w, curve.value);
         let by_w = if r.by_w > least[0] { r.by_w } else { least[0] };
         let by_curve = if r.by_curve > least[1] { r.by_curve } else { least[1] };
-        let newton = w - r.value / (by_w + by_curve * curve.slope);
-        if (newton - w).abs() <= tolerance * (1e-3 + w.abs()) {
-            return newton;
+        let step = -r.value / (by_w + by_curve * curve.slope);
+        let (size, scale) = (step.abs(), 1e-3 + w.abs());
+        // Newton's steps shrink by their squares, so the next would be about step³/last².
+        let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
+        if size <= tolerance * scale || settled || round == ROUNDS {
+            return Found { w, step, curve, look: seen };
         }
+        if r.value > 0.0 {
+            high = w;
+        } else {
+            low = w;
+        }
+        let newton = w + step;
         let mut next = newton;
         // Beside the answer, where the curve was solved as well as its own steps can, Newton's step is closer.
-        if round >= PATIENCE || (newton - w).abs() > NEAR * (1e-3 + w.abs()) {
+        if round >= PATIENCE || size > NEAR * scale {
             let per = 1.0 / by_curve;
             let a = by_w * per;
             (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value * per);
         }
         // The laws of air and valves are steepest at rest and level out to both sides: from there the steps do not swing.
-        if round >= 2 && next * w < 0.0 {
+        if round >= REST && next * w < 0.0 {
             next = 0.0;
         }
         let bracketed = low.is_finite() && high.is_finite();
@@ -72,7 +116,8 @@ pub fn oil_velocity(
         } else if round >= PATIENCE && round % 2 == 0 && bracketed {
             next = 0.5 * (low + high);
         }
+        last = (next - w).abs();
         w = next;
+        round += 1;
     }
-    w
 }

@@ -7,7 +7,7 @@ use crate::input::PathPoint;
 use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, HEAT, SERIES, acts};
 use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage};
 use crate::paths::series;
-use crate::paths::solve::{Residual, oil_velocity};
+use crate::paths::solve::{Equation, Residual, oil_velocity};
 use crate::paths::{STATES, place};
 
 /// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
@@ -113,23 +113,20 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let factors = Factors::of::<ON>(e, path.x, temperature, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
-        let look = |w: f64, curve: f64| {
-            let leaks = acts::<ON>(e, COLUMN);
-            let valves = Valves::stage::<ON>(e, &factors, [curve, standing, w], &states, g, leaks);
-            Look::new::<ON>(e, valves, w, &path, temperature, &states, [g, per_g])
-        };
-        let w = if acts::<ON>(e, SERIES | COLUMN | CAVITATION) {
+        let given = Given { path, temperature, states, g, per_g, standing, factors };
+        let (w, step, curve, mut at) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION) {
             let least =
                 if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
             // So short that the mass has not moved by more than a picometre.
             let short = 1e-9 / (g * (1e-3 + guess.abs()));
             let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
-            oil_velocity(e, guess, least, tolerance, |w, f| look(w, f).residual)
+            let found = oil_velocity(e, guess, least, tolerance, &Stage::<ON>(e, &given));
+            (found.w, found.step, found.curve, found.look)
         } else {
-            path.v
+            let curve = e.fv_curve.at(path.v);
+            (path.v, 0.0, curve, Look::new::<ON>(e, &given, path.v, curve.value))
         };
-        let curve = e.fv_curve.at(w);
-        let at = look(w, curve.value);
+        at.go::<ON>(e, g, step, curve.slope);
         let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
         PathsStage {
             elements,
@@ -138,7 +135,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             gamma: known.gamma,
             row: known.row,
             path,
-            oil_velocity: w,
+            oil_velocity: w + step,
             x_m: at.x,
             u: at.u,
             g,
@@ -264,17 +261,61 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
     }
 }
 
-impl Look {
+/// What a stage is given.
+struct Given {
+    path: PathPoint,
+    temperature: f64,
+    states: [f64; STATES],
+    g: f64,
+    per_g: f64,
+    standing: f64,
+    factors: Factors,
+}
+
+/// The equation of a stage.
+struct Stage<'a, const ON: u32>(&'a Elements, &'a Given);
+
+impl<const ON: u32> Equation for Stage<'_, ON> {
+    type Seen = Look;
     #[inline(always)]
-    fn new<const ON: u32>(
-        e: &Elements,
-        valves: Valves,
-        w: f64,
-        path: &PathPoint,
-        temperature: f64,
-        known: &[f64; STATES],
-        [g, per_g]: [f64; 2],
-    ) -> Look {
+    fn look(&self, w: f64, curve: f64) -> (Residual, Look) {
+        let look = Look::new::<ON>(self.0, self.1, w, curve);
+        (look.residual, look)
+    }
+}
+
+impl Look {
+    /// Goes straight on by a step of w.
+    #[inline(always)]
+    fn go<const ON: u32>(&mut self, e: &Elements, g: f64, step: f64, slope: f64) {
+        let moves = Moves { curve: slope * step, w: step, ..Moves::NONE };
+        let [force, valve, selective] = self.valves.along::<ON>(e, &moves, acts::<ON>(e, COLUMN));
+        self.valves.force += force;
+        self.valves.valve += valve;
+        self.valves.selective += selective;
+        self.column[0] += self.column[1] * force;
+        self.void += self.void_by[0] * force;
+        if !acts::<ON>(e, SERIES) {
+            return;
+        }
+        let u = step + self.u_by_force * force;
+        self.u += u;
+        self.x += g * u;
+        self.inner.force += (self.inner.by_v + g * self.inner.by_x) * u;
+        self.law.force -= (self.law.by_deflection * g + self.law.by_rate) * u;
+        if acts::<ON>(e, BUSHING) {
+            let maxwell = g * u / (1.0 + g * e.bushing.per_time);
+            self.maxwell -= maxwell;
+            self.law.force -= self.law.by_maxwell * maxwell;
+        }
+    }
+
+    #[inline(always)]
+    fn new<const ON: u32>(e: &Elements, given: &Given, w: f64, curve: f64) -> Look {
+        let Given { path, temperature, states: known, g, per_g, standing, factors } = given;
+        let (g, per_g, temperature) = (*g, *per_g, *temperature);
+        let leaks = acts::<ON>(e, COLUMN);
+        let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, g, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
         let mut column = [0.0; 2];
         if acts::<ON>(e, COLUMN) {
