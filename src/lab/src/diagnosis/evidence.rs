@@ -76,7 +76,7 @@ pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
 }
 
 /// Share of the excess that an effect must explain; the second for those that fit a little of everything.
-const SHARE: f64 = 0.15;
+const SHARE: f64 = 0.25;
 const SPONGE_SHARE: f64 = 0.5;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.

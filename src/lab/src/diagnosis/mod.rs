@@ -119,7 +119,10 @@ pub fn diagnose(
                 .is_none_or(|e| untestable::by_range(&situation, e, heat_span).is_none() || is_stop(e))
     };
     let limits = Limits { effects: options.max_effects, allowed: &may };
-    let found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
+    let mut found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
+    if !left.is_empty() && harms(&found, records, &left) {
+        found.take_back();
+    }
     progress(0.92, "looking at what is left");
     let answer = Answer {
         records,
@@ -133,6 +136,18 @@ pub fn diagnose(
     let diagnosis = answer.diagnosis();
     progress(1.0, "done");
     Ok(diagnosis)
+}
+
+/// Rise of the error on left-out tests at which names are taken back.
+const HARM: f64 = 1.03;
+
+/// Whether the added effects make left-out tests worse.
+fn harms(found: &Search, records: &[&Record], left: &[Test]) -> bool {
+    let of = |(h, r): &(Hypothesis, Refit)| errors(h, &r.theta, records, left).map(|e| in_noise(left, &e));
+    match (of(&found.base), of(&found.last)) {
+        (Some(before), Some(after)) => after > HARM * before,
+        _ => true,
+    }
 }
 
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.

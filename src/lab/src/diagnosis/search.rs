@@ -17,7 +17,9 @@ const REFITTED: usize = 7;
 /// Confidence from which an effect is added.
 pub const NAMED: f64 = 0.5;
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
-pub const QUIET: f64 = 0.05;
+pub const QUIET: f64 = 0.1;
+/// Share of the original excess that all effects together must explain: names that leave more stand for something else.
+const TOGETHER: f64 = 0.55;
 /// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
 /// often only the form of that effect, which another name would soak up.
 const LATER_REMAINING: f64 = 0.25;
@@ -75,6 +77,8 @@ pub struct Search {
     pub rounds: Vec<Round>,
     /// Expected χ² of noise.
     pub floor: f64,
+    /// Names that were taken back in the end, since together they explain too little.
+    pub taken_back: Vec<&'static str>,
 }
 
 /// What a search may do.
@@ -104,6 +108,7 @@ pub fn search(
         added: Vec::new(),
         rounds: Vec::new(),
         floor,
+        taken_back: Vec::new(),
     };
     loop {
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
@@ -134,7 +139,19 @@ pub fn search(
         });
         take_out_what_is_not_needed(&mut found, tests);
     }
+    let (before, after) = (found.base.1.chi2, found.last.1.chi2);
+    if before - after < TOGETHER * (before - floor) {
+        found.take_back();
+    }
     Some(found)
+}
+
+impl Search {
+    /// Takes all names back.
+    pub fn take_back(&mut self) {
+        self.taken_back = self.added.drain(..).map(|a| a.candidate.effect).collect();
+        self.last = self.base.clone();
+    }
 }
 
 /// One round of screening, refitting and judging.

@@ -5,6 +5,8 @@ use super::outcome::{Rival, Verdict};
 use super::samples::Test;
 use super::search::{QUIET, Round, Search, Tried};
 
+/// Mean excess, in σ², that the form of the curves alone may leave.
+const FORM: f64 = 0.4;
 /// Share of the excess that a suspect must explain.
 const SUSPECT_SHARE: f64 = 0.5;
 /// Share of the remaining excess within which a rival explains as much as the best.
@@ -28,8 +30,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     let excess = |chi2: f64| ((chi2 - found.floor) / count).max(0.0);
     let (before, after) = (excess(found.base.1.chi2), excess(found.last.1.chi2));
     let mut notes = Vec::new();
-    let last = found.rounds.last();
-    let suspects = last.map_or(Vec::new(), |r| suspects(r));
+    let suspects = found.rounds.first().map_or(Vec::new(), suspects);
     let in_noise = |x: f64| format!("{:.2} times the noise", x.sqrt());
     if !found.added.is_empty() {
         let names: Vec<String> = found
@@ -55,9 +56,15 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             notes,
         };
     }
-    let best = last.and_then(|r| r.tried.first());
-    let sure_of_something = best.is_some_and(|t| t.evidence.bic_fall > 30.0 && t.evidence.share > 0.3);
-    if before < QUIET && !(sure_of_something && before > 0.5 * QUIET) {
+    if !found.taken_back.is_empty() {
+        notes.push(format!(
+            "{} would explain a part of it, but together too little, or at the cost of left-out tests: no name is given",
+            found.taken_back.join(" and ")
+        ));
+    }
+    let best = found.rounds.first().and_then(|r| r.tried.first());
+    let convincing = best.is_some_and(|t| t.confidence >= 0.5 && t.evidence.is_admissible());
+    if before < QUIET || (before < FORM && !convincing) {
         return Judged {
             verdict: Verdict::NothingMissing,
             summary: format!(

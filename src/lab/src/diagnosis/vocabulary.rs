@@ -304,6 +304,8 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
         let span = 0.5 * (high - low);
         all.push(Candidate {
             form,
+            // Four numbers fit a hump into anything.
+            sponge: true,
             fixed: vec![("bypass_strokes", strokes)],
             ..candidate(
                 "position_dependent_damping",
