@@ -33,6 +33,9 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
     if let Some(stroke) = start.unbend {
         unbend(&mut to, stroke);
     }
+    if start.level > 0.0 {
+        level(&mut to, start.level);
+    }
     to
 }
 
@@ -83,6 +86,32 @@ fn scale(to: &mut Hypothesis, name: &str, factor: f64) {
             Free::Model(Unknown::Log(n)) if *n == name => number.start = (number.start + factor.ln()).clamp(low, high),
             Free::Model(Unknown::Linear(n)) if *n == name => number.start = (number.start * factor).clamp(low, high),
             _ => {}
+        }
+    }
+}
+
+/// Takes so much force out of the innermost rises of the FV curve, on both strokes.
+fn level(to: &mut Hypothesis, force: f64) {
+    let velocity = to.base.list("fv_velocity").to_vec();
+    for stroke in [1.0, -1.0] {
+        let mut rises: Vec<(f64, usize)> = to
+            .numbers
+            .iter()
+            .enumerate()
+            .filter_map(|(place, n)| match &n.free {
+                Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) if velocity[*point] * stroke > 0.0 => {
+                    Some((velocity[*point].abs(), place))
+                }
+                _ => None,
+            })
+            .collect();
+        rises.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut left = force;
+        for (_, place) in rises {
+            let number = &mut to.numbers[place];
+            let taken = left.min(0.9 * number.start);
+            number.start -= taken;
+            left -= taken;
         }
     }
 }

@@ -112,7 +112,7 @@ pub fn screen(
             // What the candidate changes, as a change of the computed forces.
             let response = projection.rest(&(&at.residual - &there));
             let visible = response.norm_squared();
-            let moved = !start.moves.is_empty() || start.unbend.is_some();
+            let moved = !start.moves.is_empty() || start.unbend.is_some() || start.level > 0.0;
             let (mut gain, mut answered) = (base_left - projection.rest(&there).norm_squared(), there.clone());
             if !moved && visible > 0.0 {
                 // The strength that fits best, as far as the response grows with it.

@@ -11,6 +11,8 @@ pub struct Situation {
     pub base: Params,
     /// Friction level, N.
     pub friction: f64,
+    /// Friction that may stand as a step at standstill in an FV curve without friction beside it, N.
+    pub friction_in_curve: f64,
     /// Largest forces, N, positive.
     pub top_rebound: f64,
     /// In compression.
@@ -29,6 +31,24 @@ pub struct Situation {
     pub pauses: Vec<u32>,
     /// Span of the side forces, N.
     pub side_force_span: f64,
+}
+
+/// Speeds, m/s, between which a curve without friction is straight enough to be drawn back to standstill.
+const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
+
+/// Half the step that an FV curve makes about standstill: the force at creeping speed less what the slope beyond makes.
+fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
+    let at = |speed: f64| {
+        let right = v.partition_point(|x| *x < speed).clamp(1, v.len() - 1);
+        let share = (speed - v[right - 1]) / (v[right] - v[right - 1]);
+        f[right - 1] + share * (f[right] - f[right - 1])
+    };
+    if v.len() < 3 {
+        return 0.0;
+    }
+    let (slow, fast) = DRAWN_BACK;
+    let half = |speed: f64| 0.5 * (at(speed) - at(-speed));
+    (half(slow) - slow * (half(fast) - half(slow)) / (fast - slow)).max(0.0)
 }
 
 /// Temperature span, K, and side-force span, N, from which a channel says something.
@@ -74,8 +94,11 @@ impl Situation {
             .filter(|w| w[1] - w[0] > 1.0)
             .map(|w| (0.5 * (w[0] + w[1])) as u32)
             .collect();
+        // Without an element for it, friction stands as a step in the FV curve.
+        let in_curve = if friction > 0.0 { 0.0 } else { step_at_standstill(v, f) };
         Situation {
             base: *base,
+            friction_in_curve: in_curve,
             friction,
             top_rebound: forces.1.max(1.0),
             top_compression: (-forces.0).max(1.0),

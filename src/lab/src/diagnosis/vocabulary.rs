@@ -31,15 +31,17 @@ pub struct Start {
     /// A stroke (+1 rebound, −1 compression) whose FV branch is drawn on straight from its middle: a capped branch hides the
     /// cap.
     pub unbend: Option<f64>,
+    /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
+    pub level: f64,
 }
 
 impl Start {
     fn at(values: &[f64]) -> Start {
-        Start { values: values.to_vec(), moves: Vec::new(), unbend: None }
+        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, level: 0.0 }
     }
 
     fn moving(values: &[f64], moves: &[(&'static str, f64)]) -> Start {
-        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None }
+        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, level: 0.0 }
     }
 }
 
@@ -143,7 +145,7 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
 }
 
 fn friction(s: &Situation, all: &mut Vec<Candidate>) {
-    let level = s.friction.max(10.0);
+    let level = s.friction.max(s.friction_in_curve).max(10.0);
     if !s.base.is_on("stribeck_friction") {
         all.push(candidate(
             "coulomb_friction",
@@ -177,7 +179,7 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "presliding_friction",
         &["presliding_friction"],
-        vec![linear("presliding_force", (3.0, 200.0)), log("presliding_length", (3e-5, 2e-3))],
+        vec![linear("presliding_force", (3.0, 200.0)), log("presliding_length", (3e-5, 5e-3))],
         [1e-4, 3e-4, 9e-4]
             .iter()
             .flat_map(|length| {
@@ -185,6 +187,10 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                 let stiffer = [none[0], none[1], none[2], ("series_stiffness", 1.3)];
                 [Start::moving(&[0.8 * level, *length], &stiffer), Start::at(&[0.3 * level, *length])]
             })
+            .chain([3e-4, 1e-3, 2e-3].iter().filter(|_| s.friction_in_curve > 3.0).map(|length| Start {
+                level: 0.8 * s.friction_in_curve,
+                ..Start::at(&[0.8 * s.friction_in_curve, *length])
+            }))
             .collect(),
     ));
     all.push(candidate(
