@@ -49,6 +49,9 @@ struct Balance {
 
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
 pub trait FollowPaths {
+    /// Whether the answer's slopes are asked for.
+    const SLOPES: bool = false;
+
     /// Called after every stage.
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>);
 
@@ -112,6 +115,8 @@ impl Default for PathsByEnd {
 }
 
 impl FollowPaths for PathsByEnd {
+    const SLOPES: bool = true;
+
     #[inline(always)]
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
         let PathsByEnd([by_x, by_v]) = self;
