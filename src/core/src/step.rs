@@ -201,6 +201,9 @@ pub struct Stage<'a> {
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
 pub trait Follow {
+    /// Whether the answer's slopes are asked for.
+    const SLOPES: bool = false;
+
     /// Called after every stage.
     fn stage(&mut self, elements: &Elements, stage: &Stage);
 
@@ -238,6 +241,8 @@ impl ByEnd {
 }
 
 impl Follow for ByEnd {
+    const SLOPES: bool = true;
+
     #[inline(always)]
     fn stage(&mut self, elements: &Elements, s: &Stage) {
         let e = &elements.series_compliance;
@@ -489,6 +494,7 @@ fn advance_extras<T: Tableau>(
     end: &Motion,
     memory: &mut [f64; MAX_MEMORY],
     output: &mut Output,
+    slopes: bool,
 ) -> Response {
     let mut sum = elements.stops(end);
     output.stop_force = sum.force;
@@ -497,7 +503,7 @@ fn advance_extras<T: Tableau>(
             return;
         };
         let (z, by_end) =
-            advance_memory::<T>(substeps, element, *slot, path, path.length(), (end.side_force, end.temperature));
+            advance_memory::<T>(substeps, element, *slot, path, slopes, (end.side_force, end.temperature));
         *slot = z;
         let recall = element.recall(end, z);
         output.count(element.share(), recall.force);
@@ -510,18 +516,19 @@ fn advance_extras<T: Tableau>(
 
 /// Advances one element's private state, driven by the known input motion.
 ///
-/// The rate is linearised in z once per stage: exact for a rate that is linear in its state.
+/// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `slopes` those over
+/// the end of the step are 0.
 fn advance_memory<T: Tableau>(
     substeps: u32,
     element: &dyn Memory,
     z0: f64,
     path: &Path,
-    dt: f64,
+    slopes: bool,
     side: (f64, f64),
 ) -> (f64, [f64; 2]) {
     let n = substeps;
     let part = 1.0 / n as f64;
-    let g = T::GAMMA * dt * part;
+    let g = T::GAMMA * path.length() * part;
     let (mut z, mut by_end) = (z0, [0.0; 2]);
     let mut theta = 0.0;
     for sub in 0..n {
@@ -530,19 +537,23 @@ fn advance_memory<T: Tableau>(
         for i in 0..T::STAGES {
             let ends_step = i + 1 == T::STAGES && sub + 1 == n;
             let point = if ends_step { path.last() } else { path.at(theta + T::C[i] * part) };
-            let (mut known, mut d_known) = (z, by_end);
-            for j in 0..i {
-                let a = T::A[i][j] / T::GAMMA;
-                known += a * pushes[j];
-                for k in 0..2 {
-                    d_known[k] += a * d_pushes[j][k];
-                }
+            let mut known = z;
+            for (push, row) in pushes.iter().zip(&T::A[i]).take(i) {
+                known += row / T::GAMMA * push;
             }
             let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
             let recall = element.recall(&at, known);
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
             pushes[i] = now - known;
+            if !slopes {
+                continue;
+            }
+            let mut d_known = by_end;
+            for (push, row) in d_pushes.iter().zip(&T::A[i]).take(i) {
+                let a = row / T::GAMMA;
+                d_known = pair(|k| d_known[k] + a * push[k]);
+            }
             // Differentiated where the stage ends: there the rate depends on the input alone.
             let recall = element.recall(&at, now);
             for k in 0..2 {
@@ -634,18 +645,18 @@ pub fn advance_paths(
     output: &mut Output,
 ) {
     match model.integration.method {
-        Method::Fourth => advance_paths_by::<Fourth>(model, state, to, dt, follow, output),
-        Method::Second => advance_paths_by::<Second>(model, state, to, dt, follow, output),
-        Method::Euler => advance_paths_by::<Euler>(model, state, to, dt, follow, output),
+        Method::Fourth => advance_paths_by::<Fourth, _>(model, state, to, dt, follow, output),
+        Method::Second => advance_paths_by::<Second, _>(model, state, to, dt, follow, output),
+        Method::Euler => advance_paths_by::<Euler, _>(model, state, to, dt, follow, output),
     }
 }
 
-fn advance_paths_by<T: Tableau>(
+fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
     model: &Model,
     state: &mut State,
     to: &Input,
     dt: f64,
-    follow: &mut impl paths::FollowPaths,
+    follow: &mut F,
     output: &mut Output,
 ) {
     let e = &model.elements;
@@ -664,7 +675,7 @@ fn advance_paths_by<T: Tableau>(
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {
-        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
+        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, F::SLOPES);
     }
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
@@ -757,13 +768,14 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 #[inline(never)]
 fn answer<T: Tableau, const PLAIN: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     let mut by_end = ByEnd::new();
-    advance_by::<T, PLAIN>(model, to, dt, &mut by_end, state, output);
+    advance_by::<T, _, PLAIN>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
 }
 
-/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass still. A damper with
+/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass and, unless `follow`
+/// asks for them, the private states still. A damper with
 /// elements in its series or hydraulic path has stages of another kind: `follow` is told nothing of them, see
 /// [`advance_paths`].
 #[inline(always)]
@@ -782,9 +794,9 @@ pub fn advance(
         return;
     }
     match model.integration.method {
-        Method::Fourth => advance_by::<Fourth, false>(model, to, dt, follow, state, output),
-        Method::Second => advance_by::<Second, false>(model, to, dt, follow, state, output),
-        Method::Euler => advance_by::<Euler, false>(model, to, dt, follow, state, output),
+        Method::Fourth => advance_by::<Fourth, _, false>(model, to, dt, follow, state, output),
+        Method::Second => advance_by::<Second, _, false>(model, to, dt, follow, state, output),
+        Method::Euler => advance_by::<Euler, _, false>(model, to, dt, follow, state, output),
     }
 }
 
@@ -795,11 +807,11 @@ const LONGEST: f64 = 1e60;
 
 /// By one method, in place.
 #[inline(always)]
-fn advance_by<T: Tableau, const PLAIN: bool>(
+fn advance_by<T: Tableau, F: Follow, const PLAIN: bool>(
     model: &Model,
     to: &Input,
     dt: f64,
-    follow: &mut impl Follow,
+    follow: &mut F,
     state: &mut State,
     output: &mut Output,
 ) {
@@ -849,7 +861,7 @@ fn advance_by<T: Tableau, const PLAIN: bool>(
     if !PLAIN && e.has_extras() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output);
+        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, F::SLOPES);
         force += sum.force;
         by_x += sum.by_x;
         by_v += sum.by_v;

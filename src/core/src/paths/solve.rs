@@ -11,7 +11,7 @@ const STEPS: usize = 2;
 /// Relative distance within which Newton's step is taken, and in how many rounds at most: beyond them the steps go to
 /// and fro, and every other one halves the bracket.
 const NEAR: f64 = 1e-2;
-const PATIENCE: usize = 8;
+const PATIENCE: usize = 12;
 /// Rounds after which steps across standstill stop there.
 const REST: usize = 3;
 /// Relative step at which Newton's method has begun to settle.

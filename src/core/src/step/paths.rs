@@ -17,7 +17,7 @@ use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;
 use crate::paths::acting::{
-    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, HEAT, POSITION, SELECTIVE, SERIES, VALVE, moves,
+    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, HEAT, POSITION, SELECTIVE, SERIES, VALVE, acts, moves,
 };
 use crate::paths::{STATES, place};
 use crate::state::{Output, State};
@@ -49,6 +49,9 @@ struct Balance {
 
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
 pub trait FollowPaths {
+    /// Whether the answer's slopes are asked for.
+    const SLOPES: bool = false;
+
     /// Called after every stage.
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>);
 
@@ -112,6 +115,8 @@ impl Default for PathsByEnd {
 }
 
 impl FollowPaths for PathsByEnd {
+    const SLOPES: bool = true;
+
     #[inline(always)]
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
         let PathsByEnd([by_x, by_v]) = self;
@@ -318,8 +323,9 @@ impl Substep<'_> {
             let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
             let known = known_part::<ON>(e, &from.states, row, method.gamma, &gains, index);
             now.overshot |= known[place::VOID] < 0.0;
-            // The oil follows the driven end.
-            let guess = now.oil_velocity + (point.v - now.driven);
+            // The oil follows the driven end, but where a void takes up the motion.
+            let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
+            let guess = now.oil_velocity + follows;
             let known = Known { index, last, gamma: method.gamma, row, g, states: known };
             let stage = PathsStage::<ON>::solve(e, &known, point, self.temperature, guess);
             let balance = stage.balance();
