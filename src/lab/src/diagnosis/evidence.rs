@@ -86,9 +86,9 @@ const LEFT_OUT: f64 = -0.05;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
-const WEIGHTS: [f64; FEATURES] = [-3.0, 0.6, 0.2, 3.0, 0.5, 1.0, 0.5, -0.8, 4.0];
+const WEIGHTS: [f64; FEATURES] = [-12.3, 0.9, 3.5, 2.8, -2.0, 1.8, 2.0];
 /// Number of features.
-pub const FEATURES: usize = 9;
+pub const FEATURES: usize = 7;
 
 impl Evidence {
     /// What the logistic sees.
@@ -96,14 +96,12 @@ impl Evidence {
         [
             1.0,
             (self.bic_fall / 10.0).asinh(),
-            (self.margin / 10.0).asinh(),
             self.share.clamp(-1.0, 1.0),
-            self.log_fall.clamp(0.0, 3.0),
-            self.left_out_gain.clamp(-1.0, 2.0),
             self.plausible,
             f64::from(u8::from(self.sponge)),
             // Of two that explain nearly the same, the form of the curves decides, not the effect.
             (self.margin / self.bic_fall.max(1.0)).clamp(-1.0, 1.0),
+            self.tests_better,
         ]
     }
 

@@ -21,6 +21,10 @@ pub struct Situation {
     pub knee_force: f64,
     /// Displacements that the tests reach, m.
     pub reach: (f64, f64),
+    /// Span of the tests' mean displacements, m.
+    pub means_span: f64,
+    /// Highest over lowest frequency.
+    pub frequency_ratio: f64,
     /// Whether a temperature channel varies.
     pub temperature_measured: bool,
     /// Mean temperature, °C.
@@ -66,6 +70,12 @@ impl Situation {
         let temperatures = span(&mut inputs().map(|i| i.temperature));
         let side = span(&mut inputs().map(|i| i.side_force.abs()));
         let clock = span(&mut tests.iter().map(|t| t.clock));
+        let mean = |t: &Test| {
+            let x = || t.inputs().iter().filter_map(|i| i.displacement);
+            x().sum::<f64>() / x().count().max(1) as f64
+        };
+        let means = span(&mut tests.iter().map(mean));
+        let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let mut friction = 0.0;
         if base.is_on("coulomb_friction") {
@@ -99,6 +109,8 @@ impl Situation {
         Situation {
             base: *base,
             friction_in_curve: in_curve,
+            means_span: means.1 - means.0,
+            frequency_ratio: if frequencies.0 > 0.0 { frequencies.1 / frequencies.0 } else { f64::INFINITY },
             friction,
             top_rebound: forces.1.max(1.0),
             top_compression: (-forces.0).max(1.0),

@@ -6,6 +6,10 @@ use dashpot_core::elements;
 
 /// Side force span, N, from which friction under side force can be told from friction.
 const SIDE_FORCE: f64 = 50.0;
+/// Span of the mean displacements, m, and ratio of the frequencies, from which a place and a frequency can be told from
+/// anything else.
+const MEANS: f64 = 0.008;
+const FREQUENCIES: f64 = 3.0;
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
 const TRACE: f64 = 20.0;
 
@@ -22,10 +26,16 @@ pub fn by_range(s: &Situation, effect: &'static str, heat_span: f64) -> Option<S
              repeat one test cold and after hard work"
                 .to_owned(),
         ),
-        "force_offset" if s.base.is_on("gas_preload") => Some(
+        "force_offset" if s.base.is_on("gas_preload") && s.pauses.is_empty() => Some(
             "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper \
              unhooked, before and after"
                 .to_owned(),
+        ),
+        "position_dependent_damping" if s.means_span < MEANS => Some(
+            "all tests have nearly the same mean displacement: run one small sine at five or more mean positions".to_owned(),
+        ),
+        "frequency_selective_damping" if s.frequency_ratio < FREQUENCIES => Some(
+            "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz".to_owned(),
         ),
         "force_drift" if s.clock_span <= 1.0 => Some(
             "every record starts its clock anew: keep one clock through the campaign and repeat a reference test".to_owned(),
