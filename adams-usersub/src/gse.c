@@ -20,7 +20,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEWEST_INPUTS = 2, MOST_INPUTS = 4, MOST_OUTPUTS = 7, UNITS_AT = 1 };
+enum { FEWEST_INPUTS = 2, MOST_INPUTS = 4, MOST_OUTPUTS = 9, UNITS_AT = 1 };
 
 /* Rate at which a state that the model does not use returns to zero, 1/s: statics must find it there. */
 static const double UNUSED_DECAY = 100.0;
@@ -204,6 +204,8 @@ static void outputs_of(const instant *now, const dashpot_output *o, double y[MOS
     y[4] = o->spring_force / u->force;
     y[5] = o->friction_force / u->force;
     y[6] = o->gas_force / u->force;
+    y[7] = o->stop_force / u->force;
+    y[8] = o->oil_temperature;
 }
 
 /* Moves one input or state of the instant by `by`, in model units. */

@@ -17,7 +17,7 @@ fn known_effects_are_named() {
         ("stribeck_friction", 2.0),
         ("presliding_friction", 2.0),
         ("gas_spring", 2.0),
-        ("side_force_friction:two_bushes", 2.0),
+        ("side_force_friction", 0.6),
         ("temperature_fade", 2.0),
         ("bump_stop:rubber", 2.0),
         ("moving_mass:rig_mass", 2.0),

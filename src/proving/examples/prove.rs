@@ -1,4 +1,4 @@
-//! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
+//! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
@@ -11,8 +11,8 @@ fn main() {
     let seed: u64 = args.get(1).and_then(|s| s.parse().ok()).unwrap_or(1000);
     let entries: Vec<Entry> = match what {
         "full" => suite(Size::FULL, seed),
+        "medium" => suite(Size::MEDIUM, seed),
         "short" => suite(Size::SHORT, seed),
-        "others" => suite(Size { severities: &[], pairs: 6, nothing: 3, ..Size::SHORT }, seed),
         _ => {
             let count: u64 = args.get(2).and_then(|s| s.parse().ok()).unwrap_or(1);
             (0..count)

@@ -286,6 +286,7 @@ impl Answer<'_> {
                     before_rmse_n: rms(&before[k]),
                     after_rmse_n: rms(&after[k]),
                     noise_n: test.mean_noise,
+                    allowed_n: test.segment.scale,
                     curves: Curves {
                         displacement: test.inputs().iter().map(|i| i.displacement.unwrap_or(0.0)).collect(),
                         velocity: test.inputs().iter().map(|i| i.velocity).collect(),

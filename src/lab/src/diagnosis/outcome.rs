@@ -205,6 +205,8 @@ pub struct TestOutcome {
     pub after_rmse_n: f64,
     /// What noise makes, N.
     pub noise_n: f64,
+    /// Error that noise and the form of the curves allow, N: the unit in which the gap counts this test.
+    pub allowed_n: f64,
     /// The curves.
     #[serde(skip)]
     pub curves: Curves,

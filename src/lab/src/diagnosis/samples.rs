@@ -113,6 +113,52 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
         .sum()
 }
 
+/// Fewest cycles whose differences tell the noise of their mean.
+const REPEATS: usize = 3;
+/// Share of the largest deviations that steep places make, not noise.
+const STEEP: f64 = 0.02;
+
+/// Noise of the mean cycle and share of independent samples, from how cycles differ from their mean at equal phase: whatever
+/// the colour of the noise.
+fn repeat(
+    bounds: &[(f64, f64)],
+    mean: impl Iterator<Item = f64> + Clone,
+    force: impl Fn(f64) -> f64,
+) -> Option<(f64, f64)> {
+    let count = mean.clone().count();
+    if bounds.len() < REPEATS || count < 16 {
+        return None;
+    }
+    let deviations: Vec<Vec<f64>> = bounds
+        .iter()
+        .map(|(a, b)| mean.clone().enumerate().map(|(k, m)| force(a + (b - a) * k as f64 / count as f64) - m).collect())
+        .collect();
+    let mut sizes: Vec<f64> = deviations.iter().flatten().map(|d| d.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let limit = sizes[((1.0 - STEEP) * (sizes.len() - 1) as f64) as usize];
+    let near = |d: f64| d.clamp(-limit, limit);
+    let product = |lag: usize| {
+        let of = |d: &Vec<f64>| (lag..count).map(|k| near(d[k]) * near(d[k - lag])).sum::<f64>();
+        deviations.iter().map(of).sum::<f64>() / ((count - lag) * deviations.len()) as f64
+    };
+    let variance = product(0);
+    if variance <= 0.0 {
+        return None;
+    }
+    // Geyer's initial positive sequence (Stat. Sci. 7, 1992), as far as a quarter of a cycle.
+    let mut stands_for = 1.0;
+    for lag in 1..count / 4 {
+        let correlation = product(lag) / variance;
+        if correlation < 0.05 {
+            break;
+        }
+        stands_for += 2.0 * correlation;
+    }
+    let n = bounds.len() as f64;
+    // The deviations are from the cycles' own mean, which takes its share of them.
+    Some(((variance / (n - 1.0)).sqrt(), 1.0 / stands_for))
+}
+
 /// Variance of the mean of `count` neighbours in units of one sample's, for noise whose autocorrelation falls off
 /// geometrically.
 fn mean_variance(count: usize, lag1: f64) -> f64 {
@@ -161,9 +207,17 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
     let (least, most) = LEAD_IN_CYCLES;
     let lead = (((LEAD_IN / period).clamp(least, most) * count as f64) as usize).max(2);
     let (input, force) = (0..lead + count).map(|k| cycle[(k + 2 * count - lead % count) % count]).unzip();
-    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-    let apart = (in_cycle as f64 * step).max(1.0);
-    let mean_noise = record.noise.force_rms * (mean_variance(averaged, lag1) / bounds.len() as f64).sqrt();
+    let (mean_noise, independence) = repeat(&bounds, cycle.iter().map(|c| c.1), |t| {
+        let half = (averaged / 2) as i64;
+        let per = period / in_cycle as f64;
+        (-half..=half).map(|k| at(time, &record.force, t + k as f64 * per)).sum::<f64>() / averaged as f64
+    })
+    .unwrap_or_else(|| {
+        let lag1 = record.noise.lag1.clamp(0.0, 0.99);
+        let apart = (in_cycle as f64 * step).max(1.0);
+        let mean_noise = record.noise.force_rms * (mean_variance(averaged, lag1) / bounds.len() as f64).sqrt();
+        (mean_noise, independence(lag1.powf(apart)))
+    });
     let (begin, end) = (bounds[0].0, bounds[bounds.len() - 1].1);
     finish(
         Test {
@@ -171,7 +225,7 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
             segment: segment(record, vec![period * step; lead + count], input, force, lead),
             allowed: Vec::new(),
             mean_noise,
-            independence: independence(lag1.powf(apart)),
+            independence,
             frequency: 1.0 / period,
             clock: 0.5 * (begin + end),
         },

@@ -211,16 +211,20 @@ fn series(s: &Situation, all: &mut Vec<Candidate>) {
     if !s.base.is_on("series_compliance") {
         return;
     }
-    all.push(candidate(
-        "bushing",
-        &["bushing"],
-        vec![
-            log("bushing_hardening", (2e-4, 2e-2)),
-            linear("bushing_loss_stiffness", (0.02, 3.0)),
-            held("bushing_loss_time", (1e-3, 0.3), 1.0),
-        ],
-        [6e-4, 2e-3].iter().flat_map(|d| [5e-3, 3e-2].map(|t| Start::at(&[*d, 0.3, t]))).collect(),
-    ));
+    all.push(Candidate {
+        // Two stiffnesses and a time follow any lag.
+        sponge: true,
+        ..candidate(
+            "bushing",
+            &["bushing"],
+            vec![
+                log("bushing_hardening", (2e-4, 2e-2)),
+                linear("bushing_loss_stiffness", (0.02, 3.0)),
+                held("bushing_loss_time", (1e-3, 0.3), 1.0),
+            ],
+            [6e-4, 2e-3].iter().flat_map(|d| [5e-3, 3e-2].map(|t| Start::at(&[*d, 0.3, t]))).collect(),
+        )
+    });
     all.push(candidate(
         "free_play",
         &["free_play"],
