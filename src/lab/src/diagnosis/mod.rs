@@ -120,7 +120,7 @@ pub fn diagnose(
     };
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let mut found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
-    if !left.is_empty() && harms(&found, records, &left) {
+    if !holds(&found, records, &fitted, &left) {
         found.take_back();
     }
     progress(0.92, "looking at what is left");
@@ -138,16 +138,27 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
+/// Share of the excess that all names together must explain: names that leave more stand for something else.
+const TOGETHER: f64 = 0.55;
+/// A smaller share will do where so much of the gap is closed on tests that no refit has seen.
+const LESS_TOGETHER: f64 = 0.4;
+const GAP_CLOSED: f64 = 0.2;
 /// Rise of the error on left-out tests at which names are taken back.
 const HARM: f64 = 1.03;
 
-/// Whether the added effects make left-out tests worse.
-fn harms(found: &Search, records: &[&Record], left: &[Test]) -> bool {
-    let of = |(h, r): &(Hypothesis, Refit)| errors(h, &r.theta, records, left).map(|e| in_noise(left, &e));
-    match (of(&found.base), of(&found.last)) {
-        (Some(before), Some(after)) => after > HARM * before,
-        _ => true,
+/// Whether the names stand: together they explain enough, and left-out tests do not suffer.
+fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) -> bool {
+    if found.added.is_empty() {
+        return true;
     }
+    let tests = if left.is_empty() { fitted } else { left };
+    let of = |(h, r): &(Hypothesis, Refit)| errors(h, &r.theta, records, tests);
+    let (Some(before), Some(after)) = (of(&found.base), of(&found.last)) else { return false };
+    if in_noise(tests, &after) > HARM * in_noise(tests, &before) {
+        return false;
+    }
+    let closed = gap_closed(tests, &before, &after).unwrap_or(0.0);
+    found.together() >= TOGETHER || (found.together() >= LESS_TOGETHER && closed >= GAP_CLOSED)
 }
 
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.

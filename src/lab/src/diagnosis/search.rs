@@ -18,8 +18,6 @@ const REFITTED: usize = 7;
 pub const NAMED: f64 = 0.5;
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
 pub const QUIET: f64 = 0.1;
-/// Share of the original excess that all effects together must explain: names that leave more stand for something else.
-const TOGETHER: f64 = 0.55;
 /// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
 /// often only the form of that effect, which another name would soak up.
 const LATER_REMAINING: f64 = 0.25;
@@ -139,18 +137,27 @@ pub fn search(
         });
         take_out_what_is_not_needed(&mut found, tests);
     }
-    let (before, after) = (found.base.1.chi2, found.last.1.chi2);
-    if before - after < TOGETHER * (before - floor) {
-        found.take_back();
-    }
     Some(found)
 }
 
 impl Search {
+    /// Share of the excess that all names together explain.
+    pub fn together(&self) -> f64 {
+        (self.base.1.chi2 - self.last.1.chi2) / (self.base.1.chi2 - self.floor).max(1e-9)
+    }
+
     /// Takes all names back.
     pub fn take_back(&mut self) {
         self.taken_back = self.added.drain(..).map(|a| a.candidate.effect).collect();
         self.last = self.base.clone();
+    }
+}
+
+/// Effects that differ in their curvature only are no rivals: whichever fits better speaks for both.
+fn family(effect: &str) -> &str {
+    match effect {
+        "gas_spring" | "parallel_spring" => "spring",
+        other => other,
     }
 }
 
@@ -231,10 +238,11 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
         }
     }
     tried.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-    let scores: Vec<f64> = tried.iter().map(|t| t.evidence.bic_fall).collect();
-    for (k, entry) in tried.iter_mut().enumerate() {
-        let rival = if k == 0 { scores.get(1).copied().unwrap_or(0.0) } else { scores[0] };
-        entry.evidence.margin = entry.evidence.bic_fall - rival.max(0.0);
+    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.bic_fall)).collect();
+    for entry in &mut tried {
+        let own = family(entry.candidate.effect);
+        let rival = scores.iter().filter(|(other, _)| *other != own).map(|s| s.1).fold(0.0, f64::max);
+        entry.evidence.margin = entry.evidence.bic_fall - rival;
         entry.confidence = entry.evidence.confidence();
     }
     let mut invisible: Vec<(&'static str, f64)> = Vec::new();
