@@ -117,8 +117,6 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
 const REPEATS: usize = 3;
 /// Share of the largest deviations that steep places make, not noise.
 const STEEP: f64 = 0.02;
-/// Share of its variance that normal noise keeps when its largest deviations are cut so.
-const CUT: f64 = 0.964;
 
 /// Noise of the mean cycle and share of independent samples, from how cycles differ from their mean at equal phase: whatever
 /// the colour of the noise.
@@ -143,20 +141,20 @@ fn repeat(
         let of = |d: &Vec<f64>| (lag..count).map(|k| near(d[k]) * near(d[k - lag])).sum::<f64>();
         deviations.iter().map(of).sum::<f64>() / ((count - lag) * deviations.len()) as f64
     };
-    if product(0) <= 0.0 {
+    let variance = product(0);
+    if variance <= 0.0 {
         return None;
     }
     // Geyer's initial positive sequence (Stat. Sci. 7, 1992), as far as a quarter of a cycle.
     let mut stands_for = 1.0;
     for lag in 1..count / 4 {
-        let correlation = product(lag) / product(0);
+        let correlation = product(lag) / variance;
         if correlation < 0.05 {
             break;
         }
         stands_for += 2.0 * correlation;
     }
     let n = bounds.len() as f64;
-    let variance = product(0) / CUT;
     // The deviations are from the cycles' own mean, which takes its share of them.
     Some(((variance / (n - 1.0)).sqrt(), 1.0 / stands_for))
 }
