@@ -163,6 +163,7 @@ pub mod tests {
             before_rmse_n: 20.0,
             after_rmse_n: 1.0,
             noise_n: 0.5,
+            allowed_n: 0.5,
             curves: Curves {
                 displacement: over(&|p| 0.05 * p.sin()),
                 velocity: over(&|p| 0.314 * p.cos()),
