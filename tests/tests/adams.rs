@@ -346,7 +346,8 @@ fn misuse_stops_the_run_with_a_message_that_helps() {
             }
         }
     }
-    for (setting, word) in [("ns=1", "NS=2"), ("ns=5", "NS=2"), ("ni=1", "NI=1"), ("no=0", "NO=0"), ("no=10", "NO=10")] {
+    for (setting, word) in [("ns=1", "NS=2"), ("ns=5", "NS=2"), ("ni=1", "NI=1"), ("no=0", "NO=0"), ("no=10", "NO=10")]
+    {
         let run = run(&solver, "gse", &with(&path, &[setting]));
         assert!(run.code == Some(3) && run.text.contains(word), "{setting}: {}", run.text);
     }
