@@ -1,4 +1,5 @@
-//! Cavitation: the gas pressure limits the force of one stroke, and the void that opens has to be closed again.
+//! Cavitation: a void that one stroke leaves, because the gas pressure limits its force or because the foot valve does not
+//! refill the chamber, and that the other has to close again.
 
 use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
@@ -17,8 +18,19 @@ use crate::parameter::{Parameter, View};
 /// R is a ramp and r a resistance so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
 /// void lasts the valves pass what the pressure T drives through them, so it closes by flow and by motion. κ = 1 is a void
 /// behind which the gas keeps pushing, κ = 0 one on whose return the rod moves freely.
+///
+/// *Foot valve*: the force of the driven stroke is whole, but beyond the speed v_f the valve does not refill the chamber
+/// behind the piston; the return begins with a dead stroke.
+///
+/// ```text
+/// u = w − σ c,   de/dt = a R(σ v − v_f) − c,   c = R(−p)/r · e/(e + e_0)
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Cavitation {
+    is_foot_valve: bool,
+    /// a and v_f.
+    unfilled: f64,
+    filling: f64,
     /// C.
     cap: f64,
     /// σ.
@@ -37,10 +49,17 @@ const ROUNDING: f64 = 2e-3;
 const TURNING: f64 = 3e-3;
 /// e_0: a void smaller than this, m, closes more slowly.
 const CLOSED: f64 = 1e-5;
+/// Speed over which the foot valve falls behind, m/s.
+const LAGGING: f64 = 0.1;
+/// Resistance of the rod while the void of a foot valve closes, N s/m.
+const FREE: f64 = 10.0;
 
 const FORCE: usize = 0;
 const SIDE: usize = 1;
 const RETURN: usize = 2;
+const FORM: usize = 3;
+const FILLING: usize = 4;
+const UNFILLED: usize = 5;
 
 impl Describe for Cavitation {
     const MEANING: &'static str =
@@ -55,16 +74,52 @@ impl Describe for Cavitation {
             (0.0, 1.0),
             "share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke",
         ),
+        Parameter::choice(
+            "cavitation_form",
+            &["cap", "foot_valve"],
+            "void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it",
+        ),
+        Parameter::scalar(
+            "cavitation_velocity",
+            "m/s",
+            &[0.3],
+            (0.0, 10.0),
+            "foot valve: speed of that stroke beyond which the chamber is not refilled, v_f",
+        ),
+        Parameter::scalar(
+            "cavitation_unfilled",
+            "-",
+            &[0.05],
+            (0.0, 1.0),
+            "foot valve: share of the flow beyond that speed that is missing, a",
+        ),
     ];
 }
 
 impl Prepare for Cavitation {
-    const OFF: Self = Cavitation { cap: 1.0, sign: 1.0, lost: 0.0, per_resistance: 0.0 };
+    const OFF: Self = Cavitation {
+        is_foot_valve: false,
+        unfilled: 0.0,
+        filling: 0.0,
+        cap: 1.0,
+        sign: 1.0,
+        lost: 0.0,
+        per_resistance: 0.0,
+    };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let cap = p.number(FORCE);
         let sign = if p.number(SIDE) == 1.0 { 1.0 } else { -1.0 };
-        Ok(Cavitation { cap, sign, lost: 1.0 - p.number(RETURN), per_resistance: SLACK / cap })
+        let is_foot_valve = p.number(FORM) == 1.0;
+        Ok(Cavitation {
+            is_foot_valve,
+            unfilled: p.number(UNFILLED),
+            filling: p.number(FILLING),
+            cap,
+            sign,
+            lost: 1.0 - p.number(RETURN),
+            per_resistance: if is_foot_valve { 1.0 / FREE } else { SLACK / cap },
+        })
     }
 }
 
@@ -86,6 +141,9 @@ impl Cavitation {
     /// of the driven end.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, force: R, velocity: R) -> (R, R) {
+        if self.is_foot_valve {
+            return (R::constant(-1.0), -(force * self.sign));
+        }
         let beyond = (force * self.sign).plus(-self.cap);
         let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost * self.cap);
         (beyond, -beyond - returning)
@@ -94,7 +152,7 @@ impl Cavitation {
     /// R(x)/r, smooth.
     #[inline(always)]
     fn ramp<R: Real>(&self, x: R) -> R {
-        let width = ROUNDING * self.cap;
+        let width = if self.is_foot_valve { ROUNDING } else { ROUNDING * self.cap };
         let at = x.value();
         let ramp = if at <= 0.0 {
             R::constant(0.0)
@@ -106,14 +164,32 @@ impl Cavitation {
         ramp * self.per_resistance
     }
 
-    /// de/dt at a hydraulic force.
+    /// Foot valve: rate at which the void opens without the oil's doing.
+    #[inline(always)]
+    pub(crate) fn lags<R: Real>(&self, velocity: R) -> R {
+        if !self.is_foot_valve {
+            return R::constant(0.0);
+        }
+        let beyond = (velocity * self.sign).plus(-self.filling);
+        let at = beyond.value();
+        let lags = if at <= 0.0 {
+            R::constant(0.0)
+        } else if at < LAGGING {
+            beyond * beyond * (0.5 / LAGGING)
+        } else {
+            beyond.plus(-0.5 * LAGGING)
+        };
+        lags * self.unfilled
+    }
+
+    /// What the oil makes of the void: de/dt less what lags behind, at a hydraulic force.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
         let (beyond, short) = self.beyond_and_short(force, velocity);
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
-    /// The void at the end of an implicit stage that is `known` at its start: e − g de/dt = E.
+    /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
         let (beyond, short) = self.beyond_and_short(force, velocity);

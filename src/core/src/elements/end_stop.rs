@@ -7,11 +7,12 @@ use crate::parameter::View;
 /// With the depth d beyond the clearance and the speed s into the stop,
 ///
 /// ```text
-/// P = k d̃ (1 + d̃/p) (1 + η tanh(s/s_0)) + c (d̃/p) s₊²/(s₊ + s_0),   d̃ = d²/(d + d_0)
+/// P = k d̃ (1 + d̃/p) (1 + η tanh(s/s_0)) + c ½ (d̃/p) (1 + d̃/p) f(s),   d̃ = d²/(d + d_0)
+/// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
 /// a stiffening spring that gives back less than it took, and oil that is pressed out on the way in only. Slopes are
-/// continuous everywhere: d̃ sets in softly over d_0, the oil over s_0.
+/// continuous everywhere: d̃ sets in softly over d_0, the oil over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
     clearance: f64,
@@ -19,6 +20,7 @@ pub struct EndStop {
     per_progression: f64,
     loss: f64,
     damping: f64,
+    is_orifice: bool,
 }
 
 /// d_0: a contact is soft for so many metres.
@@ -28,9 +30,16 @@ const TURNING: f64 = 0.02;
 
 impl EndStop {
     /// A stop that is not there.
-    pub const OFF: EndStop = EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0 };
+    pub const OFF: EndStop = EndStop {
+        clearance: 0.0,
+        stiffness: 0.0,
+        per_progression: 0.0,
+        loss: 0.0,
+        damping: 0.0,
+        is_orifice: false,
+    };
 
-    /// From rows of the order clearance, stiffness, progression, loss, damping.
+    /// From rows of the order clearance, stiffness, progression, loss, damping, flow.
     pub fn prepare(p: &View) -> EndStop {
         EndStop {
             clearance: p.number(0),
@@ -38,6 +47,7 @@ impl EndStop {
             per_progression: 1.0 / p.number(2),
             loss: p.number(3),
             damping: p.number(4),
+            is_orifice: p.number(5) == 1.0,
         }
     }
 
@@ -56,16 +66,20 @@ impl EndStop {
         let gain = 1.0 + self.loss * turned;
         let gain_by_s = self.loss * (1.0 - turned * turned) * (1.0 / TURNING);
         let (mut flow, mut flow_by_s) = (0.0, 0.0);
-        if s > 0.0 {
+        if s > 0.0 && self.is_orifice {
+            (flow, flow_by_s) = (s * s, 2.0 * s);
+        } else if s > 0.0 {
             let per = 1.0 / (s + TURNING);
             flow = s * s * per;
             flow_by_s = s * (s + 2.0 * TURNING) * per * per;
         }
-        let oil = self.damping * self.per_progression;
+        let oil = 0.5 * self.damping * self.per_progression;
+        let covered = depth * (1.0 + depth * self.per_progression);
+        let covered_by_depth = 1.0 + 2.0 * depth * self.per_progression;
         Response {
-            force: spring * gain + oil * depth * flow,
-            by_x: (spring_by_depth * gain + oil * flow) * depth_by_x,
-            by_v: spring * gain_by_s + oil * depth * flow_by_s,
+            force: spring * gain + oil * covered * flow,
+            by_x: (spring_by_depth * gain + oil * covered_by_depth * flow) * depth_by_x,
+            by_v: spring * gain_by_s + oil * covered * flow_by_s,
         }
     }
 }

@@ -504,7 +504,19 @@ impl Elements {
 
     #[inline(always)]
     pub(crate) fn has_position(&self) -> bool {
-        self.has(Place::position_dependent_damping)
+        self.has(Place::position_dependent_damping) && !self.position_dependent_damping.is_groove
+    }
+
+    /// Whether position-dependent damping is a flow beside the valves.
+    #[inline(always)]
+    pub(crate) fn has_groove(&self) -> bool {
+        self.has(Place::position_dependent_damping) && self.position_dependent_damping.is_groove
+    }
+
+    /// Whether frequency-selective damping is a flow beside the valves.
+    #[inline(always)]
+    pub(crate) fn has_passage(&self) -> bool {
+        self.has(Place::frequency_selective_damping) && self.frequency_selective_damping.is_bypass
     }
 
     #[inline(always)]
@@ -514,7 +526,7 @@ impl Elements {
 
     #[inline(always)]
     pub(crate) fn has_frequency_selective(&self) -> bool {
-        self.has(Place::frequency_selective_damping)
+        self.has(Place::frequency_selective_damping) && !self.frequency_selective_damping.is_bypass
     }
 
     #[inline(always)]
@@ -526,6 +538,12 @@ impl Elements {
     #[inline(always)]
     pub(crate) fn has_column(&self) -> bool {
         self.has(Place::oil_compressibility) || self.has(Place::aeration)
+    }
+
+    /// Whether the oil column is shorter at one end of the stroke than at the other.
+    #[inline(always)]
+    pub(crate) fn has_length(&self) -> bool {
+        self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
     }
 
     #[inline(always)]

@@ -1,10 +1,14 @@
 //! Compressibility of the oil column between piston and valves.
 
+use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// F_h = k_o q, dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
+/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
+///
+/// ℓ is the length of the column relative to that at x = 0. The rebound chamber gets shorter with extension: ℓ = 1 − λ x.
+/// With two chambers the one under pressure yields: ℓ = 1 − λ x tanh(F_h/F_c), longer on the compression stroke.
 ///
 /// Cylinder expansion is in it: 1/k_o = 1/k_oil + 1/k_tube, and no test on a rig can tell the two apart. The series
 /// compliance differs from both in that springs on the mass pass through it but not through the oil.
@@ -12,25 +16,67 @@ use crate::parameter::{Parameter, View};
 pub struct OilCompressibility {
     /// 1/k_o.
     pub(crate) compliance: f64,
+    shortening: f64,
+    has_two_chambers: bool,
 }
+
+/// F_c, N.
+const CHANGES: f64 = 50.0;
+/// Least ℓ.
+const SHORTEST: f64 = 0.1;
 
 impl Describe for OilCompressibility {
     const MEANING: &'static str =
         "compressibility of the oil column (with the expansion of the cylinder) before the valves";
-    const PARAMETERS: &'static [Parameter] = &[Parameter::scalar(
-        "oil_stiffness",
-        "N/m",
-        &[3e6],
-        (1e5, 1e9),
-        "stiffness of the oil column, cylinder expansion included, k_o",
-    )];
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar(
+            "oil_stiffness",
+            "N/m",
+            &[3e6],
+            (1e5, 1e9),
+            "stiffness of the oil column at x = 0, cylinder expansion included, k_o",
+        ),
+        Parameter::scalar(
+            "oil_shortening",
+            "1/m",
+            &[0.0],
+            (-50.0, 50.0),
+            "one over the length of the column at x = 0, lambda; 0: the same stiffness at every place",
+        ),
+        Parameter::choice(
+            "oil_chambers",
+            &["rebound", "both"],
+            "whose column yields: that of the rebound chamber, or that of the chamber under pressure",
+        ),
+    ];
 }
 
 impl Prepare for OilCompressibility {
     /// Ten times stiffer than most oil: hardly noticed beside the air it then carries.
-    const OFF: Self = OilCompressibility { compliance: 1.0 / 3e7 };
+    const OFF: Self = OilCompressibility { compliance: 1.0 / 3e7, shortening: 0.0, has_two_chambers: false };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(OilCompressibility { compliance: 1.0 / p.number(0) })
+        Ok(OilCompressibility {
+            compliance: 1.0 / p.number(0),
+            shortening: p.number(1),
+            has_two_chambers: p.number(2) == 1.0,
+        })
+    }
+}
+
+impl OilCompressibility {
+    /// Whether the place matters.
+    #[inline(always)]
+    pub(crate) fn has_length(&self) -> bool {
+        self.shortening != 0.0
+    }
+
+    /// ℓ.
+    #[inline(always)]
+    pub(crate) fn length<R: Real>(&self, x: R, force: R) -> R {
+        let away = x * self.shortening;
+        let away = if self.has_two_chambers { away * (force * (1.0 / CHANGES)).tanh() } else { away };
+        let length = (-away).plus(1.0);
+        if length.value() > SHORTEST { length } else { R::constant(SHORTEST) }
     }
 }

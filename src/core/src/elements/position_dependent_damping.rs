@@ -5,10 +5,18 @@ use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// F_d is multiplied by s(x) = 1 − a ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x.
+/// A zone of the stroke, p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x, in two
+/// forms.
+///
+/// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
+///
+/// *Groove*: oil flows past the piston beside the valves, as a velocity q_b p(x) √(F_h / 1 kN); see
+/// [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
+    pub(crate) is_groove: bool,
     share: f64,
+    flow: f64,
     centre: f64,
     half_width: f64,
     per_blend: f64,
@@ -30,17 +38,34 @@ impl Describe for PositionDependentDamping {
         Parameter::scalar("bypass_half_width", "m", &[0.02], (1e-3, 1.0), "half the length of the zone, w"),
         Parameter::scalar("bypass_blend", "m", &[5e-3], (5e-4, 0.5), "length over which the zone fades out, b"),
         Parameter::choice("bypass_strokes", &["both", "rebound", "compression"], "strokes on which it acts"),
+        Parameter::choice("bypass_form", &["factor", "groove"], "factor on the FV force, or flow beside the valves"),
+        Parameter::scalar(
+            "bypass_flow",
+            "m/s",
+            &[0.2],
+            (0.0, 10.0),
+            "groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b",
+        ),
     ];
 }
 
 impl Prepare for PositionDependentDamping {
-    const OFF: Self =
-        PositionDependentDamping { share: 0.0, centre: 0.0, half_width: 0.0, per_blend: 1.0, acts: [false; 2] };
+    const OFF: Self = PositionDependentDamping {
+        is_groove: false,
+        share: 0.0,
+        flow: 0.0,
+        centre: 0.0,
+        half_width: 0.0,
+        per_blend: 1.0,
+        acts: [false; 2],
+    };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let strokes = p.number(4);
         Ok(PositionDependentDamping {
+            is_groove: p.number(5) == 1.0,
             share: p.number(0),
+            flow: p.number(6),
             centre: p.number(1),
             half_width: p.number(2),
             per_blend: 1.0 / p.number(3),
@@ -64,11 +89,24 @@ impl PositionDependentDamping {
         self.acts.map(|acts| if acts { window } else { R::constant(1.0) })
     }
 
+    /// Flow through the groove at 1 kN, m/s, on the stroke.
+    #[inline(always)]
+    pub(crate) fn groove<R: Real>(&self, x: R, rebound: bool) -> R {
+        let [compression_acts, rebound_acts] = self.acts;
+        if if rebound { rebound_acts } else { compression_acts } { self.zone(x) * self.flow } else { R::constant(0.0) }
+    }
+
     /// s(x) where it acts.
     #[inline(always)]
     fn window<R: Real>(&self, x: R) -> R {
+        (-(self.zone(x) * self.share)).plus(1.0)
+    }
+
+    /// p(x).
+    #[inline(always)]
+    fn zone<R: Real>(&self, x: R) -> R {
         let from = x.plus(-self.centre);
         let (rise, fall) = (from.plus(self.half_width) * self.per_blend, from.plus(-self.half_width) * self.per_blend);
-        (-((rise.tanh() - fall.tanh()) * (0.5 * self.share))).plus(1.0)
+        (rise.tanh() - fall.tanh()) * 0.5
     }
 }

@@ -4,7 +4,8 @@ use super::Partials;
 use crate::dual::{Dual, Real};
 use crate::elements::{Elements, Motion};
 use crate::input::Input;
-use crate::paths::hydraulic::{Around, column_force, flow};
+use crate::paths::bypass;
+use crate::paths::hydraulic::{Around, column_force, flow, length};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{Residual, oil_velocity};
 use crate::paths::{STATES, place};
@@ -28,30 +29,38 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     let mut rates = [R::constant(0.0); STATES];
     let (primary, residual);
     let opens = |force: R| e.cavitation.rate(force, around.v, states[place::VOID]);
+    let passes = |force: R| if bypass::is_open(e) { bypass::flow(e, force, around.x, states) } else { R::constant(0.0) };
     if e.has_column() {
         // The oil column holds the force; the valves answer with their velocity.
         primary = column_force(e, states[place::COLUMN]);
         residual = flow.force - primary;
-        let mut left = u - w;
+        let mut left = u - w - passes(primary);
         if e.has_cavitation() {
             rates[place::VOID] = opens(primary);
             left = left - rates[place::VOID] * e.cavitation.sign;
         }
-        rates[place::COLUMN] = left;
+        rates[place::COLUMN] = left * length(e, around.x, primary).inverse();
     } else if e.has_cavitation() {
         primary = flow.force;
         rates[place::VOID] = opens(primary);
-        residual = w + rates[place::VOID] * e.cavitation.sign - u;
+        residual = w + passes(primary) + rates[place::VOID] * e.cavitation.sign - u;
     } else {
         primary = flow.force;
-        residual = w - u;
+        residual = w + passes(primary) - u;
     }
-    rates[place::SELECTIVE] =
-        (flow.selective_target - states[place::SELECTIVE]) * e.frequency_selective_damping.per_time;
+    if e.has_cavitation() {
+        rates[place::VOID] = rates[place::VOID] + e.cavitation.lags(around.v);
+    }
+    let selective = &e.frequency_selective_damping;
+    rates[place::SELECTIVE] = if e.has_passage() {
+        selective.fills(primary, states[place::SELECTIVE])
+    } else {
+        (flow.selective_target - states[place::SELECTIVE]) * selective.per_time
+    };
     rates[place::VALVE] = (flow.valve_target - states[place::VALVE]) * e.valve_hysteresis.per_time;
     let fade = &e.temperature_fade;
     if fade.heats_itself {
-        rates[place::HEAT] = flow.force * w * fade.per_capacity - states[place::HEAT] * fade.cooling;
+        rates[place::HEAT] = flow.force * (w + passes(primary)) * fade.per_capacity - states[place::HEAT] * fade.cooling;
     }
     let at = Motion { displacement: x.value(), velocity: u.value(), side_force: 0.0, temperature: around.temperature };
     let inner = e.inner(&at);
@@ -79,7 +88,7 @@ fn sloped(residual: impl Fn(Dual<2>, Dual<2>) -> Dual<2>, w: f64, f: f64) -> Res
 /// The velocity of the oil at given states.
 fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -> f64 {
     let u = if e.has_series() { states[place::U] } else { v };
-    if !e.has_column() && !e.has_cavitation() {
+    if !e.has_column() && !e.has_cavitation() && !bypass::is_open(e) {
         return u;
     }
     let lifted = states.map(Dual::<2>::constant);
@@ -201,17 +210,27 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
             let standing = Dual::constant(standing);
             let steady = |w: Dual<2>, f: Dual<2>| {
                 let force = flow(e, f, standing, w, &around, &lifted).force;
-                let void = e.cavitation.rate(force, around.v, lifted[place::VOID]);
-                w + void * e.cavitation.sign - around.v
+                let mut u = w;
+                if e.has_cavitation() {
+                    u = u + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign;
+                }
+                if bypass::is_open(e) {
+                    u = u + bypass::flow(e, force, around.x, &lifted);
+                }
+                u - around.v
             };
-            if e.has_cavitation() {
+            if e.has_cavitation() || bypass::is_open(e) {
                 oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f)).answer()
             } else {
                 v
             }
         };
         let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
-        held[place::SELECTIVE] = flow.selective_target;
+        held[place::SELECTIVE] = if e.has_passage() {
+            e.frequency_selective_damping.towards(flow.force)
+        } else {
+            flow.selective_target
+        };
         held[place::VALVE] = flow.valve_target;
         let still = held == states && force == flow.force;
         force = flow.force;

@@ -25,6 +25,12 @@ pub const HEAT: u32 = 1 << 8;
 pub const SELECTIVE: u32 = 1 << 9;
 /// Valve hysteresis.
 pub const VALVE: u32 = 1 << 10;
+/// Flow beside the valves through a groove.
+pub const GROOVE: u32 = 1 << 11;
+/// Flow beside the valves through the passage of frequency-selective damping.
+pub const PASSAGE: u32 = 1 << 12;
+/// A length of the oil column that depends on the place.
+pub const LENGTH: u32 = 1 << 13;
 /// Whatever the model says.
 pub const ANY: u32 = u32::MAX;
 
@@ -40,8 +46,11 @@ pub(crate) fn of(e: &Elements) -> u32 {
         (BUSHING, e.has_bushing()),
         (COLUMN, e.has_column()),
         (AIR, e.has_aeration()),
+        (LENGTH, e.has_length()),
         (CAVITATION, e.has_cavitation()),
         (POSITION, e.has_position()),
+        (GROOVE, e.has_groove()),
+        (PASSAGE, e.has_passage()),
         (FADE, e.has_fade()),
         (HEAT, e.temperature_fade.heats_itself),
         (SELECTIVE, e.has_frequency_selective()),
@@ -73,7 +82,7 @@ pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
         place::BUSHING => BUSHING,
         place::COLUMN => COLUMN,
         place::VOID => CAVITATION,
-        place::SELECTIVE => SELECTIVE,
+        place::SELECTIVE => SELECTIVE | PASSAGE,
         place::VALVE => VALVE,
         _ => HEAT,
     };

@@ -1,6 +1,6 @@
 //! The hydraulic path: what the valves make of the oil's velocity, and what the oil makes of the piston's.
 
-use super::acting::{AIR, FADE, POSITION, SELECTIVE, VALVE, acts};
+use super::acting::{AIR, FADE, LENGTH, POSITION, SELECTIVE, VALVE, acts};
 use super::place;
 use super::{STATES, soft_gap::SoftGap};
 use crate::dual::{Dual, Real};
@@ -211,6 +211,22 @@ impl Valves {
 #[inline(always)]
 fn column(e: &Elements) -> (SoftGap, f64) {
     (e.aeration.0, e.oil_compressibility.compliance)
+}
+
+/// ℓ, the length of the oil column.
+#[inline(always)]
+pub fn length<R: Real>(e: &Elements, x: R, force: R) -> R {
+    if e.has_length() { e.oil_compressibility.length(x, force) } else { R::constant(1.0) }
+}
+
+/// As [`length`] in a stage, with its slopes over F_h and the displacement.
+#[inline(always)]
+pub(crate) fn length_in_stage<const ON: u32>(e: &Elements, x: f64, force: f64) -> [f64; 3] {
+    if !acts::<ON>(e, LENGTH) {
+        return [1.0, 0.0, 0.0];
+    }
+    let length = e.oil_compressibility.length(Dual::<2>::along(x, 1), Dual::along(force, 0));
+    [length.value, length.slope(0), length.slope(1)]
 }
 
 /// q(F_h).

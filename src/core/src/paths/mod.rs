@@ -4,15 +4,17 @@
 //! ```text
 //! F_s = φ(x − x_m) + c_s χ (v − u) + k_1 z                           [series]
 //! m du/dt = F_s − F_p(x_m) − F_h                                    (or x_m = x, u = v)
-//! F_h = N(s F_d(w)) = φ_o(q),   u = w + dq/dt + σ de/dt             [hydraulic]
+//! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! φ is the elastic law and χ the share of its contacts that is closed, 1 without free play.
+//! φ is the elastic law and χ the share of its contacts that is closed, 1 without free play; b flows past the valves and ℓ
+//! is the length of the oil column, 1 in the middle of the stroke.
 //!
 //! With no element of either path on, φ is straight, w = u and F_h = F_d(u): the plain step of [`crate::step`] and the
 //! short formulas of [`crate::evaluate`] then do, and nothing here is called.
 
 pub mod acting;
+pub mod bypass;
 pub mod hydraulic;
 pub mod series;
 pub mod soft_gap;
@@ -129,7 +131,7 @@ pub(crate) fn slots(e: &Elements) -> Slots {
     on[place::BUSHING] = e.has_bushing();
     on[place::COLUMN] = e.has_column();
     on[place::VOID] = e.has_cavitation();
-    on[place::SELECTIVE] = e.has_frequency_selective();
+    on[place::SELECTIVE] = e.has_frequency_selective() || e.has_passage();
     on[place::VALVE] = e.has_valve();
     on[place::HEAT] = e.temperature_fade.heats_itself;
     Slots::new(on)

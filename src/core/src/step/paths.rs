@@ -3,7 +3,7 @@
 //! Every stage is one scalar equation in the velocity w of the oil at the valves:
 //!
 //! ```text
-//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + (q − Q)/g + σ (e − E)/g
+//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + ℓ (q − Q)/g + σ (e − E)/g
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
@@ -17,7 +17,7 @@ use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;
 use crate::paths::acting::{
-    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, HEAT, POSITION, SELECTIVE, SERIES, VALVE, acts, moves,
+    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES, VALVE, acts, moves,
 };
 use crate::paths::{STATES, place};
 use crate::state::{Output, State};
@@ -225,6 +225,9 @@ pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, fol
         SERIES | POSITION,
         SERIES | FADE,
         SERIES | FADE | HEAT,
+        SERIES | COLUMN | LENGTH,
+        SERIES | GROOVE,
+        SERIES | PASSAGE,
         SERIES | SELECTIVE,
         SERIES | VALVE,
     }

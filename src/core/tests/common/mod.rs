@@ -44,6 +44,10 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     let capped = [("cavitation_force", 900.0)];
     let heats = [("fade_source", 1.0), ("heat_capacity", 300.0)];
     let stroke = [("fsd_form", 1.0)];
+    let groove = [("bypass_form", 1.0), ("bypass_half_width", 0.01)];
+    let passage = [("fsd_form", 2.0)];
+    let foot = [("cavitation_form", 1.0), ("cavitation_side", 1.0), ("cavitation_velocity", 0.1)];
+    let play = [("valve_form", 1.0), ("valve_play", 150.0), ("valve_hysteresis_share", 0.5)];
     vec![
         ("free play", of(&["free_play"], &[])),
         ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
@@ -71,6 +75,33 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         ("stroke alone", without_series(of(&["frequency_selective_damping"], &stroke))),
         ("valve", of(&["valve_hysteresis"], &[])),
         ("valve, time alone", of(&["valve_hysteresis"], &[("valve_closing_ratio", 1.0), ("valve_time", 5e-3)])),
+        ("groove", of(&["position_dependent_damping"], &groove)),
+        ("groove alone", without_series(of(&["position_dependent_damping"], &groove))),
+        ("passage", of(&["frequency_selective_damping"], &passage)),
+        ("passage alone", without_series(of(&["frequency_selective_damping"], &passage))),
+        ("shortening oil", of(&["oil_compressibility"], &[("oil_shortening", 8.0)])),
+        (
+            "two shortening chambers with air",
+            without_series(of(&["oil_compressibility", "aeration"], &[("oil_shortening", 8.0), ("oil_chambers", 1.0)])),
+        ),
+        ("foot valve", of(&["cavitation"], &foot)),
+        ("foot valve with oil", of(&["cavitation", "oil_compressibility"], &foot)),
+        ("valve with play", of(&["valve_hysteresis"], &play)),
+        (
+            "flows past",
+            of(
+                &[
+                    "oil_compressibility",
+                    "aeration",
+                    "cavitation",
+                    "position_dependent_damping",
+                    "temperature_fade",
+                    "frequency_selective_damping",
+                    "valve_hysteresis",
+                ],
+                &[groove.as_slice(), &passage, &foot, &play, &[("fade_source", 1.0), ("oil_shortening", 5.0)]].concat(),
+            ),
+        ),
         (
             "hydraulics",
             of(

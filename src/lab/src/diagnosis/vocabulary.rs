@@ -83,6 +83,11 @@ fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
     Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None }
 }
 
+/// Near an expected value by nature: `deviation` in its own unit.
+fn near(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..linear(name, plausible) }
+}
+
 fn candidate(
     effect: &'static str,
     elements: &'static [&'static str],
@@ -144,6 +149,9 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
     let _ = s;
 }
 
+/// Power of presliding friction from which it is refined.
+const SLIPS: f64 = 1.5;
+
 fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     let level = s.friction.max(s.friction_in_curve).max(10.0);
     if !s.base.is_on("stribeck_friction") {
@@ -179,17 +187,21 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "presliding_friction",
         &["presliding_friction"],
-        vec![linear("presliding_force", (3.0, 200.0)), log("presliding_length", (3e-5, 5e-3))],
+        vec![
+            linear("presliding_force", (3.0, 200.0)),
+            log("presliding_length", (3e-5, 5e-3)),
+            held("presliding_power", (1.0, 8.0), 0.7),
+        ],
         [1e-4, 3e-4, 9e-4]
             .iter()
             .flat_map(|length| {
                 let none = [("coulomb_force", 0.2), ("stribeck_coulomb_force", 0.2), ("stribeck_breakaway_force", 0.2)];
                 let stiffer = [none[0], none[1], none[2], ("series_stiffness", 1.3)];
-                [Start::moving(&[0.8 * level, *length], &stiffer), Start::at(&[0.3 * level, *length])]
+                [Start::moving(&[0.8 * level, *length, SLIPS], &stiffer), Start::at(&[0.3 * level, *length, SLIPS])]
             })
             .chain([3e-4, 1e-3, 2e-3].iter().filter(|_| s.friction_in_curve > 3.0).map(|length| Start {
                 level: 0.8 * s.friction_in_curve,
-                ..Start::at(&[0.8 * s.friction_in_curve, *length])
+                ..Start::at(&[0.8 * s.friction_in_curve, *length, SLIPS])
             }))
             .collect(),
     ));
@@ -237,19 +249,29 @@ fn series(s: &Situation, all: &mut Vec<Candidate>) {
     ));
 }
 
+/// One over the length of an oil column, 1/m.
+const COLUMN: f64 = 6.0;
+
 fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
     let stiffness = if s.base.is_on("series_compliance") { s.base.scalar("series_stiffness") } else { 2e6 };
-    all.push(candidate(
-        "oil_compressibility",
-        &["oil_compressibility"],
-        vec![log("oil_stiffness", (3e5, 2e7))],
-        vec![
-            Start::at(&[1e7]),
-            Start::at(&[2.5e6]),
-            Start::moving(&[2.0 * stiffness], &[("series_stiffness", 2.0)]),
-            Start::moving(&[1.3 * stiffness], &[("series_stiffness", 4.0)]),
-        ],
-    ));
+    for (chambers, form) in [(0.0, "rebound chamber"), (1.0, "both chambers")] {
+        all.push(Candidate {
+            form,
+            fixed: vec![("oil_chambers", chambers)],
+            ..candidate(
+                "oil_compressibility",
+                &["oil_compressibility"],
+                // A column of eight to fifty centimetres.
+                vec![log("oil_stiffness", (3e5, 2e7)), near("oil_shortening", (0.0, 20.0), 4.0)],
+                vec![
+                    Start::at(&[1e7, COLUMN]),
+                    Start::at(&[2.5e6, COLUMN]),
+                    Start::moving(&[2.0 * stiffness, COLUMN], &[("series_stiffness", 2.0)]),
+                    Start::moving(&[1.3 * stiffness, COLUMN], &[("series_stiffness", 4.0)]),
+                ],
+            )
+        });
+    }
     all.push(candidate(
         "aeration",
         &["aeration"],
@@ -282,6 +304,16 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
     }
+    all.push(Candidate {
+        form: "foot valve does not refill",
+        fixed: vec![("cavitation_form", 1.0), ("cavitation_side", 1.0)],
+        ..candidate(
+            "cavitation",
+            &["cavitation"],
+            vec![linear("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
+            grid(&[0.03], &[0.1, 0.25, 0.5]),
+        )
+    });
     if s.temperature_measured {
         all.push(Candidate {
             form: "measured temperature",
@@ -333,6 +365,39 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
+    for (strokes, form) in [(0.0, "groove"), (1.0, "groove open in rebound"), (2.0, "groove open in compression")] {
+        let (low, high) = s.reach;
+        let (middle, span) = (0.5 * (low + high), 0.5 * (high - low));
+        all.push(Candidate {
+            form,
+            sponge: true,
+            fixed: vec![("bypass_strokes", strokes), ("bypass_form", 1.0)],
+            ..candidate(
+                "position_dependent_damping",
+                &["position_dependent_damping"],
+                vec![
+                    linear("bypass_flow", (0.003, 2.0)),
+                    linear("bypass_centre", (-0.1, 0.1)),
+                    held("bypass_half_width", (0.003, 0.08), 0.8),
+                    held("bypass_blend", (0.001, 0.03), 0.8),
+                ],
+                [-0.5, 0.0, 0.5]
+                    .iter()
+                    .flat_map(|c| [0.008, 0.02].map(|w| Start::at(&[0.05, middle + c * span, w, 0.005])))
+                    .collect(),
+            )
+        });
+    }
+    all.push(Candidate {
+        form: "bypass",
+        fixed: vec![("fsd_form", 2.0)],
+        ..candidate(
+            "frequency_selective_damping",
+            &["frequency_selective_damping"],
+            vec![linear("fsd_flow", (0.003, 2.0)), log("fsd_time", (5e-3, 0.5)), held("fsd_force", (5.0, 1000.0), 0.8)],
+            [0.015, 0.05, 0.15].map(|t| Start::at(&[0.05, t, 0.1 * s.knee_force.max(100.0)])).to_vec(),
+        )
+    });
     for (form, name, times) in [(0.0, "filter", [0.01, 0.04, 0.15]), (1.0, "stroke", [0.015, 0.05, 0.15])] {
         all.push(Candidate {
             form: name,
@@ -346,6 +411,29 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let knee = s.knee_force.max(50.0);
+    for (form, last, starts) in [
+        ("lag", log("valve_time", (2e-4, 0.03)), [1e-3, 4e-3]),
+        ("play", log("valve_play", (5.0, 1000.0)), [0.05 * knee, 0.2 * knee]),
+    ] {
+        all.push(Candidate {
+            form,
+            fixed: vec![("valve_form", 1.0), ("valve_time", 5e-4), ("valve_play", 0.0)],
+            ..candidate(
+                "valve_hysteresis",
+                &["valve_hysteresis"],
+                vec![
+                    linear("valve_hysteresis_share", (0.02, 3.0)),
+                    log("valve_opening_force", (30.0, 3000.0)),
+                    last,
+                    held("valve_width", (10.0, 1500.0), 0.8),
+                ],
+                [0.3, 0.8, 1.5]
+                    .iter()
+                    .flat_map(|f| starts.map(|t| Start::at(&[0.6, f * knee, t, 0.3 * f * knee])))
+                    .collect(),
+            )
+        });
+    }
     all.push(Candidate {
         fixed: vec![("valve_closing_ratio", 0.75)],
         ..candidate(
@@ -371,13 +459,13 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
         (
             "bump_stop",
             &["bump_stop"] as &'static [&'static str],
-            ["bump_stop_clearance", "bump_stop_stiffness", "bump_stop_damping", "bump_stop_progression"],
+            ["bump_stop_clearance", "bump_stop_stiffness", "bump_stop_damping", "bump_stop_progression", "bump_stop_flow"],
             -low,
         ),
         (
             "rebound_stop",
             &["rebound_stop"],
-            ["rebound_stop_clearance", "rebound_stop_stiffness", "rebound_stop_damping", "rebound_stop_progression"],
+            ["rebound_stop_clearance", "rebound_stop_stiffness", "rebound_stop_damping", "rebound_stop_progression", "rebound_stop_flow"],
             high,
         ),
     ] {
@@ -394,16 +482,18 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 clearances.map(|c| Start::at(&[1e4, c, 0.02])).to_vec(),
             )
         });
-        all.push(Candidate {
-            form: "hydraulic",
-            fixed: vec![(names[1], 0.0)],
-            ..candidate(
-                effect,
-                elements,
-                vec![log(names[2], (100.0, 1e5)), linear(names[0], (0.01, 0.15))],
-                clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c]))).collect(),
-            )
-        });
+        for (orifice, form) in [(0.0, "hydraulic, gap"), (1.0, "hydraulic, orifice")] {
+            all.push(Candidate {
+                form,
+                fixed: vec![(names[1], 0.0), (names[4], orifice)],
+                ..candidate(
+                    effect,
+                    elements,
+                    vec![log(names[2], (100.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
+                    clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c, 0.02]))).collect(),
+                )
+            });
+        }
     }
 }
 

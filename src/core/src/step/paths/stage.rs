@@ -4,8 +4,9 @@ use super::{Balance, Known};
 use crate::dual::Dual;
 use crate::elements::{Elements, Motion, Response};
 use crate::input::PathPoint;
-use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, HEAT, SERIES, acts};
-use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage};
+use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, acts};
+use crate::paths::bypass::Past;
+use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage, length_in_stage};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Residual, oil_velocity};
 use crate::paths::{STATES, place};
@@ -84,9 +85,14 @@ struct Look {
     valves: Valves,
     /// q and its slope over F_h.
     column: [f64; 2],
-    /// e and its slopes over F_h, velocity of the driven end and E.
+    /// ℓ and its slopes over F_h and displacement.
+    length: [f64; 3],
+    /// What flows past the valves.
+    past: Past,
+    /// e, its slopes over F_h, velocity of the driven end and E, and those of what the oil makes of it.
     void: f64,
     void_by: [f64; 3],
+    oil_void_by: [f64; 3],
     /// ∂u/∂F_h.
     u_by_force: f64,
     x: f64,
@@ -114,7 +120,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
         let given = Given { path, temperature, states, g, per_g, standing, factors };
-        let (w, step, curve, mut at) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION) {
+        let (w, step, curve, mut at) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE) {
             let least =
                 if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
             // So short that the mass has not moved by more than a picometre.
@@ -163,11 +169,12 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         if acts::<ON>(e, CAVITATION) {
             states[place::VOID] = at.void;
         }
-        states[place::SELECTIVE] = at.valves.selective;
+        states[place::SELECTIVE] = if acts::<ON>(e, PASSAGE) { at.past.state } else { at.valves.selective };
         states[place::VALVE] = at.valves.valve;
         if acts::<ON>(e, HEAT) {
             let fade = &e.temperature_fade;
-            let heated = self.known[place::HEAT] + primary * self.oil_velocity * (g * fade.per_capacity);
+            let flow = self.oil_velocity + at.past.flow;
+            let heated = self.known[place::HEAT] + primary * flow * (g * fade.per_capacity);
             states[place::HEAT] = heated / (1.0 + g * fade.cooling);
         }
         let force = if acts::<ON>(e, SERIES) { at.law.force } else { at.inner.force + primary };
@@ -203,10 +210,17 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
         let void_held = void_by_v * seed.v + void_by_void * known[place::VOID];
         if acts::<ON>(e, COLUMN) {
-            u_held -= per_g * known[place::COLUMN];
+            u_held -= at.length[0] * per_g * known[place::COLUMN];
+        }
+        if acts::<ON>(e, LENGTH) {
+            u_held += at.length[2] * per_g * (at.column[0] - self.known[place::COLUMN]) * seed.x;
+        }
+        if acts::<ON>(e, GROOVE | PASSAGE) {
+            u_held += at.past.flow_by[1] * seed.x + at.past.flow_by[2] * known[place::SELECTIVE];
         }
         if acts::<ON>(e, CAVITATION) {
-            u_held += (per_g * e.cavitation.sign) * (void_held - known[place::VOID]);
+            let [_, by_v, by_void] = at.oil_void_by;
+            u_held += (per_g * e.cavitation.sign) * (by_v * seed.v + by_void * known[place::VOID]);
         }
         let law = &at.law;
         let gives_way = if acts::<ON>(e, BUSHING) { 1.0 / (1.0 + g * e.bushing.per_time) } else { 0.0 };
@@ -236,10 +250,16 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             states[place::VOID] = void_held + void_by_force * primary;
         }
         states[place::SELECTIVE] = selective;
+        if acts::<ON>(e, PASSAGE) {
+            let [by_force, by_state] = at.past.state_by;
+            states[place::SELECTIVE] = by_force * primary + by_state * known[place::SELECTIVE];
+        }
         states[place::VALVE] = valve;
         if acts::<ON>(e, HEAT) {
             let fade = &e.temperature_fade;
-            let power = at.valves.force * moves.w + self.oil_velocity * primary;
+            let [by_force, by_x, by_state] = at.past.flow_by;
+            let past = by_force * primary + by_x * seed.x + by_state * known[place::SELECTIVE];
+            let power = at.valves.force * (moves.w + past) + (self.oil_velocity + at.past.flow) * primary;
             states[place::HEAT] = (known[place::HEAT] + power * (g * fade.per_capacity)) / (1.0 + g * fade.cooling);
         }
         if !has_series {
@@ -294,6 +314,8 @@ impl Look {
         self.valves.valve += valve;
         self.valves.selective += selective;
         self.column[0] += self.column[1] * force;
+        self.past.flow += self.past.flow_by[0] * force;
+        self.past.state += self.past.state_by[0] * force;
         self.void += self.void_by[0] * force;
         if !acts::<ON>(e, SERIES) {
             return;
@@ -317,20 +339,30 @@ impl Look {
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, g, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
-        let mut column = [0.0; 2];
+        let (mut column, mut length) = ([0.0; 2], [1.0, 0.0, 0.0]);
         if acts::<ON>(e, COLUMN) {
             column = deflection_in_stage::<ON>(e, valves.force);
-            u += (column[0] - known[place::COLUMN]) * per_g;
-            u_by_force += column[1] * per_g;
+            length = length_in_stage::<ON>(e, path.x, valves.force);
+            let change = (column[0] - known[place::COLUMN]) * per_g;
+            u += length[0] * change;
+            u_by_force += length[0] * column[1] * per_g + length[1] * change;
         }
-        let (mut void, mut void_by) = (0.0, [0.0; 3]);
+        let mut past = Past::NONE;
+        if acts::<ON>(e, GROOVE | PASSAGE) {
+            past = Past::stage::<ON>(e, valves.force, path.x, known[place::SELECTIVE], g);
+            u += past.flow;
+            u_by_force += past.flow_by[0];
+        }
+        let (mut void, mut void_by, mut oil_void_by) = (0.0, [0.0; 3], [0.0; 3]);
         if acts::<ON>(e, CAVITATION) {
-            let force = Dual::<3>::along(valves.force, 0);
-            let after = e.cavitation.stage(force, Dual::along(path.v, 1), Dual::along(known[place::VOID], 2), g);
-            (void, void_by) = (after.value, after.slopes);
+            let (force, v) = (Dual::<3>::along(valves.force, 0), Dual::along(path.v, 1));
+            let before = Dual::along(known[place::VOID], 2) + e.cavitation.lags(v) * g;
+            let after = e.cavitation.stage(force, v, before, g);
+            let oils = after - before;
+            (void, void_by, oil_void_by) = (after.value, after.slopes, oils.slopes);
             let per = per_g * e.cavitation.sign;
-            u += (void - known[place::VOID]) * per;
-            u_by_force += void_by[0] * per;
+            u += oils.value * per;
+            u_by_force += oil_void_by[0] * per;
         }
         let inner = |x: f64, u: f64| e.inner(&Motion { displacement: x, velocity: u, side_force: 0.0, temperature });
         if !acts::<ON>(e, SERIES) {
@@ -346,8 +378,11 @@ impl Look {
                 residual,
                 valves,
                 column,
+                length,
+                past,
                 void,
                 void_by,
+                oil_void_by,
                 u_by_force,
                 x,
                 u,
@@ -377,6 +412,6 @@ impl Look {
             by_w: resists + follows * valves.by_w,
             by_curve: follows * valves.by_curve,
         };
-        Look { residual, valves, column, void, void_by, u_by_force, x, u, maxwell, law, inner, resists }
+        Look { residual, valves, column, length, past, void, void_by, oil_void_by, u_by_force, x, u, maxwell, law, inner, resists }
     }
 }
