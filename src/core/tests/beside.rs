@@ -131,6 +131,55 @@ fn moving_mass_takes_no_energy_but_to_heat() {
 }
 
 #[test]
+fn a_contact_of_high_power_bends_before_it_slips() {
+    let (level, length) = (50.0, 2e-4);
+    let changes = [("presliding_force", level), ("presliding_length", length)];
+    let dahl = only(&["presliding_friction"], &changes);
+    let elastic = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_power", 8.0)]);
+    let at = |model: &Model, travel: f64| {
+        let (v, n) = (0.01, 400);
+        let dt = travel / v / f64::from(n);
+        let mut state = State { velocity: v, ..State::ZERO };
+        let mut force = 0.0;
+        for i in 1..=n {
+            let (next, output) = step(model, &state, &Input::motion(v * dt * f64::from(i), v), dt);
+            (state, force) = (next, output.force);
+        }
+        force
+    };
+    // Half the length: a spring; two lengths: sliding.
+    assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
+    assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
+    assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);
+}
+
+#[test]
+fn a_stop_of_oil_is_felt_on_the_way_in_alone_by_speed_or_its_square() {
+    let of = |flow: f64| {
+        only(
+            &["rebound_stop"],
+            &[
+                ("rebound_stop_clearance", 0.03),
+                ("rebound_stop_stiffness", 0.0),
+                ("rebound_stop_progression", 0.01),
+                ("rebound_stop_damping", 3e3),
+                ("rebound_stop_flow", flow),
+            ],
+        )
+    };
+    let force = |model: &Model, x: f64, v: f64| evaluate(model, &State::ZERO, &Input::motion(x, v)).0.force;
+    for (flow, power) in [(0.0, 1), (1.0, 2)] {
+        let model = of(flow);
+        let (slow, fast) = (force(&model, 0.04, 0.5), force(&model, 0.04, 1.0));
+        assert!((fast / slow - 2f64.powi(power)).abs() < 0.06, "{flow}: {slow} {fast}");
+        // The damping is stated at the depth of the progression and 1 m/s; contact is soft over half a millimetre.
+        assert!((fast / 3e3 - 1.0).abs() < 0.1, "{flow}: {fast}");
+        assert_eq!(force(&model, 0.04, -1.0), 0.0);
+        assert_eq!(force(&model, 0.029, 1.0), 0.0);
+    }
+}
+
+#[test]
 fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
     for (element, sign) in [("bump_stop", -1.0), ("rebound_stop", 1.0)] {
         let name = |p: &str| format!("{element}_{p}");

@@ -148,6 +148,87 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
     }
 }
 
+/// Force of a straight damper with a passage of this flow at 1 kN beside its valves, at speed v: F/C + q √(F/1 kN) = v.
+fn beside_a_passage(flow: f64, v: f64) -> f64 {
+    // A quadratic in √F.
+    let (a, b) = (1.0 / C, flow / 1000f64.sqrt());
+    let root = (-b + (b * b + 4.0 * a * v.abs()).sqrt()) / (2.0 * a);
+    (root * root).copysign(v)
+}
+
+#[test]
+fn a_groove_adds_flow_where_it_is() {
+    let groove = [
+        ("bypass_form", 1.0),
+        ("bypass_flow", 0.2),
+        ("bypass_half_width", 0.02),
+        ("bypass_blend", 0.002),
+        ("bypass_strokes", 1.0),
+    ];
+    let model = straight(&["position_dependent_damping"], &groove);
+    let force = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(x, v)).0.force;
+    for v in [0.2, 0.5, 1.0] {
+        // Below 20 N the orifice is straight, which at these forces is a part in some thousands.
+        assert!((force(0.0, v) / beside_a_passage(0.2, v) - 1.0).abs() < 2e-3, "{v}: {}", force(0.0, v));
+        assert!((force(0.05, v) / (C * v) - 1.0).abs() < 1e-6);
+        assert!((force(0.0, -v) / (C * -v) - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn an_oil_column_is_softer_where_it_is_longer() {
+    let (k, shortening) = (1e6, 8.0);
+    for (chambers, at_rebound_end) in [(0.0, [0.84, 0.84]), (1.0, [0.84, 1.16])] {
+        let model = straight(
+            &["oil_compressibility"],
+            &[("oil_stiffness", k), ("oil_shortening", shortening), ("oil_chambers", chambers)],
+        );
+        // A stroke so short that the place is the same: 20 mm out, both strokes; the slope of force over distance where
+        // the valves have not yet followed is k/ℓ.
+        for (sign, length) in [1.0, -1.0].into_iter().zip(at_rebound_end) {
+            let x0 = 0.02;
+            let start = State { displacement: x0, ..model.settled(&Input::motion(x0, 0.0)) };
+            let (dt, v) = (1e-5, sign * 0.5);
+            // First build up some force, so that the chamber under pressure is known.
+            let mut state = State { velocity: v, ..start };
+            let mut before = 0.0;
+            let mut slope = 0.0;
+            for i in 1..=60 {
+                let x = x0 + v * dt * f64::from(i);
+                let (next, output) = step(&model, &state, &Input::motion(x, v), dt);
+                let w = output.force / C;
+                slope = (output.force - before) / dt / (v - w);
+                (state, before) = (next, output.force);
+            }
+            assert!((slope * length / k - 1.0).abs() < 0.03, "{chambers} {sign}: {}", slope / k);
+        }
+    }
+}
+
+#[test]
+fn a_foot_valve_that_does_not_refill_leaves_a_dead_stroke() {
+    let changes = [
+        ("cavitation_form", 1.0),
+        ("cavitation_side", 1.0),
+        ("cavitation_velocity", 0.3),
+        ("cavitation_unfilled", 0.1),
+    ];
+    let model = straight(&["cavitation"], &changes);
+    let (frequency, dt) = (1.0 / (TAU * 0.02), 1e-4);
+    let points = run(&model, &sine(0.02, frequency), dt, 2520);
+    let (mut void, mut lost) = (0.0f64, 0.0);
+    for (_, v, output) in points.iter().take(1256) {
+        if *v > 0.0 {
+            assert!((output.force / (C * v) - 1.0).abs() < 1e-6, "the driven stroke is whole");
+            void += 0.1 * (v - 0.3 - 0.025f64).max(0.0) * dt;
+        } else if output.force > 0.5 * C * v {
+            lost -= v * dt;
+            assert!(output.force > -15.0 || lost > 0.8 * void, "{}", output.force);
+        }
+    }
+    assert!(void > 1e-3 && (lost / void - 1.0).abs() < 0.08, "void {void}, dead stroke {lost}");
+}
+
 #[test]
 fn position_dependence_is_the_window() {
     let model = straight(
@@ -197,6 +278,19 @@ fn frequency_selective_damping_is_firm_when_slow_and_soft_when_fast() {
     let at = |frequency: f64| gain(&stroke, 0.3 / TAU / frequency, frequency).0 / C;
     let (slow, fast) = (at(0.2), at(15.0));
     assert!(slow > 0.95 && fast < 1.0 - 0.8 * a, "{slow} {fast}");
+    // A passage that is shut in slow strokes and open in fast ones.
+    let passage = straight(
+        &["frequency_selective_damping"],
+        &[("fsd_form", 2.0), ("fsd_flow", 0.1), ("fsd_time", tau), ("fsd_force", 20.0)],
+    );
+    let peak = |frequency: f64| {
+        let n = 1000;
+        let points = run(&passage, &sine(0.3 / TAU / frequency, frequency), 1.0 / frequency / n as f64, 3 * n);
+        points.iter().skip(n).map(|p| p.2.force).fold(0.0, f64::max)
+    };
+    let open = beside_a_passage(0.1, 0.3);
+    assert!(peak(0.2) > 0.97 * 0.3 * C && peak(0.2) <= 0.3 * C, "{}", peak(0.2));
+    assert!((peak(40.0) - open).abs() < 0.1 * (0.3 * C - open), "{} {open}", peak(40.0));
 }
 
 #[test]
@@ -228,6 +322,39 @@ fn a_late_valve_takes_more_while_speed_rises() {
         assert!(fast > 30.0, "{ratio}: {fast}");
         // Time alone vanishes when slow; a valve that closes at less than it opens keeps a part.
         assert!(if ratio == 1.0 { slow < 0.1 * fast } else { slow > 20.0 }, "{ratio}: {slow}");
+    }
+}
+
+#[test]
+fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
+    let model = straight(
+        &["valve_hysteresis"],
+        &[
+            ("valve_form", 1.0),
+            ("valve_hysteresis_share", 0.5),
+            ("valve_play", 100.0),
+            ("valve_time", 2e-4),
+            ("valve_opening_force", 300.0),
+            ("valve_width", 30.0),
+        ],
+    );
+    let loops = |frequency: f64| {
+        let n = 2000;
+        let points = run(&model, &sine(0.5 / (TAU * frequency), frequency), 1.0 / frequency / n as f64, 2 * n);
+        let at = |from: usize, to: usize, v: f64| {
+            let i = (from..to).min_by(|a, b| (points[*a].1 - v).abs().total_cmp(&(points[*b].1 - v).abs()));
+            points[i.unwrap()].2.force
+        };
+        // Speed rises in the first quarter of a cycle and falls in the second; below the opening force
+        // there is no loop.
+        let (up, down) = ((n, n + n / 4), (n + n / 4, n + n / 2));
+        [0.3, 0.05].map(|v| at(up.0, up.1, v) - at(down.0, down.1, v))
+    };
+    for frequency in [0.05, 1.0] {
+        let [above, below] = loops(frequency);
+        // 2 × play × η/2 at 600 N, less what the play is smaller than stated: P F/(F + P).
+        assert!((30.0..60.0).contains(&above), "{frequency} Hz: {above}");
+        assert!(below.abs() < 3.0, "{frequency} Hz: {below}");
     }
 }
 

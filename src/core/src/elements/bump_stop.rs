@@ -41,7 +41,11 @@ impl Describe for BumpStop {
             (0.0, 1e6),
             "hydraulic damping on the way in, at the depth of the progression",
         ),
-        Parameter::choice("bump_stop_flow", &["gap", "orifice"], "hydraulic force with speed, or with its square (1 m/s alike)"),
+        Parameter::choice(
+            "bump_stop_flow",
+            &["gap", "orifice"],
+            "hydraulic force with speed, or with its square (1 m/s alike)",
+        ),
     ];
 }
 

@@ -50,7 +50,7 @@ const TURNING: f64 = 3e-3;
 /// e_0: a void smaller than this, m, closes more slowly.
 const CLOSED: f64 = 1e-5;
 /// Speed over which the foot valve falls behind, m/s.
-const LAGGING: f64 = 0.1;
+const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
 
@@ -90,7 +90,7 @@ impl Describe for Cavitation {
             "cavitation_unfilled",
             "-",
             &[0.05],
-            (0.0, 1.0),
+            (1e-4, 1.0),
             "foot valve: share of the flow beyond that speed that is missing, a",
         ),
     ];

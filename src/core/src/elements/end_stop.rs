@@ -30,14 +30,8 @@ const TURNING: f64 = 0.02;
 
 impl EndStop {
     /// A stop that is not there.
-    pub const OFF: EndStop = EndStop {
-        clearance: 0.0,
-        stiffness: 0.0,
-        per_progression: 0.0,
-        loss: 0.0,
-        damping: 0.0,
-        is_orifice: false,
-    };
+    pub const OFF: EndStop =
+        EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
 
     /// From rows of the order clearance, stiffness, progression, loss, damping, flow.
     pub fn prepare(p: &View) -> EndStop {

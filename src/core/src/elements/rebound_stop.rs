@@ -41,7 +41,11 @@ impl Describe for ReboundStop {
             (0.0, 1e6),
             "hydraulic damping on the way in, at the depth of the progression",
         ),
-        Parameter::choice("rebound_stop_flow", &["gap", "orifice"], "hydraulic force with speed, or with its square (1 m/s alike)"),
+        Parameter::choice(
+            "rebound_stop_flow",
+            &["gap", "orifice"],
+            "hydraulic force with speed, or with its square (1 m/s alike)",
+        ),
     ];
 }
 

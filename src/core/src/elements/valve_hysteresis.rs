@@ -35,7 +35,13 @@ const SHRINKS: [f64; 2] = [0.06, 2e-3];
 impl Describe for ValveHysteresis {
     const MEANING: &'static str = "blow-off valve that opens late and closes late: more force while speed rises";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("valve_hysteresis_share", "-", &[0.15], (0.0, 3.0), "share of the force that lateness adds, eta"),
+        Parameter::scalar(
+            "valve_hysteresis_share",
+            "-",
+            &[0.15],
+            (0.0, 3.0),
+            "share of the force that lateness adds, eta",
+        ),
         Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
         Parameter::scalar(
             "valve_closing_ratio",

@@ -162,50 +162,44 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Whether derivatives cost little: one run gives those over all numbers of the model.
-    pub fn is_plain(&self, theta: &[f64]) -> bool {
-        self.cooling(theta).is_none() && self.model(theta).is_some_and(|m| !m.elements().has_extras())
-    }
-
-    /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample.
+    /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample. One run gives those over
+    /// the numbers of the model; what the rig added takes a difference each.
     pub fn jacobian(&self, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let at = self.residual(tests, theta)?;
         let rows = at.len();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
-        let (unknowns, values, places) = self.unknowns(theta);
-        // The run's own derivatives know nothing of heating, and cost more than differences where elements have states.
-        let plain = self.is_plain(theta);
-        let mut by_difference: Vec<usize> = (0..self.numbers.len()).collect();
-        if plain {
-            let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
-            let run = Run::new(&unknowns, &values, Accuracy::Single)?;
-            let parts: Vec<DMatrix<f64>> = tests
-                .par_iter()
-                .map(|test| {
-                    let (_, rows) = run.jacobian(&test.segment, &unknowns, &values);
-                    let mut columns = rows.transpose();
-                    if let Some((_, tau)) = delay {
-                        // A delayed force has delayed derivatives.
-                        for mut column in columns.column_iter_mut() {
-                            Artefact::Delay.apply(*tau, test, column.as_mut_slice());
-                        }
-                    }
-                    for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
-                        row /= *allowed;
-                    }
-                    columns.rows(test.segment.from, test.count()).into_owned()
-                })
-                .collect();
-            let mut row = 0;
-            for part in &parts {
-                for (k, place) in places.iter().enumerate() {
-                    matrix.view_mut((row, *place), (part.nrows(), 1)).copy_from(&part.column(k));
-                }
-                row += part.nrows();
-            }
-            by_difference.retain(|place| !places.contains(place));
+        let (mut unknowns, values, places) = self.unknowns(theta);
+        if self.heating.is_some() {
+            let _ = unknowns.base.set("fade_source", 0.0);
         }
-        for place in by_difference {
+        let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
+        let run = Run::new(&unknowns, &values, Accuracy::Single)?;
+        let parts: Vec<DMatrix<f64>> = tests
+            .par_iter()
+            .enumerate()
+            .map(|(place, test)| {
+                let (_, rows) = run.jacobian(&self.warmed(test, place, theta), &unknowns, &values);
+                let mut columns = rows.transpose();
+                if let Some((_, tau)) = delay {
+                    // A delayed force has delayed derivatives.
+                    for mut column in columns.column_iter_mut() {
+                        Artefact::Delay.apply(*tau, test, column.as_mut_slice());
+                    }
+                }
+                for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
+                    row /= *allowed;
+                }
+                columns.rows(test.segment.from, test.count()).into_owned()
+            })
+            .collect();
+        let mut row = 0;
+        for part in &parts {
+            for (k, place) in places.iter().enumerate() {
+                matrix.view_mut((row, *place), (part.nrows(), 1)).copy_from(&part.column(k));
+            }
+            row += part.nrows();
+        }
+        for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
             matrix.set_column(place, &self.column(tests, theta, &at, place)?);
         }
         Some(matrix)

@@ -1,8 +1,8 @@
 //! Bounded, robust least squares for one explanation, with little more than one run of the model per step.
 //!
-//! The Jacobian is taken once and then kept up by Broyden's rank-one update (Math. Comp. 19, 1965), since the explanations
-//! that a diagnosis compares differ by two or three numbers from one whose Jacobian is known. It is taken anew where a step
-//! disappoints. Steps are Marquardt's, the loss is Huber's.
+//! To compare explanations the Jacobian is taken once and then kept up by Broyden's rank-one update (Math. Comp. 19, 1965),
+//! since those that a diagnosis compares differ by two or three numbers from one whose Jacobian is known. The likely ones are
+//! then refitted with a Jacobian of their own in every step. Steps are Marquardt's, the loss is Huber's.
 
 use super::hypothesis::{Hypothesis, Residual};
 use super::samples::Test;
@@ -18,15 +18,19 @@ pub struct Effort {
     pub steps: usize,
     /// Relative fall of the cost at which it has ended.
     pub tolerance: f64,
-    /// Most times that a known Jacobian is taken anew.
-    pub renewals: usize,
+    /// Whether the Jacobian is taken anew after every step that succeeds.
+    pub renews: bool,
 }
 
 impl Effort {
+    /// To see which explanations are worth more.
+    pub const LOOK: Effort = Effort { steps: 4, tolerance: 2e-3, renews: false };
     /// To compare explanations.
-    pub const COMPARE: Effort = Effort { steps: 14, tolerance: 2e-3, renewals: 0 };
+    pub const COMPARE: Effort = Effort { steps: 10, tolerance: 2e-3, renews: false };
+    /// To judge the likely ones.
+    pub const JUDGE: Effort = Effort { steps: 6, tolerance: 1e-3, renews: true };
     /// For the result.
-    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renewals: 2 };
+    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renews: true };
 }
 
 /// Where a refit ended.
@@ -82,8 +86,6 @@ pub fn refit(
     let mut chi = chi2(&residual);
     let mut cost = chi + prior_cost(hypothesis, &theta);
     let mut fresh = jacobian.is_none();
-    let plain = hypothesis.is_plain(&theta);
-    let mut renewals = if plain { usize::MAX } else { effort.renewals };
     let mut jacobian = match jacobian {
         Some(known) => known,
         None => hypothesis.jacobian(tests, &theta)?,
@@ -152,28 +154,19 @@ pub fn refit(
             cost = tried_cost;
             damping = (damping * 0.2).max(1e-9);
             calm = if fall < effort.tolerance { calm + 1 } else { 0 };
-            if plain && calm == 0 {
-                jacobian = hypothesis.jacobian(tests, &theta)?;
-                fresh = true;
-                continue;
+            if calm > 0 && (fresh || calm > 1 || !effort.renews) {
+                break;
             }
-            if calm > 0 {
-                if fresh || calm > 1 || renewals == 0 {
-                    break;
-                }
+            fresh = effort.renews;
+            if effort.renews {
                 jacobian = hypothesis.jacobian(tests, &theta)?;
-                renewals -= 1;
-                fresh = true;
-                continue;
             }
-            fresh = false;
         } else {
             if moved.norm() < 1e-7 {
                 break;
             }
-            if !fresh && damping > 1e-2 && renewals > 0 {
+            if !fresh && damping > 1e-2 && effort.renews {
                 jacobian = hypothesis.jacobian(tests, &theta)?;
-                renewals -= 1;
                 fresh = true;
                 damping = 1e-3;
                 continue;

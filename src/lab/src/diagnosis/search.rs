@@ -109,6 +109,11 @@ pub fn search(
         taken_back: Vec::new(),
     };
     loop {
+        let left = (found.last.1.chi2 - floor) / effective_count(tests);
+        let original = (found.base.1.chi2 - floor) / effective_count(tests);
+        if !found.added.is_empty() && (left < QUIET || left < LATER_ORIGINAL * original) {
+            break;
+        }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
         progress(done, "screening effects");
         let round = look(&found, records, tests, limits, &|text| progress(done + 0.1, text));
@@ -177,7 +182,7 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
     let screened = screen(hypothesis, &at, &projection, &list, tests);
     progress("refitting everything with each likely effect");
     let chosen = choose(&screened, &list);
-    let refits: Vec<(usize, Refit)> = chosen
+    let started: Vec<(usize, Vec<f64>, DMatrix<f64>)> = chosen
         .par_iter()
         .filter_map(|place| {
             let s = &screened[*place];
@@ -188,9 +193,10 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
             for k in first..s.start.len() {
                 jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
             }
-            Some((*place, refit(&s.hypothesis, tests, &s.start, Some(jacobian), Effort::COMPARE)?))
+            Some((*place, s.start.clone(), jacobian))
         })
         .collect();
+    let refits = race(started, &screened, &list, tests, at.cost);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
     let excess = (at.chi2 - found.floor).max(1e-9);
@@ -257,6 +263,75 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
         }
     }
     Round { before: at.chi2, tried, invisible }
+}
+
+/// Starts that go on after the first steps of a refit.
+const GO_ON: usize = 8;
+/// Effects whose best forms are refitted with a Jacobian of their own, and forms of each.
+const JUDGED: usize = 3;
+const FORMS_JUDGED: usize = 2;
+/// Share of the best one's fall of χ² that is worth it.
+const WORTH: f64 = 0.4;
+
+/// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
+/// the likeliest effects, since an updated one stops short of the best.
+fn race(
+    started: Vec<(usize, Vec<f64>, DMatrix<f64>)>,
+    screened: &[Screened],
+    list: &[Candidate],
+    tests: &[Test],
+    before: f64,
+) -> Vec<(usize, Refit)> {
+    let of = |place: usize| &screened[place].hypothesis;
+    let mut refits: Vec<(usize, Refit)> = started
+        .into_par_iter()
+        .filter_map(|(place, start, jacobian)| {
+            Some((place, refit(of(place), tests, &start, Some(jacobian), Effort::LOOK)?))
+        })
+        .collect();
+    let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+
+    by_cost(&mut refits);
+    let rest = refits.split_off(refits.len().min(GO_ON));
+    let go_on = |(place, known): (usize, Refit), effort: Effort, jacobian: Option<DMatrix<f64>>| {
+        let better = refit(of(place), tests, &known.theta, jacobian, effort);
+        (place, better.unwrap_or(known))
+    };
+    let mut refits: Vec<(usize, Refit)> = refits
+        .into_par_iter()
+        .map(|(place, known)| {
+            let jacobian = Some(known.jacobian.clone());
+            go_on((place, known), Effort::COMPARE, jacobian)
+        })
+        .collect();
+    refits.extend(rest);
+    by_cost(&mut refits);
+    let worth = refits.first().map_or(0.0, |best| before - WORTH * (before - best.1.cost));
+    let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());
+    let finals: Vec<bool> = refits
+        .iter()
+        .map(|(place, known)| {
+            let form = screened[*place].candidate;
+            let effect = list[form].effect;
+            let of_effect = forms.iter().filter(|f| list[**f].effect == effect).count();
+            if known.cost > worth || forms.contains(&form) || of_effect >= FORMS_JUDGED {
+                return false;
+            }
+            if !effects.contains(&effect) {
+                if effects.len() >= JUDGED {
+                    return false;
+                }
+                effects.push(effect);
+            }
+            forms.push(form);
+            true
+        })
+        .collect();
+    refits
+        .into_par_iter()
+        .zip(finals)
+        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE, None) } else { one })
+        .collect()
 }
 
 /// The starts worth a refit: the best of the likeliest effects, and of the starts that moved the base the best of each

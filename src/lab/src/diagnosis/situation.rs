@@ -13,7 +13,7 @@ pub struct Situation {
     pub friction: f64,
     /// Friction that may stand as a step at standstill in an FV curve without friction beside it, N.
     pub friction_in_curve: f64,
-    /// Largest forces, N, positive.
+    /// Hydraulic forces at the highest speeds, N, positive.
     pub top_rebound: f64,
     /// In compression.
     pub top_compression: f64,
@@ -77,6 +77,14 @@ impl Situation {
         let means = span(&mut tests.iter().map(mean));
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
+        let fastest = span(&mut inputs().map(|i| i.velocity));
+        // What the FV curve has at the fastest: friction and gas act beside the valves.
+        let driven = |velocity: f64| {
+            let (v, f) = (base.list("fv_velocity"), base.list("fv_force"));
+            let right = v.partition_point(|x| *x < velocity).clamp(1, v.len() - 1);
+            let share = ((velocity - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
+            f[right - 1] + share * (f[right] - f[right - 1])
+        };
         let mut friction = 0.0;
         if base.is_on("coulomb_friction") {
             friction += base.scalar("coulomb_force");
@@ -112,8 +120,8 @@ impl Situation {
             means_span: means.1 - means.0,
             frequency_ratio: if frequencies.0 > 0.0 { frequencies.1 / frequencies.0 } else { f64::INFINITY },
             friction,
-            top_rebound: forces.1.max(1.0),
-            top_compression: (-forces.0).max(1.0),
+            top_rebound: driven(fastest.1).max(1.0),
+            top_compression: (-driven(fastest.0)).max(1.0),
             knee_force: knee.unwrap_or(0.3 * forces.1).max(1.0),
             reach,
             temperature_measured: records.iter().all(|r| r.temperature.is_some())

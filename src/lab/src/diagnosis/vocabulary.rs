@@ -295,10 +295,10 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
                     "cavitation",
                     &["cavitation"],
                     vec![log("cavitation_force", (100.0, 5000.0))],
-                    [0.97, 0.8, 0.6, 0.4]
+                    [0.98, 0.93, 0.85, 0.7]
                         .map(|share| Start { unbend: Some(stroke), ..Start::at(&[share * top]) })
                         .into_iter()
-                        .chain([Start::at(&[0.8 * top])])
+                        .chain([Start::at(&[0.9 * top])])
                         .collect(),
                 )
             });
@@ -310,8 +310,8 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
         ..candidate(
             "cavitation",
             &["cavitation"],
-            vec![linear("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
-            grid(&[0.03], &[0.1, 0.25, 0.5]),
+            vec![log("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
+            grid(&[0.01, 0.025, 0.06, 0.15], &[0.1, 0.25, 0.5]),
         )
     });
     if s.temperature_measured {
@@ -459,13 +459,25 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
         (
             "bump_stop",
             &["bump_stop"] as &'static [&'static str],
-            ["bump_stop_clearance", "bump_stop_stiffness", "bump_stop_damping", "bump_stop_progression", "bump_stop_flow"],
+            [
+                "bump_stop_clearance",
+                "bump_stop_stiffness",
+                "bump_stop_damping",
+                "bump_stop_progression",
+                "bump_stop_flow",
+            ],
             -low,
         ),
         (
             "rebound_stop",
             &["rebound_stop"],
-            ["rebound_stop_clearance", "rebound_stop_stiffness", "rebound_stop_damping", "rebound_stop_progression", "rebound_stop_flow"],
+            [
+                "rebound_stop_clearance",
+                "rebound_stop_stiffness",
+                "rebound_stop_damping",
+                "rebound_stop_progression",
+                "rebound_stop_flow",
+            ],
             high,
         ),
     ] {
