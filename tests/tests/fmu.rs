@@ -210,6 +210,26 @@ fn its_sources_are_all_it_needs() {
     }
 }
 
+/// Where wine is there, the library runs, and gives the bridge's forces bit for bit.
+fn runs_on_windows(at: &Path, dll: &Path) {
+    if Command::new("wine").arg("--version").output().is_err() {
+        println!("not run: needs wine");
+        return;
+    }
+    let bridge = bridge_host("bridge.c", &[], at);
+    let trace = succeed(Command::new(bridge).arg(at.join("model.toml")).arg(map(at)).arg("1"));
+    std::fs::write(at.join("trace.txt"), trace).expect("a file");
+    let description = std::fs::read_to_string(at.join("unpacked/modelDescription.xml")).expect("the description");
+    let guid = description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a GUID");
+    let mut build = Command::new("x86_64-w64-mingw32-gcc");
+    build.args(["-O1", "-Wall", "-Wextra"]).arg(format!("-I{}", root().join("vi-crt-bridge/fmu").display()));
+    succeed(build.arg(root().join("tests/hosts/fmu_windows.c")).arg("-o").arg(at.join("host.exe")));
+    let mut wine = Command::new("wine");
+    wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
+    wine.arg("host.exe").arg(dll.strip_prefix(at).expect("below")).args([guid, "trace.txt"]);
+    assert!(succeed(&mut wine).contains("1001 steps"));
+}
+
 /// For Windows, where a cross compiler is installed; the result goes into the FMU beside the one for this computer.
 #[test]
 fn a_binary_for_another_platform_goes_inside() {
@@ -247,6 +267,7 @@ fn a_binary_for_another_platform_goes_inside() {
         needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),
         "{needs:?}"
     );
+    runs_on_windows(at, &dll);
     exported(at, MODEL, "2", false, &["--binary", &format!("win64={}", dll.display())]);
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu_description.py")).arg(at.join("damper.fmu"));
