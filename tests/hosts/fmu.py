@@ -258,6 +258,23 @@ def solve(rows_of, seconds, h):
     return forces
 
 
+def what_is_fixed_stays():
+    prefix = "L1." if four else ""
+    damper = Damper("fixed")
+    # Before the run all can be set.
+    damper.set([prefix + "motion_scale"], [-1.0 if four else 1.0])
+    damper.begin()
+    damper.run()
+    for name in ("motion_scale", "force_scale", "initial_position"):
+        before = damper.get([prefix + name])
+        try:
+            damper.set([prefix + name], [0.5])
+            check(False, f"{name} is fixed and was changed in a run")
+        except Exception:
+            check(damper.get([prefix + name]) == before, f"{name} was refused and has changed")
+    damper.end()
+
+
 def exchange_is_the_same_damper():
     """Tests along the edges of the rig matrix (the doubled amplitude of a raised cosine), by the two kinds."""
     for amplitude, frequency in [
@@ -405,10 +422,13 @@ trace = [[row[i : i + 3] for i in range(0, len(row), 3)] for row in numbers]
 
 try:
     bit_for_bit_the_bridge()
+    if "quick" in sys.argv[3:]:
+        sys.exit(0)
     instances_reset_and_states()
     steps_of_any_length()
     a_held_force()
     parameters_act()
+    what_is_fixed_stays()
     exchange_is_the_same_damper()
     derivatives_of_exchange()
     derivatives_of_steps()

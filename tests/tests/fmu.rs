@@ -1,9 +1,14 @@
 //! The FMU in a host that nobody here wrote: FMPy validates and runs all four kinds, with one corner and with four.
 
+use dashpot_core::elements::{COUNT, GROUPS};
+use dashpot_core::parameter::{Shape, table};
+use dashpot_core::{Params, State, model_file};
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::library::{directory, root, succeed};
 use dashpot_tests::python::python;
+use serde_json::Value;
+use std::path::Path;
 use std::process::Command;
 
 fn runs(fmi: &str, corners: &str) {
@@ -62,4 +67,213 @@ fn export_refuses_in_words() {
     assert!(refused(at, &zero).contains("--motion-scale"));
     let library = ["export", "fmu", "model.toml", "-o", "x.fmu", "--library", "none.a"];
     assert!(refused(at, &library).contains("none.a"));
+}
+
+/// An FMU of one corner or four of a model, beside its model file.
+fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
+    directory();
+    std::fs::write(at.join("model.toml"), text).expect("a model file");
+    let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
+    export.extend(four.then_some("--four"));
+    export.extend(more);
+    done(at, &export);
+}
+
+fn unpacked(fmu: &Path, to: &Path) {
+    let unzip = "import sys, zipfile; zipfile.ZipFile(sys.argv[1]).extractall(sys.argv[2])";
+    succeed(Command::new(python()).args(["-c", unzip]).arg(fmu).arg(to));
+}
+
+/// Every row of the parameter table of the elements that are on, and none of the others, as the table has it.
+#[test]
+fn the_description_is_the_parameter_table() {
+    const EVERY_KIND_OF_ROW: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_spring\", \
+                                     \"bump_stop\", \"temperature_fade\", \"lagged_polynomial\", \"frequency_selective_damping\"]\n\
+                                     polynomial = [0.0, 400.0, 0.0, 30.0]\nstribeck_form = \"full\"\ngas_stiffness = 700\n";
+    let mut params = Params::new();
+    model_file::read(EVERY_KIND_OF_ROW.as_bytes(), &mut params).expect("the model");
+    for (fmi, four) in [("2", false), ("2", true), ("3", false), ("3", true)] {
+        let folder = tempfile::tempdir().expect("a directory");
+        let at = folder.path();
+        exported(at, EVERY_KIND_OF_ROW, fmi, four, &[]);
+        let mut host = Command::new(python());
+        host.arg(root().join("tests/hosts/fmu_description.py")).arg(at.join("damper.fmu"));
+        let told: Value = serde_json::from_str(&succeed(&mut host)).expect("JSON");
+
+        assert_eq!(told["messages"], Value::Array(Vec::new()));
+        assert_eq!(told["version"], format!("{fmi}.0"));
+        for kind in ["cs", "me"] {
+            let can = |what: &str| told["kinds"][kind][what].as_bool().expect("told");
+            assert!(can("canGetAndSetFMUstate") && can("canSerializeFMUstate") && can("providesDirectionalDerivative"));
+            assert!(!can("canBeInstantiatedOnlyOncePerProcess") && !can("needsExecutionTool"));
+            assert!(kind == "me" || can("canHandleVariableCommunicationStepSize"));
+        }
+        // The kernel's states: all numbers of a state but the velocity of the last step, which is an input.
+        let corners: &[&str] = if four { &["L1.", "R1.", "L2.", "R2."] } else { &[""] };
+        let states = corners.len() * (size_of::<State>() / size_of::<f64>() - 1);
+        assert_eq!(told["states"], states);
+
+        let page = {
+            unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
+            std::fs::read_to_string(at.join("unpacked/documentation/index.html")).expect("the page")
+        };
+        let icon = if fmi == "2" { "model.png" } else { "terminalsAndIcons/icon.png" };
+        assert!(std::fs::read(at.join("unpacked").join(icon)).expect("the icon").starts_with(b"\x89PNG"));
+
+        let variables = told["variables"].as_object().expect("variables");
+        let (mut expected, mut rows) = (0, 0);
+        for row in table() {
+            let (p, on) = (row.parameter, row.group >= COUNT || params.is_on(GROUPS[row.group].name));
+            for corner in corners {
+                let list = matches!(p.shape, Shape::List(_));
+                let first = format!("{corner}{}{}", p.name, if list { "[1]" } else { "" });
+                if !on {
+                    assert!(!variables.contains_key(&first), "{first} belongs to an element that is off");
+                    continue;
+                }
+                for (k, value) in params.get(&row).iter().enumerate() {
+                    let name = if list { format!("{corner}{}[{}]", p.name, k + 1) } else { first.clone() };
+                    let v = &variables[&name];
+                    expected += 1;
+                    assert_eq!(
+                        (&v["causality"], &v["description"]),
+                        (&"parameter".into(), &p.meaning.into()),
+                        "{name}"
+                    );
+                    let start: f64 = v["start"].as_str().expect("a start value").parse().expect("a number");
+                    assert_eq!(start, *value, "{name}");
+                    if let Shape::Choice(words) = p.shape {
+                        let items: Vec<&str> =
+                            v["items"].as_array().expect("items").iter().filter_map(Value::as_str).collect();
+                        assert_eq!((items, &v["variability"]), (words.to_vec(), &"fixed".into()), "{name}");
+                    } else {
+                        let bound = |end: &str| -> f64 { v[end].as_str().expect("a bound").parse().expect("a number") };
+                        assert_eq!((bound("min"), bound("max")), (p.low, p.high), "{name}");
+                        assert_eq!(v["variability"], "tunable", "{name}");
+                        assert_eq!(v["unit"].as_str().unwrap_or("-"), p.unit, "{name}");
+                    }
+                    assert!(page.contains(&format!("<td>{name}</td>")), "{name} is missing on the page");
+                    rows += 1;
+                }
+            }
+        }
+        let own = ["motion_scale", "force_scale", "displacement_given", "initial_position"];
+        let parameters = variables.values().filter(|v| v["causality"] == "parameter").count();
+        assert_eq!(parameters, expected + corners.len() * own.len(), "parameters that are in no table");
+        assert!(rows > 30 * corners.len(), "{rows}");
+        for (name, v) in variables {
+            assert!(!v["description"].as_str().unwrap_or("").is_empty(), "{name} is not described");
+            let input_or_state = v["causality"] == "input" || v["causality"] == "output" && v["type"] != "Integer";
+            if input_or_state && !matches!(v["type"].as_str(), Some("Int32")) {
+                assert!(v["unit"].is_string(), "{name} has no unit");
+            }
+        }
+    }
+}
+
+/// The FMU compiled again from its unpacked sources alone gives the bridge's forces bit for bit: with the kernel that lies there,
+/// and with the kernel compiled from the sources that lie there.
+#[test]
+fn its_sources_are_all_it_needs() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    let bridge = bridge_host("bridge.c", &[], at);
+    for (fmi, four, kernel) in [("2", true, ""), ("3", false, "cargo")] {
+        exported(at, MODEL, fmi, four, &[]);
+        let trace =
+            succeed(Command::new(&bridge).arg(at.join("model.toml")).arg(map(at)).arg(if four { "4" } else { "1" }));
+        std::fs::write(at.join("trace.txt"), trace).expect("a file");
+        let unpack = at.join(format!("unpacked-{fmi}"));
+        unpacked(&at.join("damper.fmu"), &unpack);
+        let binary =
+            unpack.join("binaries").join(if fmi == "2" { "linux64" } else { "x86_64-linux" }).join("dashpot_damper.so");
+        std::fs::remove_file(&binary).expect("the binary lies where it belongs");
+        let mut build = Command::new("sh");
+        build
+            .arg(unpack.join("sources/build.sh"))
+            .env("KERNEL", kernel)
+            .env_remove("CARGO_TARGET_DIR")
+            .env_remove("TARGET");
+        if kernel.is_empty() {
+            // Nothing but a C compiler on the way.
+            build.env("CARGO", "none").env("PATH", "/usr/bin:/bin");
+        }
+        succeed(&mut build);
+        assert!(binary.is_file());
+        let zip = "import sys, shutil; shutil.make_archive(sys.argv[1], 'zip', sys.argv[2])";
+        let _ = std::fs::remove_dir_all(unpack.join("sources/kernel/target"));
+        succeed(Command::new(python()).args(["-c", zip]).arg(at.join("again")).arg(&unpack));
+        std::fs::rename(at.join("again.zip"), at.join("again.fmu")).expect("renamed");
+        let mut host = Command::new(python());
+        host.arg(root().join("tests/hosts/fmu.py")).arg(at.join("again.fmu")).arg(at.join("trace.txt")).arg("quick");
+        succeed(host.current_dir(at));
+    }
+}
+
+/// Where wine is there, the library runs, and gives the bridge's forces bit for bit.
+fn runs_on_windows(at: &Path, dll: &Path) {
+    if Command::new("wine").arg("--version").output().is_err() {
+        println!("not run: needs wine");
+        return;
+    }
+    let bridge = bridge_host("bridge.c", &[], at);
+    let trace = succeed(Command::new(bridge).arg(at.join("model.toml")).arg(map(at)).arg("1"));
+    std::fs::write(at.join("trace.txt"), trace).expect("a file");
+    let description = std::fs::read_to_string(at.join("unpacked/modelDescription.xml")).expect("the description");
+    let guid = description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a GUID");
+    let mut build = Command::new("x86_64-w64-mingw32-gcc");
+    build.args(["-O1", "-Wall", "-Wextra"]).arg(format!("-I{}", root().join("vi-crt-bridge/fmu").display()));
+    succeed(build.arg(root().join("tests/hosts/fmu_windows.c")).arg("-o").arg(at.join("host.exe")));
+    let mut wine = Command::new("wine");
+    wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
+    wine.arg("host.exe").arg(dll.strip_prefix(at).expect("below")).args([guid, "trace.txt"]);
+    assert!(succeed(&mut wine).contains("1001 steps"));
+}
+
+/// For Windows, where a cross compiler is installed; the result goes into the FMU beside the one for this computer.
+#[test]
+fn a_binary_for_another_platform_goes_inside() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    exported(at, MODEL, "2", false, &[]);
+    std::fs::write(at.join("foreign.dll"), "no such thing").expect("a file");
+    let foreign = ["export", "fmu", "model.toml", "-o", "x.fmu", "--binary", "win64=foreign.dll"];
+    assert!(refused(at, &foreign).contains("not compiled from the sources of this FMU"));
+    assert!(
+        refused(at, &["export", "fmu", "model.toml", "-o", "x.fmu", "--binary", "win64"]).contains("PLATFORM=FILE")
+    );
+
+    let installed = Command::new("rustup").args(["target", "list", "--installed"]).output();
+    let target = "x86_64-pc-windows-gnu";
+    let rust = installed.is_ok_and(|told| String::from_utf8_lossy(&told.stdout).contains(target));
+    let gcc = Command::new("x86_64-w64-mingw32-gcc").arg("--version").output().is_ok();
+    if !rust || !gcc {
+        println!("not tested: needs mingw-w64 and rustup target add {target}");
+        return;
+    }
+    unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
+    let mut build = Command::new("sh");
+    build.arg(at.join("unpacked/sources/build.sh")).env("TARGET", target).env("CC", "x86_64-w64-mingw32-gcc");
+    succeed(build.env_remove("CARGO_TARGET_DIR"));
+    let dll = at.join("unpacked/binaries/win64/dashpot_damper.dll");
+    let told = succeed(Command::new("x86_64-w64-mingw32-objdump").arg("-p").arg(&dll));
+    assert!(
+        told.contains("fmi2DoStep") && told.contains("fmi2GetDerivatives") && !told.contains("dashpot_step"),
+        "{told}"
+    );
+    // What every Windows has.
+    let needs: Vec<&str> = told.lines().filter_map(|l| l.trim().strip_prefix("DLL Name: ")).collect();
+    assert!(
+        needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),
+        "{needs:?}"
+    );
+    runs_on_windows(at, &dll);
+    exported(at, MODEL, "2", false, &["--binary", &format!("win64={}", dll.display())]);
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_description.py")).arg(at.join("damper.fmu"));
+    let told: Value = serde_json::from_str(&succeed(&mut host)).expect("JSON");
+    let files: Vec<&str> = told["files"].as_array().expect("files").iter().filter_map(Value::as_str).collect();
+    assert!(
+        files.contains(&"binaries/win64/dashpot_damper.dll") && files.contains(&"binaries/linux64/dashpot_damper.so")
+    );
 }

@@ -11,8 +11,9 @@ use std::f64::consts::TAU;
 fn matrix() -> Vec<Sine> {
     let mut tests = Vec::new();
     for amplitude in [0.05, 0.025, 0.005, 0.001] {
-        for peak in [0.05236, 0.2618, 0.5236, 1.5708] {
-            let frequency = peak / (TAU * amplitude);
+        // Peak velocities, mm/s.
+        for peak in [52.36, 261.8, 523.6, 1570.8] {
+            let frequency = 1e-3 * peak / (TAU * amplitude);
             if frequency <= 25.03 {
                 tests.push(Sine::new(amplitude, frequency));
             }

@@ -1,6 +1,6 @@
-//! The source shims for CarMaker and CarSim, compiled against declarations of our own and called as their hosts call.
+//! The source shims for CarMaker, CarSim and Simulink, compiled against declarations of our own and called as their hosts call.
 
-use dashpot_tests::bridge::{MODEL, bridge_host};
+use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::library::{root, succeed};
 use std::process::Command;
 
@@ -35,4 +35,19 @@ fn carmaker_in_both_generations() {
 fn carsim_in_its_own_units() {
     let header = "-DDASHPOT_VS_HEADER=\"vs_declarations.h\"";
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
+}
+
+/// The S-function includes its host, as it includes Simulink's own in Simulink.
+#[test]
+fn simulink_tries_steps_and_takes_them() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let at = directory.path();
+    let model = at.join("model.toml");
+    std::fs::write(&model, MODEL).expect("a model file");
+    let block = root().join("vi-crt-bridge/simulink/dashpot_sfun.c");
+    let folders = ["tests/hosts/simulink", "tests/hosts"].map(|f| format!("-I{}", root().join(f).display()));
+    let mut flags = vec!["-DMATLAB_MEX_FILE", &folders[0], &folders[1]];
+    flags.extend(SANITIZERS);
+    let program = bridge_host(block.to_str().expect("a path in UTF-8"), &flags, at);
+    succeed(Command::new(program).arg(&model).arg(map(at)));
 }

@@ -79,7 +79,7 @@ uint32_t dashpot_bridge_corners(const dashpot_bridge *bridge)
 
 dashpot_input dashpot_bridge_to_kernel(const dashpot_bridge *bridge, uint32_t corner, const dashpot_corner_input *in)
 {
-    double scale = bridge->map.motion_scale[corner / 2];
+    double scale = bridge->map.motion_scale[corner];
     dashpot_input input = dashpot_input_velocity(scale * in->jounce_rate);
 
     if (in->known & DASHPOT_CORNER_KNOWS_JOUNCE) {
@@ -100,7 +100,7 @@ dashpot_input dashpot_bridge_to_kernel(const dashpot_bridge *bridge, uint32_t co
 void dashpot_bridge_to_host(const dashpot_bridge *bridge, uint32_t corner, int32_t status, dashpot_corner_output *out)
 {
     const dashpot_output *answer = &bridge->corner[corner].now.output;
-    double motion = bridge->map.motion_scale[corner / 2], force = bridge->map.force_scale[corner / 2];
+    double motion = bridge->map.motion_scale[corner], force = bridge->map.force_scale[corner];
 
     out->force = force * answer->force;
     out->force_by_rate = force * answer->force_by_velocity * motion;
@@ -115,7 +115,7 @@ int32_t dashpot_bridge_init(dashpot_bridge *bridge, const dashpot_corner_input *
     uint32_t i;
 
     for (i = 0; i < bridge->corners; i++) {
-        int32_t status = dashpot_corner_rest(&bridge->corner[i], bridge->map.motion_scale[i / 2] * in[i].jounce);
+        int32_t status = dashpot_corner_rest(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce);
 
         status = status < 0 ? DASHPOT_BRIDGE_HELD : status;
         dashpot_bridge_to_host(bridge, i, status, &out[i]);

@@ -13,13 +13,15 @@ enum key {
     FORCE_UNIT,
     MOTION_RATIO_1,
     MOTION_RATIO_2,
+    MOTION_RATIO_L1, /* then R1, L2, R2 */
+    MOTION_RATIO_R2 = MOTION_RATIO_L1 + 3,
     FORMAT,
     KEYS
 };
 static const char *const NAMES[KEYS] = {
     "jounce",          "jounce_rate",    "jounce_acceleration", "side_force", "temperature",    "force",
     "motion_positive", "force_positive", "length_unit",         "force_unit", "motion_ratio_1", "motion_ratio_2",
-    "format"};
+    "motion_ratio_L1", "motion_ratio_R1", "motion_ratio_L2",     "motion_ratio_R2", "format"};
 
 struct found {
     int seen[KEYS];
@@ -36,9 +38,11 @@ static int refuse(dashpot_channel_map_fault *fault, uint32_t line, const char *w
 
 void dashpot_channel_map_default(dashpot_channel_map *map)
 {
+    int corner;
+
     memset(map, 0, sizeof *map);
-    map->motion_scale[0] = map->motion_scale[1] = -1.0;
-    map->force_scale[0] = map->force_scale[1] = -1.0;
+    for (corner = 0; corner < 4; corner++)
+        map->motion_scale[corner] = map->force_scale[corner] = -1.0;
     map->side_force_scale = 1.0;
     strcpy(map->name[DASHPOT_CHANNEL_JOUNCE], "jounce_{corner}");
     strcpy(map->name[DASHPOT_CHANNEL_JOUNCE_RATE], "jounce_rate_{corner}");
@@ -146,7 +150,7 @@ int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t 
     struct found found;
     size_t start, end;
     uint32_t count = 0;
-    int motion, force, length_unit, force_unit, i, axle;
+    int motion, force, length_unit, force_unit, i, corner;
     double metre, newton;
 
     memset(&found, 0, sizeof found);
@@ -180,21 +184,22 @@ int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t 
     for (i = 0; i < DASHPOT_CHANNELS; i++)
         if (found.text[i][0] && !strstr(found.text[i], PLACE))
             return refuse(fault, 0, "%s must hold {corner}, which stands for L1, R1, L2 and R2", NAMES[i]);
-    for (axle = 0; axle < 2; axle++) {
-        int key = MOTION_RATIO_1 + axle;
+    for (i = MOTION_RATIO_1; i <= MOTION_RATIO_R2; i++) {
+        int key = i;
         if (!found.seen[key])
-            found.number[key] = 1.0;
+            found.number[key] =
+                key < MOTION_RATIO_L1 ? 1.0 : found.number[MOTION_RATIO_1 + (key - MOTION_RATIO_L1) / 2];
         if (!(found.number[key] >= 0.05 && found.number[key] <= 20.0))
             return refuse(fault, 0, "%s must be from 0.05 to 20; signs belong into motion_positive and force_positive",
                           NAMES[key]);
     }
     metre = length_unit ? 1e-3 : 1.0;
     newton = force_unit ? 1e-3 : 1.0;
-    for (axle = 0; axle < 2; axle++) {
-        double ratio = found.number[MOTION_RATIO_1 + axle];
-        map->motion_scale[axle] = (motion ? 1.0 : -1.0) * metre * ratio;
+    for (corner = 0; corner < 4; corner++) {
+        double ratio = found.number[MOTION_RATIO_L1 + corner];
+        map->motion_scale[corner] = (motion ? 1.0 : -1.0) * metre * ratio;
         /* The same power on both sides of the lever. */
-        map->force_scale[axle] = (force ? 1.0 : -1.0) * newton * ratio;
+        map->force_scale[corner] = (force ? 1.0 : -1.0) * newton * ratio;
     }
     map->side_force_scale = 1.0 / newton;
     for (i = 0; i < DASHPOT_CHANNELS; i++)

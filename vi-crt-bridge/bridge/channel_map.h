@@ -9,6 +9,7 @@
  *   force_unit = "N"                   "N" or "kN"
  *   motion_ratio_1 = 1.0               damper stroke per unit of the host's stroke, axle 1; 1 where the host gives damper motion
  *   motion_ratio_2 = 1.0               the same, axle 2
+ *   motion_ratio_L1 = 1.0              the same, for one corner that differs from its axle; also R1, L2, R2
  *   jounce = "Damper.Jounce.{corner}"  names of the channels; {corner} stands for L1, R1, L2, R2
  *   jounce_rate = "..."                always needed
  *   jounce_acceleration = ""           empty: the host has no such channel
@@ -37,10 +38,10 @@ enum dashpot_channel {
 };
 
 typedef struct dashpot_channel_map {
-    /* m of damper extension per unit of the host's motion, for axle 1 and 2. */
-    double motion_scale[2];
-    /* Units of the host's force at its own point per N of damper tension, for axle 1 and 2. */
-    double force_scale[2];
+    /* m of damper extension per unit of the host's motion, for each corner. */
+    double motion_scale[4];
+    /* Units of the host's force at its own point per N of damper tension, for each corner. */
+    double force_scale[4];
     /* N of side force per unit of the host's. */
     double side_force_scale;
     /* Names with {corner} in them; empty where the host has no such channel. */

@@ -36,5 +36,5 @@ double dashpot_bridge_steepest(const dashpot_bridge *bridge, uint32_t corner, do
         if (dashpot_step(&damper->model, &state, &input, dt, &state, &output) >= 0)
             steepest = fmax(steepest, fabs(output.force_by_velocity));
     }
-    return steepest * fabs(bridge->map.force_scale[corner / 2] * bridge->map.motion_scale[corner / 2]);
+    return steepest * fabs(bridge->map.force_scale[corner] * bridge->map.motion_scale[corner]);
 }

@@ -20,7 +20,7 @@ int dashpot_bridge_self_test(const dashpot_bridge *bridge, int push_positive, in
         dashpot_corner_input in = {0};
         dashpot_corner_memory now;
         dashpot_input input;
-        double force = bridge->map.force_scale[i / 2];
+        double force = bridge->map.force_scale[i];
         double rest, growing = 0.0, before = 0.0;
 
         test->dissipates = 0;

@@ -1,6 +1,7 @@
 //! Export of a model as a functional mock-up unit.
 
 mod description;
+mod kernel;
 mod page;
 mod sources;
 mod variables;
@@ -15,11 +16,35 @@ use dashpot_lab::model_file;
 use std::path::Path;
 use std::process::Command;
 
+/// A binary of the FMU for another platform.
+pub struct Binary {
+    /// Folder below `binaries`, such as `win64`.
+    pub platform: String,
+    /// The library itself.
+    pub content: Vec<u8>,
+}
+
+impl Binary {
+    fn suffix(&self) -> &'static str {
+        match self.platform.as_str() {
+            p if p.starts_with("win") || p.ends_with("-windows") => ".dll",
+            p if p.contains("darwin") => ".dylib",
+            _ => ".so",
+        }
+    }
+}
+
 /// An FMU of one or four corners, as the bytes of its file. `library` is the static library for this computer.
 ///
 /// # Errors
 /// Where the compiler is missing or refuses.
-pub fn fmu(corners: &[Params], version: Version, scales: Scales, library: &Path) -> anyhow::Result<Vec<u8>> {
+pub fn fmu(
+    corners: &[Params],
+    version: Version,
+    scales: Scales,
+    library: &Path,
+    more: &[Binary],
+) -> anyhow::Result<Vec<u8>> {
     let variables = variables::variables(corners, scales);
     let texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
     let guid = guid(&[
@@ -41,10 +66,33 @@ pub fn fmu(corners: &[Params], version: Version, scales: Scales, library: &Path)
         &format!("binaries/{}/{}{}", platform(version), description::IDENTIFIER, std::env::consts::DLL_SUFFIX),
         &binary,
     );
+    for other in more {
+        if !other.content.windows(guid.len()).any(|part| part == guid.as_bytes()) {
+            bail!(
+                "the binary for {} was not compiled from the sources of this FMU: export it without, compile its sources for \
+                 that platform (sources/build.sh), and export it again with the result",
+                other.platform
+            );
+        }
+        archive
+            .add(&format!("binaries/{}/{}{}", other.platform, description::IDENTIFIER, other.suffix()), &other.content);
+    }
     for (name, content) in &files {
         archive.add(&format!("sources/{name}"), content);
     }
-    archive.add("sources/README.txt", sources::readme(version).as_bytes());
+    archive.add("sources/README.txt", sources::README.as_bytes());
+    archive.add("sources/build.sh", sources::BUILD.as_bytes());
+    archive.add("sources/lib/libdashpot.a", &needed_of(library)?);
+    for (name, text) in [
+        ("platform", platform(version)),
+        ("system", system()),
+        ("fmi", if version == Version::Two { "2" } else { "3" }.to_owned()),
+    ] {
+        archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes());
+    }
+    for (name, text) in kernel::files() {
+        archive.add(&format!("sources/kernel/{name}"), text.as_bytes());
+    }
     for (i, text) in texts.iter().enumerate() {
         archive.add(&format!("resources/model{}.toml", i + 1), text.as_bytes());
     }
@@ -61,6 +109,18 @@ fn platform(version: Version) -> String {
         (Version::Three, "macos") => format!("{ARCH}-darwin"),
         (Version::Three, _) => format!("{ARCH}-{OS}"),
     }
+}
+
+/// What `uname -s` and `uname -m` say on this computer.
+fn system() -> String {
+    use std::env::consts::{ARCH, OS};
+    let name = match OS {
+        "linux" => "Linux",
+        "macos" => "Darwin",
+        other => other,
+    };
+    let machine = if OS == "macos" && ARCH == "aarch64" { "arm64" } else { ARCH };
+    format!("{name}-{machine}")
 }
 
 fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8>> {
@@ -85,6 +145,24 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
         bail!("the compiler refuses the FMU: {}", String::from_utf8_lossy(&ran.stderr).trim());
     }
     Ok(std::fs::read(output)?)
+}
+
+/// The library without the parts that nobody calls and without debugging: a tenth of it. All of it where the tools for that are
+/// missing.
+fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
+    let folder = tempfile::tempdir()?;
+    let at = |name: &str| folder.path().join(name);
+    let compiler = std::env::var_os("CC").unwrap_or("cc".into());
+    let mut link = Command::new(&compiler);
+    // One function pulls the whole interface in: it is one object.
+    link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(at("kernel.o"));
+    link.arg(std::path::absolute(library)?);
+    let mut pack = Command::new("ar");
+    pack.arg("crsD").arg(at("small.a")).arg(at("kernel.o"));
+    let runs = |command: &mut Command| command.output().is_ok_and(|ran| ran.status.success());
+    let small = runs(&mut link) && runs(&mut pack);
+    let from = if small { at("small.a") } else { library.to_path_buf() };
+    std::fs::read(&from).with_context(|| from.display().to_string())
 }
 
 /// A GUID that follows from what the FMU is: two FNV-1a sums of its texts.

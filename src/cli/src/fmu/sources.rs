@@ -69,15 +69,16 @@ pub fn model_data(texts: &[String], variables: &[Variable], scales: Scales, guid
 }
 
 /// How a simulator team compiles the FMU for its own target.
-pub fn readme(version: Version) -> String {
-    let face = if version == Version::Two { "fmi2.c" } else { "fmi3.c" };
-    format!(
-        "The damper FMU from its sources. The kernel is libdashpot.a, built for your target from the dashpot project:\n\n\
-         \x20   cargo build --release -p dashpot-dll --target YOUR-TARGET\n\
-         \x20   cc -std=c99 -O2 -fPIC -shared -fvisibility=hidden -I. corner.c instance.c partial.c model_data.c {face} libdashpot.a -lm -o dashpot_damper.so\n\n\
-         Put the result into binaries/<platform>/ of the FMU. No other library is needed.\n"
-    )
-}
+pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
+
+/// What the build script is, in words.
+pub const README: &str = "The damper FMU from its sources, which are all in this folder:\n\n\
+     \x20   sh build.sh\n\n\
+     compiles it into ../binaries with a C compiler alone, on the platform where the FMU was exported: lib holds the kernel\n\
+     for that platform. For any other target the kernel is compiled from its Rust sources in kernel (one dependency, libm);\n\
+     the first lines of build.sh say how. No other library is needed. Where no shell runs, the two commands are:\n\n\
+     \x20   cargo build --release --manifest-path kernel/Cargo.toml -p dashpot-dll --target YOUR-TARGET\n\
+     \x20   cc -std=c99 -O2 -fPIC -shared -fvisibility=hidden -I. *.c libdashpot.a -lm -o dashpot_damper.so\n";
 
 /// Defines what `model_data.h` declares.
 pub const MODEL_DATA_C: &str = "#define MODEL_DATA\n#include \"instance.h\"\n";

@@ -122,9 +122,32 @@ pub struct Plane {
     pub series: Vec<Series>,
 }
 
+/// How the lines of a figure are drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Drawn {
+    /// As lines of at most so many points.
+    Lines(usize),
+    /// As the places that they pass.
+    Traces,
+}
+
 impl Plane {
     /// Draws the figure.
     pub fn draw(&self) -> String {
+        self.drawn(Drawn::Lines(LINE_LIMIT))
+    }
+
+    /// Draws lines that swing for a long time, with as many points as that takes.
+    pub fn draw_long(&self) -> String {
+        self.drawn(Drawn::Lines(6 * LINE_LIMIT))
+    }
+
+    /// Draws the figure of lines that cross themselves many times, as the places that they pass.
+    pub fn draw_traces(&self) -> String {
+        self.drawn(Drawn::Traces)
+    }
+
+    fn drawn(&self, how: Drawn) -> String {
         let [width, height] = SIZE;
         let (left, right, top, bottom) = (66.0, width - 14.0, 50.0, height - 44.0);
         let mut svg = Svg::new(width, height, &self.title);
@@ -161,11 +184,17 @@ impl Plane {
         svg.text([15.0, 0.5 * (top + bottom)], &self.y.label, turned);
 
         for series in &self.series {
-            for line in &series.lines {
-                let points: Vec<_> = line.iter().map(|[x, y]| [at_x(*x), at_y(*y)]).collect();
-                svg.path(series.role, &points, LINE_LIMIT / series.lines.len().max(1));
-                if series.dotted {
-                    points.iter().for_each(|point| svg.dot(series.role, *point, 2.3));
+            let lines: Vec<Vec<_>> =
+                series.lines.iter().map(|line| line.iter().map(|[x, y]| [at_x(*x), at_y(*y)]).collect()).collect();
+            match how {
+                Drawn::Traces => svg.trace(series.role, &lines, 1.2),
+                Drawn::Lines(limit) => {
+                    for points in &lines {
+                        svg.path(series.role, points, limit / lines.len().max(1));
+                        if series.dotted {
+                            points.iter().for_each(|point| svg.dot(series.role, *point, 2.3));
+                        }
+                    }
                 }
             }
         }

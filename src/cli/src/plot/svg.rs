@@ -2,6 +2,7 @@
 
 use super::palette::{FAINT_INK, GRID, INK, PAPER, Role};
 use super::simplify::{Point, Thinned, simplify};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Width of a noisy line, px.
@@ -91,6 +92,27 @@ impl Svg {
             let _ = write!(self.body, " stroke-dasharray=\"{dash}\"");
         }
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
+    }
+
+    /// All places that a line of a role passes, as small squares: a line that crosses itself hundreds of times needs no more
+    /// room than the area that it fills, and nothing of it is thinned away.
+    pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
+        let bars = bars(lines, square);
+        if bars.is_empty() {
+            return;
+        }
+        let _ = write!(
+            self.body,
+            "<path class=\"l {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"",
+            role.class(),
+            role.light(),
+            px(square),
+        );
+        for (row, from, to) in bars {
+            let [x, y] = [from as f64 * square, (row as f64 + 0.5) * square].map(px);
+            let _ = write!(self.body, "M{x} {y}h{}", px((to - from) as f64 * square));
+        }
+        self.body.push_str("\"/>");
     }
 
     /// Several straight lines of the grid.
@@ -184,6 +206,34 @@ impl Svg {
     }
 }
 
+/// The squares that lines pass, as bars: row, first column, column after the last.
+fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
+    let mut passed = BTreeSet::new();
+    for line in lines {
+        let mut last: Option<Point> = None;
+        for point in line {
+            let [x, y] = point.map(|p| p / square);
+            let [from_x, from_y] = last.unwrap_or([x, y]);
+            // Half a square at a time leaves no gap.
+            let parts = (2.0 * (x - from_x).abs().max((y - from_y).abs())).ceil().max(1.0);
+            for k in 0..=parts as u32 {
+                let part = f64::from(k) / parts;
+                let at = [from_x + part * (x - from_x), from_y + part * (y - from_y)];
+                passed.insert((at[1].floor() as i64, at[0].floor() as i64));
+            }
+            last = Some([x, y]);
+        }
+    }
+    let mut bars: Vec<(i64, i64, i64)> = Vec::new();
+    for (row, column) in passed {
+        match bars.last_mut() {
+            Some(bar) if (bar.0, bar.2) == (row, column) => bar.2 += 1,
+            _ => bars.push((row, column, column + 1)),
+        }
+    }
+    bars
+}
+
 /// Path data through points to a tenth of a pixel, in relative steps, which are shorter to write. Each step is taken
 /// from the rounded place, so that rounding does not add up.
 fn path_data(points: &[Point]) -> String {
@@ -251,6 +301,14 @@ pub fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_trace_is_every_square_that_a_line_passes_once() {
+        let line = vec![[0.5, 0.5], [8.5, 0.5], [0.5, 0.5], [0.5, 4.5]];
+        assert_eq!(bars(&[line], 2.0), [(0, 0, 5), (1, 0, 1), (2, 0, 1)]);
+        assert_eq!(bars(&[vec![[3.0, 3.0]]], 2.0), [(1, 1, 2)]);
+        assert!(bars(&[], 2.0).is_empty());
+    }
 
     #[test]
     fn path_data_reads_back_to_a_tenth_of_a_pixel() {

@@ -4,14 +4,14 @@ use super::data::DataArgs;
 use super::output;
 use super::validate::prepared;
 use crate::plot::axes::{Axis, Plane, Series};
-use crate::plot::of_test::{FORCE, FV_ONLY, MEASURED, MODEL, VELOCITY};
+use crate::plot::of_test::{FORCE, FV_ONLY, MODEL, VELOCITY};
 use crate::plot::palette::Role;
 use crate::report::blocks::{Block, Column, Figure, Section, Table};
 use crate::report::{self, numbers};
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
 use dashpot_lab::model_file::{self, ModelFile};
-use dashpot_lab::vehicle::{CORNERS, Car, Manoeuvre, Run, Sample, run as drive};
+use dashpot_lab::vehicle::{CORNERS, Car, Manoeuvre, Run, SLOW, Sample, run as drive};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -75,6 +75,7 @@ struct Figures {
     rms_heave_acceleration_m_s2: [f64; 2],
     rms_heave_difference_m: f64,
     coupling: f64,
+    coupling_moving: f64,
     rig_tests: Option<Region>,
     corners: Vec<CornerFigures>,
 }
@@ -104,13 +105,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let figures = figures(args, &with_model, &with_curve, covered.as_ref());
     let json = args.json.as_deref();
     output::say(json, &table(&figures))?;
-    if with_model.coupling > 1.0 {
-        let text = format!(
-            "note: c h / m reaches {:.2} on the {} kg wheel: a simulator that exchanges force and motion with one step of delay \
-             is unstable above 1, without delay above 2; a shorter step helps",
-            with_model.coupling, car.unsprung_mass
-        );
-        output::say(json, &text)?;
+    if let Some(note) = coupling_note(&with_model, &car) {
+        output::say(json, &note)?;
     }
     if let Some(path) = json {
         output::json(path, &figures)?;
@@ -125,6 +121,24 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         output::say(json, &format!("report: {}", path.display()))?;
     }
     Ok(())
+}
+
+/// What the exchange of force and motion asks of a host, where it asks anything.
+fn coupling_note(run: &Run, car: &Car) -> Option<String> {
+    let (all, moving, mass) = (run.coupling, run.coupling_moving, car.unsprung_mass);
+    if moving > 1.0 {
+        return Some(format!(
+            "note: c h / m reaches {moving:.2} on the {mass} kg wheel: a simulator that exchanges force and motion with one step of \
+             delay is unstable above 1, without delay above 2; a shorter step helps"
+        ));
+    }
+    (all > 1.0).then(|| {
+        format!(
+            "note: c h / m is at most {moving:.2} on the {mass} kg wheel in motion, but {all:.2} where friction turns over (below {} \
+             mm/s): there the exchange chatters within the friction force; a shorter step or less steep friction helps",
+            1e3 * SLOW
+        )
+    })
 }
 
 /// The model of a file, and its FV curve alone.
@@ -223,6 +237,7 @@ fn figures(args: &Args, model: &Run, curve: &Run, covered: Option<&Covered>) -> 
         rms_heave_acceleration_m_s2: [model, curve].map(|run| rms(run.samples.iter().map(acceleration))),
         rms_heave_difference_m: rms(both().map(|(m, c)| m.body.position[0] - c.body.position[0])),
         coupling: model.coupling,
+        coupling_moving: model.coupling_moving,
         rig_tests: covered.map(|c| c.region),
         corners,
     }
@@ -267,9 +282,9 @@ fn table(f: &Figures) -> String {
     out
 }
 
-fn plane(title: String, x: &str, y: &str, series: Vec<Series>) -> String {
+fn plane(title: String, x: &str, y: &str, series: Vec<Series>) -> Plane {
     let along = |k: usize| -> Vec<f64> { series.iter().flat_map(|s| s.lines.concat()).map(|p| p[k]).collect() };
-    Plane { title, x: Axis::around(x, along(0)), y: Axis::around(y, along(1)), series }.draw()
+    Plane { title, x: Axis::around(x, along(0)), y: Axis::around(y, along(1)), series }
 }
 
 fn series(role: Role, label: &'static str, run: &Run, point: impl Fn(&Sample) -> [f64; 2]) -> Series {
@@ -311,8 +326,10 @@ fn sections(f: &Figures, model: &Run, curve: &Run, covered: Option<&Covered>) ->
     let corner_figures = (0..4)
         .map(|i| {
             let point = |s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force];
-            let svg = plane(format!("{}: force over velocity", CORNERS[i]), VELOCITY, FORCE, two(&point));
-            Figure::new(format!("force-velocity-{}", CORNERS[i]), svg)
+            // The curve last: it is narrow and would be buried under the model's loops.
+            let both = two(&point).into_iter().rev().collect();
+            let plane = plane(format!("{}: force over velocity", CORNERS[i]), VELOCITY, FORCE, both);
+            Figure::new(format!("force-velocity-{}", CORNERS[i]), plane.draw_traces())
         })
         .collect();
     out.push(Section::new("corners", "Corners", vec![Block::Figures(corner_figures)]));
@@ -324,8 +341,9 @@ fn sections(f: &Figures, model: &Run, curve: &Run, covered: Option<&Covered>) ->
     ]
     .into_iter()
     .map(|(file, title, y, value)| {
-        let svg = plane(title.to_owned(), "time, s", y, two(&|s: &Sample| [s.time, value(s)]));
-        Figure::new(file, svg)
+        let mut plane = plane(title.to_owned(), "time, s", y, two(&|s: &Sample| [s.time, value(s)]));
+        plane.x = Axis::exactly("time, s", 0.0, model.samples.last().map_or(0.0, |s| s.time));
+        Figure::new(file, plane.draw_long())
     })
     .collect();
     out.push(Section::new("chassis", "Chassis", vec![Block::Figures(chassis)]));
@@ -338,11 +356,11 @@ fn sections(f: &Figures, model: &Run, curve: &Run, covered: Option<&Covered>) ->
             if let Some(c) = covered {
                 let milli = |line: &Vec<[f64; 2]>| line.iter().map(|p| [1e3 * p[0], 1e3 * p[1]]).collect();
                 let lines = c.loops.iter().map(milli).collect();
-                all.push(Series { role: Role::Measured, label: MEASURED, lines, dotted: false });
+                all.push(Series { role: Role::Measured, label: "rig tests", lines, dotted: false });
             }
             all.push(saw);
-            let svg = plane(format!("{}: operating region", CORNERS[i]), "displacement, mm", VELOCITY, all);
-            Figure::new(format!("region-{}", CORNERS[i]), svg)
+            let plane = plane(format!("{}: operating region", CORNERS[i]), "displacement, mm", VELOCITY, all);
+            Figure::new(format!("region-{}", CORNERS[i]), plane.draw_traces())
         })
         .collect();
     let told = match covered {

@@ -100,6 +100,11 @@ impl References {
         References { tests, dt }
     }
 
+    /// The tests and their exact forces at each multiple of the step.
+    pub fn forces(&self) -> impl Iterator<Item = (Sine, &[f64])> {
+        self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
+    }
+
     /// Errors of the model's own step at `dt` for each test; `dt` is a multiple of the reference's.
     pub fn compare(&self, model: &Model, dt: f64, given: Given) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;

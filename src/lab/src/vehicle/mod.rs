@@ -9,4 +9,4 @@ mod run;
 
 pub use car::{Body, Car};
 pub use manoeuvre::{Manoeuvre, Road};
-pub use run::{CORNERS, Corner, Run, Sample, VehicleError, run};
+pub use run::{CORNERS, Corner, Dampers, Run, SLOW, Sample, VehicleError, run, run_with};

@@ -1,7 +1,7 @@
 //! A manoeuvre driven from beginning to end at a fixed step.
 
 use super::{Body, Car, Manoeuvre, Road};
-use dashpot_core::{Input, Model, step};
+use dashpot_core::{Input, Model, State, step};
 
 /// Names of the corners.
 pub const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
@@ -36,7 +36,13 @@ pub struct Run {
     /// Largest c h / m: slope of the damper at the wheel times step over unsprung mass. Above 2 an explicit host is
     /// unstable; with one more step of delay above 1.
     pub coupling: f64,
+    /// The same where the damper moves faster than [`SLOW`]. Below, the slope is that of friction: its force is bounded, so
+    /// that the exchange chatters there but does not swing up.
+    pub coupling_moving: f64,
 }
+
+/// Velocity below which friction makes the slope, m/s.
+pub const SLOW: f64 = 0.02;
 
 /// Why a manoeuvre could not be driven.
 #[derive(Debug, thiserror::Error)]
@@ -51,45 +57,88 @@ pub enum VehicleError {
     Unstable(f64),
 }
 
-/// Drives a manoeuvre with dampers L1, R1, L2, R2 at a fixed step.
+/// Four dampers as a simulator meets them: motion in at each of its steps, force out. Extension and tension positive.
+pub trait Dampers {
+    /// Settles all at displacement 0 and answers with their static forces, N.
+    fn rest(&mut self) -> [f64; 4];
+    /// A step of `dt` to these displacements and velocities: force, N, and its change per velocity where the displacement follows
+    /// through the step, N s/m.
+    fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
+}
+
+/// Models stepped by the kernel.
+struct Kernels<'a> {
+    models: [&'a Model; 4],
+    states: [State; 4],
+}
+
+impl Dampers for Kernels<'_> {
+    fn rest(&mut self) -> [f64; 4] {
+        let still = Input::motion(0.0, 0.0);
+        self.states = self.models.map(|model| model.settled(&still));
+        // dt = 0 is the static answer.
+        std::array::from_fn(|i| step(self.models[i], &self.states[i], &still, 0.0).1.force)
+    }
+
+    fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
+        std::array::from_fn(|i| {
+            let [displacement, velocity] = motion[i];
+            let (next, answer) = step(self.models[i], &self.states[i], &Input::motion(displacement, velocity), dt);
+            self.states[i] = next;
+            [answer.force, answer.force_by_velocity + dt * answer.force_by_displacement]
+        })
+    }
+}
+
+/// Drives a manoeuvre with the dampers L1, R1, L2, R2 of these models at a fixed step.
 ///
 /// # Errors
 /// Where the step is out of range, or the run unstable.
-pub fn run(car: &Car, manoeuvre: Manoeuvre, dampers: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
+pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
+    run_with(car, manoeuvre, &mut Kernels { models, states: [State::ZERO; 4] }, dt)
+}
+
+/// The same with dampers of any kind, such as those behind the simulator bridge.
+///
+/// # Errors
+/// Where the step is out of range, or the run unstable.
+pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
     if !(1e-4..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
     }
     let road = Road::new(1);
     let ratio = car.motion_ratio;
     let mut body = Body::default();
-    let mut states = dampers.map(|model| model.settled(&Input::motion(0.0, 0.0)));
-    // dt = 0 is the static answer.
-    let rest: [f64; 4] = std::array::from_fn(|i| step(dampers[i], &states[i], &Input::motion(0.0, 0.0), 0.0).1.force);
+    let rest = dampers.rest();
     let mut force = rest;
     let steps = (manoeuvre.duration() / dt).round() as usize;
     let mut samples = Vec::with_capacity(steps);
-    let mut coupling: f64 = 0.0;
+    let (mut coupling, mut coupling_moving) = (0.0_f64, 0.0_f64);
     for k in 0..steps {
         let time = k as f64 * dt;
         let heights = std::array::from_fn(|i| manoeuvre.road(&road, time, car.place(i)[0], i % 2));
         let held = std::array::from_fn(|i| ratio * (force[i] - rest[i]));
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
-        let mut corner = [Corner::default(); 4];
-        for i in 0..4 {
-            let [stroke, rate] = car.stroke(&body, i);
-            let (displacement, velocity) = (ratio * stroke, ratio * rate);
-            if !(velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-                return Err(VehicleError::Unstable(time));
-            }
-            let (next, answer) = step(dampers[i], &states[i], &Input::motion(displacement, velocity), dt);
-            states[i] = next;
-            force[i] = answer.force;
-            coupling = coupling.max(answer.force_by_velocity.abs() * ratio * ratio * dt / car.unsprung_mass);
-            corner[i] = Corner { displacement, velocity, force: answer.force };
+        let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
+        if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
+            return Err(VehicleError::Unstable(time));
         }
+        let answers = dampers.step(dt, motion);
+        force = answers.map(|[force, _]| force);
+        for ([_, slope], [_, velocity]) in answers.iter().zip(motion) {
+            let here = slope.abs() * ratio * ratio * dt / car.unsprung_mass;
+            coupling = coupling.max(here);
+            if velocity.abs() > SLOW {
+                coupling_moving = coupling_moving.max(here);
+            }
+        }
+        let corner = std::array::from_fn(|i| {
+            let [displacement, velocity] = motion[i];
+            Corner { displacement, velocity, force: force[i] }
+        });
         samples.push(Sample { time: time + dt, body, corner });
     }
-    Ok(Run { samples, coupling })
+    Ok(Run { samples, coupling, coupling_moving })
 }
 
 #[cfg(test)]
@@ -141,6 +190,16 @@ mod tests {
         let steer = drive(Manoeuvre::StepSteer, 1e-3);
         let last = steer.samples.last().unwrap();
         assert!(last.corner[0].displacement > 0.005 && last.corner[1].displacement < -0.005);
+    }
+
+    /// Friction makes the largest slope, the curve the one in motion: the steepest of the curve times the step over the wheel.
+    #[test]
+    fn the_slope_in_motion_is_that_of_the_curve() {
+        let run = drive(Manoeuvre::Track, 1e-3);
+        let car = Car::default();
+        let of_slope = |slope: f64| slope * car.motion_ratio.powi(2) * 1e-3 / car.unsprung_mass;
+        assert!(run.coupling > run.coupling_moving, "{} {}", run.coupling, run.coupling_moving);
+        assert!((of_slope(1e3)..of_slope(2e4)).contains(&run.coupling_moving), "{}", run.coupling_moving);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
 use super::super::{output, validate};
-use crate::fmu::{self, Scales, Version};
+use crate::fmu::{self, Binary, Scales, Version};
 use crate::report::replace_file;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
@@ -40,6 +40,9 @@ pub struct Args {
     /// The static library of dashpot [default: libdashpot.a beside this command]
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    /// The binary for one more platform, such as win64, compiled from this FMU's own sources
+    #[arg(long, value_name = "PLATFORM=FILE")]
+    binary: Vec<String>,
 }
 
 /// Runs the verb.
@@ -72,10 +75,26 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
-    let bytes = fmu::fmu(&corners, version, scales, &library(args.library.as_deref())?)?;
+    let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
+    let bytes = fmu::fmu(&corners, version, scales, &library(args.library.as_deref())?, &more)?;
     replace_file(&args.output, &bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
     output::say(None, &format!("{}: FMI {}.0, {corners}", args.output.display(), args.fmi))
+}
+
+/// A binary for another platform, from PLATFORM=FILE.
+fn binary(text: &str) -> anyhow::Result<Binary> {
+    let Some((platform, file)) = text.split_once('=') else {
+        bail!("--binary is given as PLATFORM=FILE, such as win64=dashpot_damper.dll, not {text}");
+    };
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if platform.is_empty() || !platform.chars().all(plain) {
+        bail!(
+            "--binary: {platform:?} is no platform; FMI 2.0 has win64, linux64 and darwin64, FMI 3.0 x86_64-windows and so on"
+        );
+    }
+    let content = std::fs::read(file).with_context(|| format!("--binary: cannot read {file}"))?;
+    Ok(Binary { platform: platform.to_owned(), content })
 }
 
 /// The static library: as named, or where cargo puts it.

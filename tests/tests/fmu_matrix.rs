@@ -1,0 +1,101 @@
+//! The rig matrix through the FMU, in FMPy: co-simulation is the kernel's step bit for bit, model exchange its converged solution.
+
+use dashpot_core::{Model, Params, model_file};
+use dashpot_lab::accuracy::{Given, References, Sine, errors, step_forces};
+use dashpot_rig::Matrix;
+use dashpot_tests::bridge::MODEL;
+use dashpot_tests::cli::done;
+use dashpot_tests::library::{Language, compiler, directory, root, succeed};
+use dashpot_tests::python::python;
+use std::process::Command;
+use std::sync::OnceLock;
+
+const DT: f64 = 1e-3;
+
+fn model() -> Model {
+    let mut params = Params::new();
+    model_file::read(MODEL.as_bytes(), &mut params).expect("the model file");
+    Model::new(&params).expect("a model")
+}
+
+/// Every test and its exact forces at each millisecond.
+fn exact() -> &'static [(Sine, Vec<f64>)] {
+    static EXACT: OnceLock<Vec<(Sine, Vec<f64>)>> = OnceLock::new();
+    EXACT.get_or_init(|| {
+        let tests: Vec<Sine> = Matrix::default()
+            .points()
+            .iter()
+            .map(|p| Sine { amplitude: p.amplitude_m, frequency: p.frequency_hz })
+            .collect();
+        References::solve(&model(), &tests, 0.25e-3)
+            .forces()
+            .map(|(sine, forces)| (sine, forces.iter().copied().step_by(4).collect()))
+            .collect()
+    })
+}
+
+fn runs(fmi: &str, corners: &str) {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    directory();
+    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
+    let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
+    if corners == "4" {
+        export.push("--four");
+    }
+    done(at, &export);
+    let mut tests = String::new();
+    for (sine, forces) in exact() {
+        tests += &format!("{:?} {:?} {}\n", sine.amplitude, sine.frequency, forces.len() - 1);
+    }
+    std::fs::write(at.join("tests.txt"), tests).expect("a file");
+    let mut solver = compiler(Language::C);
+    solver.args(["-O2", "-shared", "-fPIC"]).arg(root().join("tests/hosts/exchange_loop.c"));
+    succeed(solver.args(["-lm", "-o"]).arg(at.join("exchange_loop.so")));
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_matrix.py"));
+    host.args(["damper.fmu", "tests.txt", "./exchange_loop.so", "forces"].map(|name| at.join(name)));
+    succeed(host.current_dir(at));
+
+    let bytes = std::fs::read(at.join("forces")).expect("the forces");
+    let mut forces = bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().expect("eight bytes")));
+    let model = model();
+    let (mut steps, mut exchange) = ([0.0_f64; 2], [0.0_f64; 2]);
+    for (sine, exact) in exact() {
+        let of: [Vec<f64>; 2] = std::array::from_fn(|_| forces.by_ref().take(exact.len()).collect());
+        let kernel = step_forces(&model, &sine.motion(), DT, exact.len() - 1, Given::Motion);
+        // Python's sine and the reference's may differ in the last digit.
+        let same = errors(&of[0], &kernel);
+        assert!(same.largest < 1e-11, "{sine:?}: co-simulation is not the kernel's step: {same:?}");
+        for (worst, forces) in [(&mut steps, &of[0]), (&mut exchange, &of[1])] {
+            let error = errors(forces, exact);
+            *worst = [worst[0].max(error.rms), worst[1].max(error.largest)];
+        }
+    }
+    assert_eq!(forces.next(), None);
+    let percent = |e: [f64; 2]| format!("{:.4} % rms, {:.4} % at most", 100.0 * e[0], 100.0 * e[1]);
+    println!("FMI {fmi}, {corners}: steps of 1 ms {}; model exchange {}", percent(steps), percent(exchange));
+    assert!(exchange[1] < 1e-3, "model exchange is {} from the converged kernel", percent(exchange));
+    // The kernel's own contract at 1 ms.
+    assert!(steps[0] < 1e-3 && steps[1] < 1e-2, "co-simulation is {} from the converged kernel", percent(steps));
+}
+
+#[test]
+fn fmi_2_one_corner() {
+    runs("2", "1");
+}
+
+#[test]
+fn fmi_2_four_corners() {
+    runs("2", "4");
+}
+
+#[test]
+fn fmi_3_one_corner() {
+    runs("3", "1");
+}
+
+#[test]
+fn fmi_3_four_corners() {
+    runs("3", "4");
+}
