@@ -91,7 +91,7 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
         format!("no={}", gse["output_equation_count"]),
         "end=0.01".into(),
     ];
-    let ran = run(&solver(&[]), "gse", &settings);
+    let ran = run(&solver(), "gse", &settings);
     assert_eq!(ran.code, Some(0), "{}", ran.text);
 }
 
