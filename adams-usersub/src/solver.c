@@ -38,7 +38,7 @@ static const entry ENTRIES[] = {
     ENTRY(errmes, "c_errmes", SOLVER_FOR_ALL),
     ENTRY(usrmes, "c_usrmes", 0),
     ENTRY(timget, "c_timget", SOLVER_FOR_FORCES),
-    ENTRY(getmod, "c_getmod", SOLVER_FOR_FORCES),
+    ENTRY(getmod, "c_getmod", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
     ENTRY(gtstrg, "c_gtstrg", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
     ENTRY(gtunts, "c_gtunts", 0),
     ENTRY(needs_partials, "c_adams_needs_partials", 0),

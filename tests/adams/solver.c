@@ -388,7 +388,7 @@ static int unknowns(void) { return mechanical() + (is("gse") ? ns : 0); }
 static const double MASS = 40.0, SPRING = 30.0; /* kg, N/mm */
 
 /* State i of a GSE in the integrator, mm and mm/s, for one in the model. */
-static double state_unit(int i) { return i == 0 ? length_unit / 1e-3 : i == 1 ? length_unit / 1e-3 / time_unit : 1; }
+static double state_unit(int i) { return length_unit / 1e-3 / (i == 1 ? time_unit : 1); }
 
 static void place(double t, const double *y)
 {

@@ -1,11 +1,12 @@
 //! The damper inside a solver: the shipped library, loaded by a stand-in for Adams, against the kernel's own runs.
 
-use dashpot_core::{Input, Model, State, evaluate::evaluate};
+use dashpot_core::{Input, Model, Params, State, evaluate::evaluate, model_file};
 use dashpot_tests::adams::{
-    Accepted, FULL, FULL_STATES, PLAIN, PLAIN_STATES, ROUTINES, Surroundings, deviation, kernel, model_of, solver,
+    Accepted, FULL, FULL_STATES, PLAIN, PLAIN_STATES, ROUTINES, Surroundings, deviation, kernel, model_of, run, solver,
     started, with, written,
 };
 use std::f64::consts::TAU;
+use std::path::Path;
 
 /// The thesis's matrix: amplitudes in mm at peak velocities in mm/s, up to 25 Hz.
 fn matrix() -> Vec<(f64, f64)> {
@@ -212,5 +213,46 @@ fn rebound_gives_a_negative_sforce() {
             accepted.into_iter().filter(|a| a.v.abs() > 200.0).partition(|a| a.v > 0.0);
         assert!(!rebound.is_empty() && rebound.iter().all(|a| a.sforce < 0.0), "{routine}");
         assert!(!compression.is_empty() && compression.iter().all(|a| a.sforce > 0.0), "{routine}");
+    }
+}
+
+/// States of a GSE of this model file, as the library tells them where the GSE has none.
+fn states_wanted(solver: &Path, path: &Path) -> String {
+    let refused = run(solver, "gse", &with(path, &["ns=0"]));
+    let (_, after) = refused.text.split_once("needs NS=").unwrap_or_else(|| panic!("{}", refused.text));
+    format!("ns={}", after.lines().next().unwrap())
+}
+
+#[test]
+fn every_element_of_the_model_agrees() {
+    let folder = tempfile::tempdir().unwrap();
+    let solver = solver();
+    let elements = dashpot_core::elements::GROUPS.iter().map(|group| group.name);
+    for element in elements {
+        for base in ["\"fv_curve\"", "\"fv_curve\", \"series_compliance\""] {
+            if base.contains(element) {
+                continue;
+            }
+            let text = format!("format = 1\nelements = [{base}, \"{element}\"]\n");
+            let mut params = Params::new();
+            if model_file::read(text.as_bytes(), &mut params).is_err() || Model::new(&params).is_err() {
+                continue;
+            }
+            let path = written(folder.path(), &text);
+            let model = model_of(&text);
+            let states = states_wanted(&solver, &path);
+            for routine in ["gse", "sfo"] {
+                let more = ["amplitude=25", "frequency=3", "end=0.5", "hmax=1e-3", &states];
+                let got = started(&solver, routine, &with(&path, &more)).accepted();
+                let share = deviation(&got, &kernel(&model, &got, 25.0, 3.0, Surroundings::NONE));
+                assert!(share < 1e-3, "{element} after {base}, {routine}: {:.4} %", 100.0 * share);
+                // A mass on it finds its rest.
+                let run = started(&solver, routine, &with(&path, &["mass=1", "end=0.002", &states]));
+                let (x, sforce) = run.statics();
+                let want = -model.static_output(&Input::motion(1e-3 * x, 0.0)).force;
+                assert!((sforce - want).abs() < 1e-3, "{element} after {base}, {routine}: {sforce} and {want}");
+                assert!((run.accepted()[1].sforce - sforce).abs() < 0.5, "{element} after {base}, {routine} jumps");
+            }
+        }
     }
 }

@@ -112,7 +112,9 @@ fn the_sources_are_cpp_too() {
 /// Functions without which an entry cannot work; it does without all others.
 fn needed(routine: &str) -> &'static [&'static str] {
     match routine {
-        "gse" => &["c_errmes", "c_gtstrg", "c_gtunts", "c_gse_ns", "c_gse_ni", "c_gse_no", "c_gse_x", "c_gse_u"],
+        "gse" => {
+            &["c_errmes", "c_gtstrg", "c_gtunts", "c_getmod", "c_gse_ns", "c_gse_ni", "c_gse_no", "c_gse_x", "c_gse_u"]
+        }
         "gfo" => &["c_errmes", "c_gtstrg", "c_gtunts", "c_sysary", "c_timget", "c_getmod"],
         _ => &["c_errmes", "c_gtstrg", "c_gtunts", "c_sysfnc", "c_timget", "c_getmod"],
     }
