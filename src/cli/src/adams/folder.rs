@@ -60,7 +60,7 @@ fn states(model: &Model) -> usize {
     count
 }
 
-/// The test matrix on the rig: every test begins and ends at rest in the middle, so that one follows the other.
+/// The test matrix on the rig, one line a command: every test begins and ends at rest in the middle, so that one follows the other.
 fn acf(matrix: &Matrix) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
@@ -72,8 +72,8 @@ fn acf(matrix: &Matrix) -> String {
         let w = std::f64::consts::TAU / period;
         let _ = write!(
             out,
-            "! {amplitude:.3} mm, {:.6} Hz\nMOTION/1, FUNCTION = {amplitude:.9}*SIN({w:.12}*(TIME-{begin:.9}))\n\
-             , *STEP(TIME,{begin:.9},0,{rise:.9},1)\n, *STEP(TIME,{fall:.9},1,{end:.9},0)\n\
+            "! {amplitude:.3} mm, {:.6} Hz\nMOTION/1, FUNCTION = {amplitude:.9}*SIN({w:.12}*(TIME-{begin:.9}))\
+             *STEP(TIME,{begin:.9},0,{rise:.9},1)*STEP(TIME,{fall:.9},1,{end:.9},0)\n\
              SIMULATE/DYNAMICS, END={end:.9}, STEPS=800\n",
             1.0 / period
         );
