@@ -10,7 +10,8 @@
  *                    are lengths are held to the same tolerance as the first
  * outputs (array Y)  1 force as an SFORCE takes it: negative where the damper is in tension, as it is in rebound
  *                    2 series deflection  3 velocity of the internal mass
- *                    4 force of the primary damper  5 springs  6 friction  7 gas, tension positive
+ *                    4 force of the primary damper  5 springs  6 friction  7 gas  8 stops, tension positive
+ *                    9 oil temperature, degrees Celsius
  *
  * The first state is relative to the driven end, so that zero is a fair initial value at any damper length and the
  * solver's error tolerance is spent on what makes the force.

@@ -17,7 +17,7 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.adm")]
     output: PathBuf,
-    /// Name of the damper's SFORCE and its length at zero displacement in model units; repeat for more
+    /// Name of the damper's SFORCE, or SFORCE/id, and its length at zero displacement in model units; repeat for more
     #[arg(long = "damper", value_name = "NAME=LENGTH", required = true, value_parser = damper)]
     dampers: Vec<Damper>,
     /// Path of the model file as the solver will find it
