@@ -1,6 +1,8 @@
 //! The library for Adams as it is shipped, and a stand-in solver that loads it as Adams does.
 
 use crate::library::{directory, root, succeed};
+use dashpot_core::{Input, Model, Params, model_file, step};
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -14,30 +16,93 @@ fn folder() -> &'static Path {
 /// The library, built by its own makefile.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
-    LIBRARY.get_or_init(|| {
-        let target = folder().join("dashpot_adams.so");
-        let mut make = Command::new("make");
-        make.arg("-s").arg("-C").arg(root().join("adams-usersub"));
-        make.arg(format!("LIBRARY={}", directory().join("libdashpot.a").display()));
-        make.arg(format!("OUTPUT={}", target.display())).arg("CFLAGS=-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror");
-        succeed(&mut make);
-        target
-    })
+    LIBRARY.get_or_init(|| built("dashpot_adams.so", "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"))
 }
 
-/// The stand-in solver; `flags` for the compiler, such as one that leaves a utility function out.
-pub fn solver(flags: &[&str]) -> PathBuf {
-    let program = folder().join(format!("solver{}", flags.concat()));
-    // Tests run side by side: each builds under a name of its own, then puts it in place.
+fn built(name: &str, flags: &str) -> PathBuf {
+    let target = folder().join(name);
+    let mut make = Command::new("make");
+    make.arg("-s").arg("-C").arg(root().join("adams-usersub"));
+    make.arg(format!("LIBRARY={}", directory().join("libdashpot.a").display()));
+    make.arg(format!("OUTPUT={}", target.display())).arg(format!("CFLAGS={flags}"));
+    succeed(&mut make);
+    target
+}
+
+/// Object files of the stand-in solver, with more `flags` for the compiler.
+fn objects(flags: &[&str]) -> Vec<PathBuf> {
+    ["solver", "dataset", "expression"]
+        .iter()
+        .map(|name| {
+            let object = folder().join(format!("{name}{}.o", flags.concat()));
+            // Tests run side by side: each builds under a name of its own, then puts it in place.
+            let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
+            let built = build.path().join("object.o");
+            let mut compiler = compiler();
+            compiler.args(["-std=gnu99", "-Wall", "-Wextra", "-Werror", "-O2", "-c"]).args(flags);
+            compiler.arg("-I").arg(root().join("include")).arg(root().join(format!("tests/adams/{name}.c")));
+            succeed(compiler.arg("-o").arg(&built));
+            std::fs::rename(&built, &object).expect("the object file");
+            object
+        })
+        .collect()
+}
+
+fn compiler() -> Command {
+    Command::new(std::env::var_os("CC").unwrap_or("gcc".into()))
+}
+
+fn linked(name: &str, flags: &[&str], objects: &[PathBuf], arguments: &[String]) -> PathBuf {
+    let program = folder().join(name);
     let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
     let built = build.path().join("solver");
-    let mut compiler = Command::new(std::env::var_os("CC").unwrap_or("gcc".into()));
-    compiler.args(["-std=gnu99", "-Wall", "-Wextra", "-Werror", "-O2", "-rdynamic"]).args(flags);
-    compiler.arg("-I").arg(root().join("include")).arg(root().join("tests/adams/solver.c"));
-    compiler.arg("-o").arg(&built).args(["-ldl", "-lm", "-lpthread"]);
-    succeed(&mut compiler);
+    let mut linker = compiler();
+    linker.args(flags).args(objects).args(arguments).arg("-o").arg(&built).args(["-ldl", "-lm", "-lpthread"]);
+    succeed(&mut linker);
     std::fs::rename(&built, &program).expect("the program");
     program
+}
+
+/// The stand-in solver, with all its utility functions.
+pub fn solver() -> PathBuf {
+    static SOLVER: OnceLock<PathBuf> = OnceLock::new();
+    SOLVER.get_or_init(|| linked("solver", &[], plain_objects(), &["-rdynamic".into()])).clone()
+}
+
+fn plain_objects() -> &'static [PathBuf] {
+    static OBJECTS: OnceLock<Vec<PathBuf>> = OnceLock::new();
+    OBJECTS.get_or_init(|| objects(&[]))
+}
+
+/// The stand-in solver and the library, both watched for races by the compiler's own tool; none where it has none.
+pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
+    let flag = "-fsanitize=thread";
+    let probe = folder().join("probe.c");
+    std::fs::write(&probe, "int main(void) { return 0; }\n").expect("a file");
+    let program = folder().join("probe");
+    let works = compiler().arg(flag).arg(&probe).arg("-o").arg(&program).output().is_ok_and(|o| o.status.success())
+        && Command::new(&program).status().is_ok_and(|s| s.success());
+    if !works {
+        return None;
+    }
+    let solver = linked("solver-races", &[flag], &objects(&[flag, "-g"]), &["-rdynamic".into()]);
+    Some((solver, built("dashpot_adams_races.so", &format!("-std=c99 -O1 -g {flag}"))))
+}
+
+/// The utility functions that the stand-in solver has.
+pub fn utilities() -> Vec<String> {
+    let listed = succeed(Command::new("nm").args(["--defined-only", "-g"]).arg(&plain_objects()[0]));
+    let names = listed.lines().filter_map(|l| l.split(' ').nth(2));
+    names.filter(|n| n.starts_with("c_")).map(String::from).collect()
+}
+
+/// The stand-in solver of a release that lacks a utility function.
+pub fn solver_without(utility: &str) -> PathBuf {
+    let others: String = utilities().iter().filter(|n| *n != utility).map(|n| format!("{n};")).collect();
+    let list = folder().join(format!("without-{utility}"));
+    std::fs::write(&list, format!("{{{others}}};")).expect("a file");
+    let export = format!("-Wl,--dynamic-list={}", list.display());
+    linked(&format!("solver-without-{utility}"), &[], plain_objects(), &[export])
 }
 
 /// An accepted instant, in model units: s, mm, mm/s, N as an SFORCE has it.
@@ -85,6 +150,26 @@ impl Run {
         (n[0], n[1])
     }
 
+    /// Largest difference of partials that were handed over to differenced ones, as a share of the largest in a row.
+    pub fn partials_off(&self) -> f64 {
+        self.lines_of("partials_off")[0][0]
+    }
+
+    /// Cases of a GFORCE in space: ends, their speeds, guide's force, force on I, its own moment, error of the partials.
+    pub fn in_space(&self) -> Vec<Vec<f64>> {
+        self.lines_of("space")
+    }
+
+    /// Ends of the simulations of a command file, each with its accepted instants.
+    pub fn simulations(&self) -> Vec<(f64, Vec<Accepted>)> {
+        let parts = self.text.split("simulation ").skip(1);
+        let one = |part: &str| {
+            let end = part.lines().next().expect("a line").parse().expect("a number");
+            (end, Run { code: self.code, text: part.into() }.accepted())
+        };
+        parts.map(one).collect()
+    }
+
     /// Sums of each thread, alone and together.
     pub fn threads(&self) -> Vec<(f64, f64)> {
         self.lines_of("thread").iter().map(|n| (n[0], n[1])).collect()
@@ -92,7 +177,9 @@ impl Run {
 
     /// A count of the last line: calls, differencing, iterations, rejected, threadsafe.
     pub fn count(&self, what: &str) -> u64 {
-        let words: Vec<&str> = self.text.lines().last().expect("a line").split(' ').collect();
+        let line =
+            self.text.lines().find(|l| l.starts_with("calls ")).unwrap_or_else(|| panic!("no counts in {self:?}"));
+        let words: Vec<&str> = line.split(' ').collect();
         let at = words.iter().position(|w| *w == what).unwrap_or_else(|| panic!("no count {what} in {self:?}"));
         words[at + 1].parse().expect("a count")
     }
@@ -100,10 +187,105 @@ impl Run {
 
 /// Runs the library in a solver.
 pub fn run(solver: &Path, routine: &str, settings: &[String]) -> Run {
+    run_library(solver, library(), routine, settings)
+}
+
+/// Runs a build of the library in a solver.
+pub fn run_library(solver: &Path, library: &Path, routine: &str, settings: &[String]) -> Run {
     let mut command = Command::new(solver);
-    command.arg(library()).arg(routine).args(settings);
+    command.arg(library).arg(routine).args(settings);
     let output = command.output().expect("the solver runs");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0 | 3)), "{command:?}: {}\n{errors}", output.status);
-    Run { code: output.status.code(), text: String::from_utf8(output.stdout).expect("text") }
+    Run { code: output.status.code(), text: String::from_utf8(output.stdout).expect("text") + &errors }
+}
+
+/// What most dampers have.
+pub const PLAIN: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
+                     \"viscous_friction\", \"parallel_spring\", \"gas_preload\"]\n";
+/// Private states and side force as well.
+pub const FULL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
+                    \"side_force_friction\", \"gas_preload\", \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\n";
+/// States of the plain one.
+pub const PLAIN_STATES: u32 = 2;
+/// States of the full one.
+pub const FULL_STATES: u32 = 3;
+
+/// Everything that makes a force.
+pub const ROUTINES: [&str; 4] = ["gse", "sfo", "gfo", "car"];
+
+/// The kernel's model of a model file.
+pub fn model_of(text: &str) -> Model {
+    let mut params = Params::new();
+    model_file::read(text.as_bytes(), &mut params).unwrap();
+    Model::new(&params).unwrap()
+}
+
+/// Writes a model file into a folder.
+pub fn written(folder: &Path, text: &str) -> PathBuf {
+    let path = folder.join("damper.toml");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+/// Settings of a run of a model file.
+pub fn with(path: &Path, more: &[&str]) -> Vec<String> {
+    let mut settings = vec![format!("model={}", path.display())];
+    settings.extend(more.iter().map(|s| s.to_string()));
+    settings
+}
+
+/// A run that no routine stops.
+pub fn started(solver: &Path, routine: &str, settings: &[String]) -> Run {
+    let run = run(solver, routine, settings);
+    assert_eq!(run.code, Some(0), "{routine} {settings:?}: {}", run.text);
+    run
+}
+
+/// What a damper is told beside its motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings {
+    /// Side force, N.
+    pub side_force: f64,
+    /// Temperature, degrees Celsius.
+    pub temperature: f64,
+}
+
+impl Surroundings {
+    /// No side force, an ordinary temperature.
+    pub const NONE: Surroundings = Surroundings { side_force: 0.0, temperature: 20.0 };
+}
+
+/// The kernel's converged SFORCE at the accepted instants of a rig run.
+pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f64, around: Surroundings) -> Vec<f64> {
+    let w = TAU * frequency;
+    let longest = (0.05 / frequency / 1000.0).min(2e-5).max(2e-5 / frequency.min(1.0) / 10.0);
+    let at = |t: f64| Input {
+        side_force: around.side_force,
+        temperature: around.temperature,
+        ..Input::motion(-1e-3 * amplitude * (w * t).cos(), 1e-3 * amplitude * w * (w * t).sin())
+    };
+    let mut state = model.settled(&at(0.0));
+    let mut t = 0.0;
+    let mut forces = Vec::new();
+    for point in accepted {
+        let steps = ((point.t - t) / longest).ceil().max(1.0);
+        let mut force = model.static_output(&at(0.0)).force;
+        if point.t > t {
+            for i in 1..=steps as usize {
+                let to = at(t + (point.t - t) * i as f64 / steps);
+                let (next, output) = step(model, &state, &to, (point.t - t) / steps);
+                (state, force) = (next, output.force);
+            }
+        }
+        t = point.t;
+        forces.push(-force);
+    }
+    forces
+}
+
+/// Largest deviation as a share of the largest force.
+pub fn deviation(got: &[Accepted], want: &[f64]) -> f64 {
+    let largest = want.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+    got.iter().zip(want).fold(0.0_f64, |m, (g, w)| m.max((g.sforce - w).abs())) / largest
 }

@@ -3,6 +3,7 @@
 pub mod adams;
 pub mod bridge;
 pub mod cli;
+pub mod dataset;
 pub mod header;
 pub mod kernel_campaign;
 pub mod library;

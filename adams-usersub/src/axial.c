@@ -53,13 +53,22 @@ void axial_progress(const axial_damper *damper, int *is_static, double *accepted
     *accepted = units_time(&damper->damper->units, time);
 }
 
+int axial_wants_partials(void)
+{
+    const solver_functions *s = solver();
+    int wanted = 0;
+    if (s->needs_partials && s->syspar)
+        s->needs_partials(&wanted);
+    return wanted;
+}
+
 void axial_sforce(int kind, int element, int npar, const double *par, int i, int j, double time, int dflag, int iflag,
                   double *result)
 {
     const solver_functions *s = solver();
-    const char *lacks = solver_lacks(SOLVER_FOR_FORCES);
+    const char *lacks = solver_lacks(SOLVER_FOR_LINE);
     const unit_scales *u;
-    int markers[2], failed = 0, is_static, wanted = 0, what;
+    int markers[2], failed = 0, is_static, wanted, what;
     double length = 0.0, speed = 0.0, accepted;
     axial_damper damper;
     force_answer answer;
@@ -94,11 +103,10 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     asked.input.temperature = damper.temperature;
     if (is_static)
         asked.time = accepted;
-    if (committed_force(kind, element, damper.damper, &asked, accepted, is_static, dflag != 0, &answer))
+    wanted = axial_wants_partials();
+    if (committed_force(kind, element, damper.damper, &asked, accepted, is_static, dflag != 0, wanted, &answer))
         return;
     *result = units_sforce(u, answer.force);
-    if (s->needs_partials && s->syspar)
-        s->needs_partials(&wanted);
     if (wanted) {
         double by_length = units_sforce(u, answer.by_displacement) * u->length;
         double by_speed = is_static ? 0.0 : units_sforce(u, answer.by_velocity) * u->length / u->time;

@@ -24,6 +24,9 @@ int axial_parameters(int element, int npar, const double *par, int iflag, axial_
 /* Whether the solver is in statics, and the time it has accepted, in s. */
 void axial_progress(const axial_damper *damper, int *is_static, double *accepted);
 
+/* Whether the solver wants partials now and can take them. */
+int axial_wants_partials(void);
+
 /* The whole of an SFOSUB between markers i and j. */
 void axial_sforce(int kind, int element, int npar, const double *par, int i, int j, double time, int dflag, int iflag,
                   double *result);

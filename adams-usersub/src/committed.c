@@ -77,11 +77,10 @@ static dashpot_input between(const dashpot_state *from, const dashpot_input *to,
 
 /* From a state over dt to a request. */
 static int32_t advance(const damper_model *damper, const dashpot_state *from, const dashpot_input *to, double dt,
-                       dashpot_state *state, dashpot_output *output, int *steps)
+                       dashpot_state *state, dashpot_output *output)
 {
     int n = (int)fmin(MOST_STEPS, ceil(dt / LONGEST_STEP)), i;
     int32_t status = 0;
-    *steps = n;
     *state = *from;
     for (i = 1; i <= n && status >= 0; i++) {
         dashpot_input input = between(from, to, dt, (double)i / n);
@@ -128,7 +127,6 @@ static int32_t commit(const damper_model *damper, committed *d, double accepted)
     dashpot_input input = d->trial.input;
     double dt = d->trial.time - d->time, wanted = accepted - d->time;
     int32_t status;
-    int steps;
     /* The solver may accept a time short of its last trial, or one past it where it interpolates. */
     if (fabs(wanted - dt) > same_time(accepted)) {
         if (wanted < dt)
@@ -136,7 +134,7 @@ static int32_t commit(const damper_model *damper, committed *d, double accepted)
         else
             input.displacement += input.velocity * (wanted - dt);
     }
-    status = advance(damper, &d->state, &input, wanted, &state, &output, &steps);
+    status = advance(damper, &d->state, &input, wanted, &state, &output);
     if (status >= 0) {
         d->state = state;
         d->time = accepted;
@@ -148,32 +146,35 @@ static int32_t commit(const damper_model *damper, committed *d, double accepted)
 
 /* Answer to one request from a committed damper. */
 static int32_t answer_from(const damper_model *damper, const committed *d, const request *asked, dashpot_state *state,
-                           dashpot_output *output, int *steps)
+                           dashpot_output *output)
 {
     double dt = asked->time - d->time;
-    *steps = 0;
     if (d->is_start && dt <= same_time(asked->time))
         return steady(damper, &asked->input, state, output);
     if (dt <= same_time(asked->time))
         return at_once(damper, &d->state, &asked->input, state, output);
-    return advance(damper, &d->state, &asked->input, dt, state, output, steps);
+    return advance(damper, &d->state, &asked->input, dt, state, output);
 }
 
 /* Partials of the whole answer, by differences of what the answer is computed from. */
 static int32_t partials(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
 {
-    static const double NUDGE[2] = {1e-8, 1e-6};
-    double by[2];
-    int i, k, steps;
-    for (i = 0; i < 2; i++) {
+    /* m, m/s, N. */
+    static const double NUDGE[3] = {1e-8, 1e-6, 1e-3};
+    double by[3];
+    int i, k;
+    for (i = 0; i < 3; i++) {
         double f[2];
         for (k = 0; k < 2; k++) {
             request other = *asked;
             dashpot_state state;
             dashpot_output output;
             int32_t status;
-            *(i == 0 ? &other.input.displacement : &other.input.velocity) += k == 0 ? -NUDGE[i] : NUDGE[i];
-            status = answer_from(damper, d, &other, &state, &output, &steps);
+            double *moved = i == 0   ? &other.input.displacement
+                            : i == 1 ? &other.input.velocity
+                                     : &other.input.side_force;
+            *moved += k == 0 ? -NUDGE[i] : NUDGE[i];
+            status = answer_from(damper, d, &other, &state, &output);
             if (status < 0)
                 return status;
             f[k] = output.force;
@@ -182,18 +183,18 @@ static int32_t partials(const damper_model *damper, const committed *d, const re
     }
     answer->by_displacement = by[0];
     answer->by_velocity = by[1];
+    answer->by_side_force = by[2];
     return 0;
 }
 
 int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
-                    int is_static, int is_difference, force_answer *answer)
+                    int is_static, int is_difference, int with_partials, force_answer *answer)
 {
     committed *stored = damper_of(kind, element);
     committed d;
     dashpot_state state;
     dashpot_output output;
     int32_t status = 0;
-    int steps = 0;
     if (!stored)
         return -1;
     d = *stored;
@@ -220,16 +221,13 @@ int committed_force(int kind, int element, const damper_model *damper, const req
     if (d.is_start && asked->time <= d.time + same_time(d.time))
         if (refused(element, steady(damper, &asked->input, &d.state, &output)))
             return -1;
-    status = answer_from(damper, &d, asked, &state, &output, &steps);
+    status = answer_from(damper, &d, asked, &state, &output);
     if (refused(element, status))
         return -1;
+    memset(answer, 0, sizeof *answer);
     answer->force = output.force;
-    if (steps == 1) {
-        answer->by_displacement = output.force_by_displacement;
-        answer->by_velocity = output.force_by_velocity;
-    } else if (refused(element, partials(damper, &d, asked, answer))) {
+    if (with_partials && refused(element, partials(damper, &d, asked, answer)))
         return -1;
-    }
     if (!is_difference) {
         if (asked->time > d.time + same_time(d.time)) {
             d.trial = *asked;

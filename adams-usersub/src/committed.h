@@ -17,18 +17,20 @@ typedef struct {
 /* Kinds of elements; ids are unique within a kind only. */
 enum { KIND_SFORCE = 1, KIND_GFORCE = 2 };
 
-/* What a call wants to know beyond the force. */
+/* What a call gets. The partials are those of the whole answer, all that happens since the committed instant included;
+ * they are computed only where they are asked for. */
 typedef struct {
     double force;            /* N, tension positive */
     double by_displacement;  /* N/m */
     double by_velocity;      /* N s/m */
+    double by_side_force;    /* - */
 } force_answer;
 
 /* The force of element `element` at `asked`, when the solver has accepted the time `accepted`. `is_static`: velocities
- * are zero and time stands still. `is_difference`: the solver differences; nothing is stored. Returns 0, or -1 after a
- * message. */
+ * are zero and time stands still. `is_difference`: the solver differences; nothing is stored. `with_partials`: the
+ * partials are wanted too. Returns 0, or -1 after a message. */
 int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
-                    int is_static, int is_difference, force_answer *answer);
+                    int is_static, int is_difference, int with_partials, force_answer *answer);
 
 /* The last answer of an element that was no difference, and the state there; for requests. Returns 0, or -1 where the
  * element was never asked. */

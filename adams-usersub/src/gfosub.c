@@ -8,7 +8,9 @@
  * J is the marker at the damper's other end, on the part of JFLOAT. The joint's markers are those of the joint or bushing
  * that guides the rod; 0, 0 where there is none. Its force across the damper's axis is the side force. The result is
  * the force on I in the axes of RM; it points along the line through both ends, so it needs no moment, and the reaction
- * that the solver puts on JFLOAT, at the place of I, lies on that line too. */
+ * that the solver puts on JFLOAT, at the place of I, lies on that line too.
+ *
+ * Partials: 6 by 3, column by column, for each of the three calls whose values the force is a function of. */
 #include "axial.h"
 #include "entry.h"
 #include "messages.h"
@@ -31,12 +33,46 @@ static int ask(const char *name, const int *markers, int count, double values[3]
     return failed || number != 3 ? -1 : 0;
 }
 
+/* What the force is made of, in model units. `force`: along the axis from J to I, as an SFORCE has it. */
+typedef struct {
+    double axis[3], length, velocity[3], speed, guide[3], along, side;
+    double force, by_length, by_speed, by_side;
+} line_force;
+
+/* Hands over d(result)/d(what was asked): the force changes with length, speed and side force, and turns with the axis. */
+static void give_partials(const line_force *f, const int *ends, const int *joint)
+{
+    double by_place[18], by_velocity[18], by_guide[18];
+    int row, column, failed = 0;
+    memset(by_place, 0, sizeof by_place);
+    memset(by_velocity, 0, sizeof by_velocity);
+    memset(by_guide, 0, sizeof by_guide);
+    for (column = 0; column < 3; column++) {
+        double a = f->axis[column];
+        /* Side force: what of the guide's force lies across the axis. Where there is none it grows either way alike. */
+        double across = f->side > 0.0 ? (f->guide[column] - f->along * a) / f->side : 0.0;
+        double change = f->by_length * a + f->by_speed * (f->velocity[column] - f->speed * a) / f->length -
+                        f->by_side * f->along * across / f->length;
+        for (row = 0; row < 3; row++) {
+            double b = f->axis[row], turn = ((row == column ? 1.0 : 0.0) - a * b) / f->length;
+            by_place[row + 6 * column] = b * change + f->force * turn;
+            by_velocity[row + 6 * column] = b * f->by_speed * a;
+            by_guide[row + 6 * column] = b * f->by_side * across;
+        }
+    }
+    solver()->syspar("TDISP", ends, 3, by_place, 18, &failed);
+    solver()->syspar("TVEL", ends, 4, by_velocity, 18, &failed);
+    if (joint[0])
+        solver()->syspar("TFORCE", joint, 3, by_guide, 18, &failed);
+}
+
 void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int iflag, double *result)
 {
-    const char *lacks = solver_lacks(SOLVER_FOR_FORCES);
+    const char *lacks = solver_lacks(SOLVER_FOR_SPACE);
     const unit_scales *u;
-    int ends[4], joint[3], j, what, is_static, k;
-    double from_j[3], velocity[3], guide[3], axis[3], length, speed, accepted, along, sforce;
+    int ends[4], joint[3], j, what, is_static, wanted, k;
+    double from_j[3], accepted;
+    line_force f;
     axial_damper damper;
     force_answer answer;
     request asked;
@@ -69,9 +105,9 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     ends[1] = j;
     ends[2] = gforce->rm;
     ends[3] = 0;
-    memset(guide, 0, sizeof guide);
-    if (ask("TDISP", ends, 3, from_j) || ask("TVEL", ends, 4, velocity) ||
-        (joint[0] && ask("TFORCE", joint, 3, guide))) {
+    memset(&f, 0, sizeof f);
+    if (ask("TDISP", ends, 3, from_j) || ask("TVEL", ends, 4, f.velocity) ||
+        (joint[0] && ask("TFORCE", joint, 3, f.guide))) {
         message_stop(gforce->id, "the solver gives no motion between markers %d and %d%s", gforce->i, j,
                      joint[0] ? ", or no force of the guiding joint" : "");
         return;
@@ -79,28 +115,38 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     if (axial_parameters(gforce->id, gforce->npar - OWN_VALUES, gforce->par + OWN_VALUES, iflag, &damper) ||
         what == AXIAL_ASK_ONLY)
         return;
-    length = sqrt(dot(from_j, from_j));
-    if (!(length > 0.0)) {
+    f.length = sqrt(dot(from_j, from_j));
+    if (!(f.length > 0.0)) {
         message_stop(gforce->id, "the damper's ends, markers %d and %d, lie in one point: it has no direction", gforce->i,
                      j);
         return;
     }
-    for (k = 0; k < 3; k++)
-        axis[k] = from_j[k] / length;
-    speed = dot(axis, velocity);
-    along = dot(axis, guide);
     u = &damper.damper->units;
     axial_progress(&damper, &is_static, &accepted);
+    for (k = 0; k < 3; k++) {
+        f.axis[k] = from_j[k] / f.length;
+        if (is_static)
+            f.velocity[k] = 0.0;
+    }
+    f.speed = dot(f.axis, f.velocity);
+    f.along = dot(f.axis, f.guide);
+    f.side = sqrt(fmax(0.0, dot(f.guide, f.guide) - f.along * f.along));
     asked.time = is_static ? accepted : units_time(u, time);
-    asked.input = dashpot_input_motion(units_displacement(u, length) - damper.zero_length,
-                                       is_static ? 0.0 : units_velocity(u, speed));
+    asked.input = dashpot_input_motion(units_displacement(u, f.length) - damper.zero_length, units_velocity(u, f.speed));
     asked.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
-    asked.input.side_force = units_force(u, sqrt(fmax(0.0, dot(guide, guide) - along * along)));
+    asked.input.side_force = units_force(u, f.side);
     asked.input.temperature = damper.temperature;
-    if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, is_static, dflag != 0, &answer))
+    wanted = axial_wants_partials();
+    if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, is_static, dflag != 0, wanted, &answer))
         return;
-    /* Tension pulls I towards J: an SFORCE's sign along the axis from J to I. */
-    sforce = units_sforce(u, answer.force);
+    /* Tension pulls I towards J. */
+    f.force = units_sforce(u, answer.force);
     for (k = 0; k < 3; k++)
-        result[k] = sforce * axis[k];
+        result[k] = f.force * f.axis[k];
+    if (wanted) {
+        f.by_length = units_sforce(u, answer.by_displacement) * u->length;
+        f.by_speed = is_static ? 0.0 : units_sforce(u, answer.by_velocity) * u->length / u->time;
+        f.by_side = units_sforce(u, answer.by_side_force) * u->force;
+        give_partials(&f, ends, joint);
+    }
 }

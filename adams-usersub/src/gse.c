@@ -6,13 +6,18 @@
  *                    extension positive
  * states  (array X)  1 deflection: internal mass against driven end, model length
  *                    2 velocity of the internal mass, model units
- *                    3... private states of the elements, in SI
+ *                    3... private states of the elements: SI value by the model's length unit in m, so that those that
+ *                    are lengths are held to the same tolerance as the first
  * outputs (array Y)  1 force as an SFORCE takes it: negative where the damper is in tension, as it is in rebound
  *                    2 series deflection  3 velocity of the internal mass
- *                    4 force of the primary damper  5 springs  6 friction  7 gas, tension positive
+ *                    4 force of the primary damper  5 springs  6 friction  7 gas  8 stops, tension positive
+ *                    9 oil temperature, degrees Celsius
  *
  * The first state is relative to the driven end, so that zero is a fair initial value at any damper length and the
- * solver's error tolerance is spent on what makes the force. */
+ * solver's error tolerance is spent on what makes the force.
+ *
+ * In statics the rates lead to where the damper settles: those of dynamics have no unique rest where a state remembers the
+ * motion, as in friction before sliding. */
 #include "damper_model.h"
 #include "entry.h"
 #include "messages.h"
@@ -22,16 +27,22 @@
 
 enum { FEWEST_INPUTS = 2, MOST_INPUTS = 4, MOST_OUTPUTS = 9, UNITS_AT = 1 };
 
-/* Rate at which a state that the model does not use returns to zero, 1/s: statics must find it there. */
-static const double UNUSED_DECAY = 100.0;
+/* Rate at which a state that the model does not use returns to zero, and in statics any state to where it settles, 1/s. */
+static const double DECAY = 100.0;
 
 typedef struct {
     const damper_model *damper;
-    int ns, ni, no;
+    int ns, ni, no, is_static;
     dashpot_input input;
     dashpot_state state;
-    double unused[MOST_STATES];
+    double x[MOST_STATES]; /* as the solver has them */
 } instant;
+
+/* Model units per SI unit of state i. */
+static double state_scale(const unit_scales *u, int i)
+{
+    return i == 1 ? u->time / u->length : 1.0 / u->length;
+}
 
 /* Reads what the solver has; the same calls whatever the call is for. */
 static int read_instant(const adams_gse *gse, int iflag, instant *now)
@@ -40,7 +51,7 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     const char *lacks = solver_lacks(SOLVER_FOR_GSE);
     const unit_scales *u;
     double x[MOST_STATES], in[MOST_INPUTS];
-    int i;
+    int i, mode = 0;
     if (lacks) {
         message_stop(gse->id, "the solver has no function %s, which a GSE needs", lacks);
         return -1;
@@ -89,15 +100,15 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     now->state.mass_displacement = now->input.displacement + units_displacement(u, x[0]);
     now->state.mass_velocity = units_velocity(u, x[1]);
     for (i = 2; i < now->ns; i++)
-        now->state.memory[i - 2] = x[i];
-    memcpy(now->unused, x, sizeof now->unused);
+        now->state.memory[i - 2] = x[i] / state_scale(u, i);
+    memcpy(now->x, x, sizeof now->x);
+    s->getmod(&mode);
+    now->is_static = mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS;
+    if (now->is_static) {
+        now->input.velocity = 0.0;
+        now->state.velocity = 0.0;
+    }
     return 0;
-}
-
-/* Model units per SI unit of state i. */
-static double state_scale(const unit_scales *u, int i)
-{
-    return i == 0 ? 1.0 / u->length : i == 1 ? u->time / u->length : 1.0;
 }
 
 /* SI per model unit of input i. */
@@ -112,6 +123,50 @@ static int wants_partials(void)
     return wanted;
 }
 
+/* Where the states settle at a displacement, as the solver has them. */
+static int32_t settled(const instant *now, double displacement, double x[MOST_STATES])
+{
+    const unit_scales *u = &now->damper->units;
+    dashpot_state state;
+    int i;
+    int32_t status = dashpot_state_init(&now->damper->model, displacement, &state);
+    memset(x, 0, MOST_STATES * sizeof(double));
+    if (status < 0)
+        return status;
+    for (i = 0; i < now->ns; i++)
+        if (now->damper->used[i])
+            x[i] = i == 1 ? 0.0
+                          : state_scale(u, i) * (i == 0 ? state.mass_displacement - displacement : state.memory[i - 2]);
+    return status;
+}
+
+/* Rates in statics, and their partials where they are wanted. */
+static int32_t static_rates(const instant *now, double *rates, int with_partials)
+{
+    const unit_scales *u = &now->damper->units;
+    double rest[MOST_STATES], low[MOST_STATES], high[MOST_STATES];
+    double by_x[MOST_STATES * MOST_STATES], by_u[MOST_STATES * MOST_INPUTS];
+    const double near = 1e-7; /* m */
+    int i;
+    int32_t status = settled(now, now->input.displacement, rest);
+    if (status < 0)
+        return status;
+    for (i = 0; i < now->ns; i++)
+        rates[i] = DECAY * u->time * (rest[i] - now->x[i]);
+    if (!with_partials || settled(now, now->input.displacement - near, low) < 0 ||
+        settled(now, now->input.displacement + near, high) < 0)
+        return status;
+    memset(by_x, 0, sizeof by_x);
+    memset(by_u, 0, sizeof by_u);
+    for (i = 0; i < now->ns; i++) {
+        by_x[i + i * now->ns] = -DECAY * u->time;
+        by_u[i] = DECAY * u->time * (high[i] - low[i]) / (2 * near) * input_scale(u, 0);
+    }
+    solver()->gsepar_x(by_x, now->ns * now->ns);
+    solver()->gsepar_u(by_u, now->ns * now->ni);
+    return status;
+}
+
 /* Partials of the rates, column by column: d(rate i)/d(state j) at i + j ns. */
 static void give_rate_partials(const instant *now, const dashpot_partials *p)
 {
@@ -123,7 +178,7 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
     for (i = 0; i < now->ns; i++) {
         double to_model = state_scale(u, i) * u->time;
         if (!now->damper->used[i]) {
-            by_x[i + i * now->ns] = -UNUSED_DECAY * u->time;
+            by_x[i + i * now->ns] = -DECAY * u->time;
             continue;
         }
         for (j = 0; j < now->ns; j++)
@@ -178,17 +233,20 @@ void Dashpot_gse_deriv(const adams_gse *gse, double time, int dflag, int iflag, 
         solver()->declare_threadsafe();
     if (iflag != SOLVER_EVALUATE)
         return;
-    status = dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
+    status = now.is_static ? static_rates(&now, rates, wants_partials())
+                           : dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
     if (status < 0) {
         message_stop(gse->id, "rates: %s", dashpot_status_text(status));
         return;
     }
+    if (now.is_static)
+        return;
     u = &now.damper->units;
     for (i = 0; i < n; i++) {
         double si = i == 0   ? rate.mass_displacement - now.input.velocity
                     : i == 1 ? rate.mass_velocity
                              : rate.memory[i - 2];
-        rates[i] = now.damper->used[i] ? si * state_scale(u, i) * u->time : -UNUSED_DECAY * u->time * now.unused[i];
+        rates[i] = now.damper->used[i] ? si * state_scale(u, i) * u->time : -DECAY * u->time * now.x[i];
     }
     if (wants_partials() && dashpot_jacobian(&now.damper->model, &now.state, &now.input, &partials) >= 0)
         give_rate_partials(&now, &partials);
@@ -217,7 +275,7 @@ static void nudge(instant *now, int state, int input, double by)
     else if (state == 1)
         now->state.mass_velocity += by * u->length / u->time;
     else if (state > 1)
-        now->state.memory[state - 2] += by;
+        now->state.memory[state - 2] += by * u->length;
     if (input == 0) {
         now->input.displacement += by * u->length;
         now->state.displacement += by * u->length;
@@ -235,7 +293,7 @@ static void nudge(instant *now, int state, int input, double by)
 static void output_column(const instant *now, const dashpot_partials *p, int state, int input, double *column)
 {
     const unit_scales *u = &now->damper->units;
-    double h = state > 1 ? 1e-6 : input == 2 ? 1e-3 / u->force : input == 3 ? 1e-3 : 1e-8 / u->length;
+    double h = state > 1 ? 1e-6 / u->length : input == 2 ? 1e-3 / u->force : input == 3 ? 1e-3 : 1e-8 / u->length;
     double low[MOST_OUTPUTS], high[MOST_OUTPUTS];
     dashpot_output output;
     dashpot_state rate;
@@ -295,7 +353,8 @@ void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag,
         for (i = 0; i < now.ns; i++)
             output_column(&now, &partials, i, -1, by_x + i * now.no);
         for (i = 0; i < now.ni; i++)
-            output_column(&now, &partials, -1, i, by_u + i * now.no);
+            if (!(now.is_static && i == 1))
+                output_column(&now, &partials, -1, i, by_u + i * now.no);
         solver()->gsepar_x(by_x, now.no * now.ns);
         solver()->gsepar_u(by_u, now.no * now.ni);
     }

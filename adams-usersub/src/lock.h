@@ -1,4 +1,4 @@
-/* A lock for the few lines that write what all threads read. */
+/* A lock for the few lines that write what all threads read, and a flag that says that they are written. */
 #ifndef LOCK_H
 #define LOCK_H
 
@@ -6,9 +6,13 @@
 #include <intrin.h>
 static __inline void lock(volatile long *l) { while (_InterlockedExchange(l, 1)) {} }
 static __inline void unlock(volatile long *l) { _InterlockedExchange(l, 0); }
+static __inline long load(volatile long *l) { return _InterlockedOr(l, 0); }
+static __inline void store(volatile long *l, long value) { _InterlockedExchange(l, value); }
 #else
-static inline void lock(volatile long *l) { while (__sync_lock_test_and_set(l, 1)) {} }
-static inline void unlock(volatile long *l) { __sync_lock_release(l); }
+static inline void lock(volatile long *l) { while (__atomic_exchange_n(l, 1, __ATOMIC_ACQUIRE)) {} }
+static inline void unlock(volatile long *l) { __atomic_store_n(l, 0, __ATOMIC_RELEASE); }
+static inline long load(volatile long *l) { return __atomic_load_n(l, __ATOMIC_ACQUIRE); }
+static inline void store(volatile long *l, long value) { __atomic_store_n(l, value, __ATOMIC_RELEASE); }
 #endif
 
 #endif

@@ -4,6 +4,7 @@
 #define _GNU_SOURCE /* RTLD_DEFAULT */
 #endif
 #include "solver.h"
+#include "lock.h"
 
 #include <string.h>
 
@@ -23,18 +24,23 @@ typedef struct {
     int needed_for;
 } entry;
 
+enum {
+    SOLVER_FOR_FORCES = SOLVER_FOR_LINE | SOLVER_FOR_SPACE,
+    SOLVER_FOR_ALL = SOLVER_FOR_FORCES | SOLVER_FOR_GSE | SOLVER_FOR_REQUESTS
+};
+
 #define ENTRY(member, name, needed_for) {name, offsetof(solver_functions, member), needed_for}
 
 static const entry ENTRIES[] = {
-    ENTRY(sysary, "c_sysary", SOLVER_FOR_FORCES),
-    ENTRY(sysfnc, "c_sysfnc", SOLVER_FOR_FORCES),
+    ENTRY(sysary, "c_sysary", SOLVER_FOR_SPACE),
+    ENTRY(sysfnc, "c_sysfnc", SOLVER_FOR_LINE),
     ENTRY(syspar, "c_syspar", 0),
-    ENTRY(errmes, "c_errmes", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
+    ENTRY(errmes, "c_errmes", SOLVER_FOR_ALL),
     ENTRY(usrmes, "c_usrmes", 0),
     ENTRY(timget, "c_timget", SOLVER_FOR_FORCES),
-    ENTRY(getmod, "c_getmod", SOLVER_FOR_FORCES),
+    ENTRY(getmod, "c_getmod", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
     ENTRY(gtstrg, "c_gtstrg", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
-    ENTRY(gtunts, "c_gtunts", SOLVER_FOR_FORCES | SOLVER_FOR_GSE),
+    ENTRY(gtunts, "c_gtunts", 0),
     ENTRY(needs_partials, "c_adams_needs_partials", 0),
     ENTRY(declare_threadsafe, "c_adams_declare_threadsafe", 0),
     ENTRY(serialize_integers, "c_adams_serialize_integers", SOLVER_FOR_SAVING),
@@ -66,19 +72,21 @@ static any_function find(const char *name)
     return function;
 }
 
-/* Written with the same values by whoever comes first; `found` is set last. */
+/* Written once, by whoever comes first. */
 static solver_functions functions;
-static volatile int found;
+static volatile long found, finding;
 
 const solver_functions *solver(void)
 {
-    if (!found) {
+    if (!load(&found)) {
         size_t i;
+        lock(&finding);
         for (i = 0; i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
             any_function function = find(ENTRIES[i].name);
             memcpy((char *)&functions + ENTRIES[i].offset, &function, sizeof function);
         }
-        found = 1;
+        store(&found, 1);
+        unlock(&finding);
     }
     return &functions;
 }

@@ -43,15 +43,24 @@ SOLVER_ASSERT(pointers_are_64_bits, sizeof(void *) == 8);
 SOLVER_ASSERT(sforce_par, offsetof(adams_sforce, par) == 8);
 SOLVER_ASSERT(sforce_i, offsetof(adams_sforce, i) == 16);
 SOLVER_ASSERT(sforce_j, offsetof(adams_sforce, j) == 20);
+SOLVER_ASSERT(sforce_action_only, offsetof(adams_sforce, action_only) == 24);
 SOLVER_ASSERT(sforce_type, offsetof(adams_sforce, type) == 32);
 SOLVER_ASSERT(sforce_size, sizeof(adams_sforce) == 40);
+SOLVER_ASSERT(gforce_i, offsetof(adams_gforce, i) == 16);
 SOLVER_ASSERT(gforce_rm, offsetof(adams_gforce, rm) == 20);
 SOLVER_ASSERT(gforce_jfloat, offsetof(adams_gforce, jfloat) == 24);
 SOLVER_ASSERT(gforce_size, sizeof(adams_gforce) == 32);
 SOLVER_ASSERT(request_comment, offsetof(adams_request, comment) == 16);
+SOLVER_ASSERT(request_title, offsetof(adams_request, title) == 24);
 SOLVER_ASSERT(request_size, sizeof(adams_request) == 88);
 SOLVER_ASSERT(gse_ni, offsetof(adams_gse, ni) == 16);
+SOLVER_ASSERT(gse_no, offsetof(adams_gse, no) == 20);
+SOLVER_ASSERT(gse_u, offsetof(adams_gse, u) == 24);
+SOLVER_ASSERT(gse_y, offsetof(adams_gse, y) == 28);
 SOLVER_ASSERT(gse_ns, offsetof(adams_gse, ns) == 32);
+SOLVER_ASSERT(gse_x, offsetof(adams_gse, x) == 36);
+SOLVER_ASSERT(gse_ic, offsetof(adams_gse, ic) == 40);
+SOLVER_ASSERT(gse_static_hold, offsetof(adams_gse, static_hold) == 44);
 SOLVER_ASSERT(gse_implicit, offsetof(adams_gse, implicit) == 48);
 
 /* What a call is for. */
@@ -97,7 +106,13 @@ typedef struct {
 const solver_functions *solver(void);
 
 /* Which functions a routine needs. */
-enum { SOLVER_FOR_FORCES = 1, SOLVER_FOR_GSE = 2, SOLVER_FOR_SAVING = 4 };
+enum {
+    SOLVER_FOR_LINE = 1,     /* a force that asks for distance and speed */
+    SOLVER_FOR_SPACE = 2,    /* a force that asks for positions, velocities and forces in space */
+    SOLVER_FOR_GSE = 4,
+    SOLVER_FOR_REQUESTS = 8,
+    SOLVER_FOR_SAVING = 16
+};
 
 /* Name of the first needed function that the process lacks; null where all are there. */
 const char *solver_lacks(int needs);

@@ -17,6 +17,11 @@ int units_read(int element, const double *given, unit_scales *scales)
         double found[16];
         char names[256];
         int exists = 0;
+        if (!solver()->gtunts) {
+            message_stop(element, "the solver has no function c_gtunts, which tells the model's units; give length, force "
+                                  "and time unit in SI as the last three USER values (0.001, 1, 1 for mm, N, s)");
+            return -1;
+        }
         memset(found, 0, sizeof found);
         memset(names, 0, sizeof names);
         solver()->gtunts(&exists, found, names);

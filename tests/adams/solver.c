@@ -3,14 +3,17 @@
  *
  *     solver LIBRARY ROUTINE key=value ...
  *
- * ROUTINE: gse, sfo, gfo, car (the Fortran-style entry). Keys: see `settings`. Prints "t x v sforce" in model units (mm, N, s)
- * at accepted instants, then "calls ..." with counts. Ends with 3 where a routine stopped the run; its message is printed.
+ * ROUTINE: gse, sfo, gfo, car (the Fortran-style entry). Keys: see `settings`. Prints "t x v sforce" in s, mm, mm/s, N at
+ * accepted instants, then "calls ..." with counts. Ends with 3 where a routine stopped the run; its message is printed.
+ * Towards the routine everything is in the model's units, which may be any; every call of a routine must ask for the same
+ * quantities as the call that declared its dependencies.
  *
  * The damper lies between marker 11 on a body and marker 12 on an actuator, on an inclined line. rig: the body stands still.
  * mass: the body hangs on a spring. The actuator moves so that the damper's displacement, where the body stands, is
- * -A cos(w t). */
+ * -A cos(w t). With the key dataset=FILE.acf the run is instead the one of that command file and its dataset. */
 #define _GNU_SOURCE
 #include "../../adams-usersub/src/entry.h"
+#include "dataset.h"
 
 #include <dlfcn.h>
 #include <math.h>
@@ -19,25 +22,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SFORCE = 1, GFORCE = 1, GSE = 1, STRING = 7, I_MARKER = 11, J_MARKER = 12, JFLOAT = 13, RM = 14, GUIDE_I = 21, GUIDE_J = 22 };
+enum { SFORCE = 1, GFORCE = 1, GSE = 1, STRING = 7, JFLOAT = 13, RM = 14, GUIDE_I = 21, GUIDE_J = 22 };
 enum { MOST = 16 };
-static const double LENGTH = 400.0; /* mm at zero displacement */
+static int I_MARKER = 11, J_MARKER = 12;
+static double LENGTH = 400.0; /* mm at zero displacement */
 static const double AXIS[3] = {0.6, 0.0, 0.8};
+/* Axes of RM in the global frame, as columns: turned about all three. */
+static double RM_AXES[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64, 0.6}};
 
 /* Settings. */
 static char routine[16], string_text[4096];
 static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npar_change, only_iflag = -1, threads, save_at_half,
-    bad_first_step, has_units = 1;
-static double request_element = 1, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, mm = 1e-3;
+    bad_first_step, has_units = 1, units_given, release = 2023, late, space, request_page, simulations = MOST_COMMANDS;
+static double request_element = 1, request_kind, temperature = 20, joint_marker = GUIDE_I, end_marker = 12, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, told_length = -1;
+/* SI in one unit of the model. */
+static double length_unit = 1e-3, force_unit = 1, time_unit = 1;
+static const char *type = "TRANSLATIONAL";
+static dataset model;
 
 /* What the solver knows at the moment of a call. */
 static double clock_accepted;
 static int mode = 4, recording, partials_wanted;
+static __thread int is_threaded;
 static __thread double gse_x_now[MOST], gse_u_now[4];
 static double body, body_speed, actuator, actuator_speed;
 static long calls, differencing, iterations, rejected, dependencies, threadsafe;
 static char dependency_log[2][512];
-static double partial_dm, partial_vr, par_x[MOST * MOST], par_u[MOST * 4];
+static double partial_dm, partial_vr, partial_space[3][18], par_x[MOST * MOST], par_u[MOST * 4], partials_off;
 static int got_par_x, got_par_u, got_syspar;
 static double saved[256];
 static int saved_count, saved_read;
@@ -47,9 +58,70 @@ static int saved_count, saved_read;
 
 static double damper_length(void) { return LENGTH + body - actuator; }
 
+/* From mm, s, N to the units of the model. */
+static double of_length(double mm) { return mm * 1e-3 / length_unit; }
+static double of_speed(double mm_s) { return mm_s * 1e-3 / length_unit * time_unit; }
+static double of_force(double newton) { return newton / force_unit; }
+static double of_time(double second) { return second / time_unit; }
+
+/* Place and speed of I against J, and the guide's force, in the global frame. */
+static double place_i[3], speed_i[3], guide_force[3];
+
+static void stand_on_axis(void)
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        place_i[k] = damper_length() * AXIS[k];
+        speed_i[k] = (body_speed - actuator_speed) * AXIS[k];
+        /* Across the axis, and something along it that must not count. */
+        guide_force[k] = (k == 1 ? side_force : 0.0) + 50.0 * AXIS[k];
+    }
+}
+
+/* Component k in the axes of RM. */
+static double in_rm(const double v[3], int k) { return v[0] * RM_AXES[0][k] + v[1] * RM_AXES[1][k] + v[2] * RM_AXES[2][k]; }
+
+/* What a routine asks for in one call: a number for each question. The first call, which declares the dependencies, is kept
+ * for either of the two routines of a GSE. */
+enum { MOST_QUESTIONS = 64 };
+static unsigned asked[MOST_QUESTIONS], declared[2][MOST_QUESTIONS];
+static int asked_count, declared_count[2];
+
+static void ask(const char *name, const int *ids, int n)
+{
+    unsigned h = 2166136261u;
+    int i;
+    for (; *name; name++)
+        h = (h ^ (unsigned char)*name) * 16777619u;
+    for (i = 0; i < n; i++)
+        h = (h ^ (unsigned)ids[i]) * 16777619u;
+    if (!is_threaded && asked_count < MOST_QUESTIONS)
+        asked[asked_count++] = h;
+}
+
+/* After a call of routine `which`: the questions must be those that were declared, or none where none is allowed. */
+static void check_questions(int which, int iflag)
+{
+    if (iflag == 1) {
+        memcpy(declared[which], asked, sizeof asked);
+        declared_count[which] = asked_count;
+    }
+    if ((iflag == 0 && declared_count[which]) || iflag == 1 || iflag == 3) {
+        if (asked_count != declared_count[which] || memcmp(asked, declared[which], (size_t)asked_count * sizeof *asked) != 0) {
+            fprintf(stderr, "a call with iflag %d asks for other things than it declared\n", iflag);
+            exit(1);
+        }
+    } else if (iflag != 0 && asked_count) {
+        fprintf(stderr, "a call with iflag %d asks for states\n", iflag);
+        exit(1);
+    }
+    asked_count = 0;
+}
+
 static void depends(const char *name, const int *ids, int n)
 {
     int i;
+    ask(name, ids, n);
     if (!recording)
         return;
     dependencies++;
@@ -67,9 +139,9 @@ UTILITY void c_sysfnc(const char *name, const int *ids, int n, double *value, in
     if (*failed || recording)
         return;
     if (strcmp(name, "DM") == 0)
-        *value = damper_length();
+        *value = of_length(damper_length());
     else if (strcmp(name, "VR") == 0)
-        *value = body_speed - actuator_speed;
+        *value = of_speed(body_speed - actuator_speed);
     else
         *failed = 1;
 }
@@ -84,12 +156,11 @@ UTILITY void c_sysary(const char *name, const int *ids, int n, double *values, i
         if (recording)
             values[k] = 0;
         else if (strcmp(name, "TDISP") == 0 && n == 3 && ids[0] == I_MARKER && ids[1] == J_MARKER && ids[2] == RM)
-            values[k] = damper_length() * AXIS[k];
-        else if (strcmp(name, "TVEL") == 0 && n == 4 && ids[0] == I_MARKER && ids[1] == J_MARKER && ids[2] == RM)
-            values[k] = (body_speed - actuator_speed) * AXIS[k];
-        else if (strcmp(name, "TFORCE") == 0 && n == 3 && ids[0] == GUIDE_I && ids[1] == GUIDE_J)
-            /* Across the axis, and something along it that must not count. */
-            values[k] = (k == 1 ? side_force : 0.0) + 50.0 * AXIS[k];
+            values[k] = of_length(in_rm(place_i, k));
+        else if (strcmp(name, "TVEL") == 0 && n == 4 && ids[0] == I_MARKER && ids[1] == J_MARKER && ids[2] == RM && ids[3] == 0)
+            values[k] = of_speed(in_rm(speed_i, k));
+        else if (strcmp(name, "TFORCE") == 0 && n == 3 && ids[0] == GUIDE_I && ids[1] == GUIDE_J && ids[2] == RM)
+            values[k] = of_force(in_rm(guide_force, k));
         else
             *failed = 1;
     }
@@ -97,9 +168,20 @@ UTILITY void c_sysary(const char *name, const int *ids, int n, double *values, i
 
 UTILITY void c_syspar(const char *name, const int *ids, int n, const double *partial, int np, int *failed)
 {
-    *failed = n != 2 || ids[0] != I_MARKER || np != 1;
-    *(strcmp(name, "DM") == 0 ? &partial_dm : &partial_vr) = *partial;
-    got_syspar++;
+    static const struct { const char *name; int ids, size; } known[] = {{"DM", 2, 1}, {"VR", 2, 1}, {"TDISP", 3, 18}, {"TVEL", 4, 18}, {"TFORCE", 3, 18}};
+    int i = 0;
+    while (i < 5 && strcmp(known[i].name, name) != 0)
+        i++;
+    *failed = i == 5 || n != known[i].ids || np != known[i].size || ids[0] != (i == 4 ? GUIDE_I : I_MARKER);
+    if (*failed) {
+        fprintf(stderr, "partials of %s: %d ids, %d values\n", name, n, np);
+        exit(1);
+    }
+    if (i < 2)
+        *(i == 0 ? &partial_dm : &partial_vr) = *partial;
+    else
+        memcpy(partial_space[i - 2], partial, sizeof partial_space[0]);
+    got_syspar |= 1 << i;
 }
 
 UTILITY void c_errmes(int flag, const char *text, int id, const char *end)
@@ -119,9 +201,7 @@ UTILITY void c_usrmes(int flag, const char *text, int id, const char *type)
         printf("usrmes %d %s %s\n", id, type, text);
 }
 
-#ifndef WITHOUT_TIMGET
-UTILITY void c_timget(double *time) { *time = clock_accepted; }
-#endif
+UTILITY void c_timget(double *time) { *time = of_time(clock_accepted); }
 UTILITY void c_getmod(int *m) { *m = mode; }
 
 UTILITY void c_gtstrg(int id, char *text, int *length, int *status)
@@ -138,9 +218,10 @@ UTILITY void c_gtstrg(int id, char *text, int *length, int *status)
 UTILITY void c_gtunts(int *exists, double *scales, char *names)
 {
     *exists = has_units;
-    scales[0] = 1.0;
-    scales[1] = mm;
-    scales[2] = 1.0;
+    /* Where the units are given with the element nobody should look here. */
+    scales[0] = units_given ? 7.0 : time_unit;
+    scales[1] = units_given ? 7.0 : told_length >= 0 ? told_length : length_unit;
+    scales[2] = units_given ? 7.0 : force_unit;
     scales[3] = 1.0;
     memcpy(names, "mm", 3);
 }
@@ -157,8 +238,8 @@ UTILITY void c_adams_unserialize_doubles(double *data, int n) { while (n-- > 0) 
 UTILITY int c_gse_ns(void) { return ns; }
 UTILITY int c_gse_ni(void) { return ni; }
 UTILITY int c_gse_no(void) { return no; }
-UTILITY void c_gse_x(double *x, int n) { memcpy(x, gse_x_now, (size_t)n * sizeof *x); }
-UTILITY void c_gse_u(double *u, int n) { memcpy(u, gse_u_now, (size_t)n * sizeof *u); }
+UTILITY void c_gse_x(double *x, int n) { ask("gse_x", &n, 1); memcpy(x, gse_x_now, (size_t)n * sizeof *x); }
+UTILITY void c_gse_u(double *u, int n) { ask("gse_u", &n, 1); memcpy(u, gse_u_now, (size_t)n * sizeof *u); }
 UTILITY void c_gsepar_x(const double *p, int n) { memcpy(par_x, p, (size_t)n * sizeof *p); got_par_x = n; }
 UTILITY void c_gsepar_u(const double *p, int n) { memcpy(par_u, p, (size_t)n * sizeof *p); got_par_u = n; }
 
@@ -184,61 +265,114 @@ static void *entry(void *library, const char *name)
 
 static void inputs(void)
 {
-    gse_u_now[0] = body - actuator;
-    gse_u_now[1] = body_speed - actuator_speed;
-    gse_u_now[2] = side_force;
-    gse_u_now[3] = 20.0;
+    gse_u_now[0] = of_length(body - actuator);
+    gse_u_now[1] = of_speed(body_speed - actuator_speed);
+    gse_u_now[2] = of_force(side_force);
+    gse_u_now[3] = temperature;
 }
 
-/* A whole GSE as a later release lays it out: what lies behind IMPLICIT must not matter. */
-static struct { adams_gse gse; int statics_only, nd, xd, icd; double sample_offset; } later;
-
+/* The structure of a GSE, written down number by number as 2017.2 and 2023.1 lay it out. */
 static const adams_gse *gse(void)
 {
+    static union { unsigned char bytes[80]; double aligned; } block;
     static double par[4];
-    adams_gse *g = &later.gse;
+    const double *pointer = par;
+    const int before[11] = {ni, no, 0, 0, ns, 0, 0, 0, 0, 0, 0}; /* ni no u y ns x ic static_hold implicit */
+    const int head[2] = {GSE, (units_given ? 4 : 1) + npar_change};
     par[0] = first_par;
-    g->id = GSE;
-    g->npar = 1 + npar_change;
-    g->par = par;
-    g->ni = ni;
-    g->no = no;
-    g->ns = ns;
-    return g;
+    par[1] = length_unit;
+    par[2] = force_unit;
+    par[3] = time_unit;
+    memset(block.bytes, 0xA5, sizeof block.bytes);
+    memcpy(block.bytes, head, 8);
+    memcpy(block.bytes + 8, &pointer, 8);
+    memcpy(block.bytes + 16, before, 36);
+    if (release == 2017) {
+        const int after[3] = {0, 0, 0}; /* nd xd icd */
+        const double offset = 0;
+        memcpy(block.bytes + 52, after, 12);
+        memcpy(block.bytes + 64, &offset, 8);
+    } else {
+        const int after[4] = {1, 0, 0, 0}; /* statics_only nd xd icd */
+        const double offset = 0;
+        memcpy(block.bytes + 52, after, 16);
+        memcpy(block.bytes + 72, &offset, 8);
+    }
+    return (const adams_gse *)(const void *)block.bytes;
 }
 
-/* The SFORCE's value now. */
+/* USER values of a force from `first` on; returns how many there are. */
+static int line_values(double *par, int first)
+{
+    int n = first;
+    if (model.is_read) {
+        memcpy(par + first, model.sforce.par, (size_t)model.sforce.npar * sizeof *par);
+        return first + model.sforce.npar;
+    }
+    par[n++] = first_par;
+    par[n++] = of_length(LENGTH);
+    if (temperature != 20 || units_given)
+        par[n++] = temperature;
+    if (units_given) {
+        par[n++] = length_unit;
+        par[n++] = force_unit;
+        par[n++] = time_unit;
+    }
+    return n + npar_change;
+}
+
+/* The force on I in the global frame, N, and what the GFORCE has beside it. */
+static void force_in_space(double t, int dflag, int iflag, double f[3], double *moment)
+{
+    double par[16] = {end_marker, joint_marker, GUIDE_J}, r[6];
+    adams_gforce g = {GFORCE, 0, par, I_MARKER, RM, JFLOAT};
+    int k;
+    if (joint_marker == 0)
+        par[2] = 0;
+    g.npar = line_values(par, 3);
+    gfosub(&g, of_time(t), dflag, iflag, r);
+    check_questions(0, iflag);
+    for (k = 0; k < 3; k++)
+        f[k] = force_unit * (r[0] * RM_AXES[k][0] + r[1] * RM_AXES[k][1] + r[2] * RM_AXES[k][2]);
+    *moment = fabs(r[3]) + fabs(r[4]) + fabs(r[5]);
+}
+
+/* The SFORCE's value now, N. */
 static double force(double t, int dflag, int iflag)
 {
-    double r[8] = {0};
+    double r[MOST] = {0};
     calls++;
     differencing += dflag;
     if (is("gse")) {
         inputs();
-        output(gse(), t, dflag, iflag, no, r);
-        return r[0];
+        output(gse(), of_time(t), dflag, iflag, no, r);
+        check_questions(0, iflag);
+        return r[0] * force_unit;
     }
     if (is("sfo")) {
-        double par[8] = {first_par, LENGTH, 20.0, 1e-3, 1.0, 1.0};
-        adams_sforce s = {SFORCE, 2 + npar_change, par, I_MARKER, J_MARKER, 0, "TRANSLATIONAL"};
-        sfosub(&s, t, dflag, iflag, r);
-        return r[0];
+        double par[16];
+        adams_sforce s = {SFORCE, 0, par, I_MARKER, J_MARKER, 0, type};
+        s.npar = line_values(par, 0);
+        sfosub(&s, of_time(t), dflag, iflag, r);
+        check_questions(0, iflag);
+        return r[0] * force_unit;
     }
     if (is("car")) {
-        double par[8] = {2001, I_MARKER, J_MARKER, first_par, LENGTH};
-        int id = SFORCE, npar = 5 + npar_change;
-        car(&id, &t, par, &npar, &dflag, &iflag, r);
-        return r[0];
+        double par[16] = {2001, I_MARKER, end_marker}, model_time = of_time(t);
+        int id = SFORCE, npar = line_values(par, 3);
+        car(&id, &model_time, par, &npar, &dflag, &iflag, r);
+        check_questions(0, iflag);
+        return r[0] * force_unit;
     }
     {
-        double par[8] = {J_MARKER, GUIDE_I, GUIDE_J, first_par, LENGTH};
-        adams_gforce g = {GFORCE, 5 + npar_change, par, I_MARKER, RM, JFLOAT};
-        double along, across = 0;
+        double f[3], moment, along, across;
         int k;
-        gfosub(&g, t, dflag, iflag, r);
-        along = r[0] * AXIS[0] + r[1] * AXIS[1] + r[2] * AXIS[2];
-        for (k = 0; k < 6; k++)
-            across += fabs(r[k] - (k < 3 ? along * AXIS[k] : 0.0));
+        stand_on_axis();
+        force_in_space(t, dflag, iflag, f, &moment);
+        along = f[0] * AXIS[0] + f[1] * AXIS[1] + f[2] * AXIS[2];
+        across = moment;
+        for (k = 0; k < 3; k++)
+            across += fabs(f[k] - along * AXIS[k]);
         if (across > 1e-9 * (1 + fabs(along))) {
             fprintf(stderr, "the GFORCE leaves its axis by %g\n", across);
             exit(1);
@@ -248,30 +382,44 @@ static double force(double t, int dflag, int iflag)
 }
 
 /* ---- the mechanical system ---- */
-/* Unknowns: body and its speed (mass only), then the GSE's states. */
-static int unknowns(void) { return (with_mass ? 2 : 0) + (is("gse") ? ns : 0); }
+/* Unknowns: body and its speed (mass only) or those of the dataset's parts, then the GSE's states. */
+static int mechanical(void) { return model.is_read ? 2 * model.free_parts : with_mass ? 2 : 0; }
+static int unknowns(void) { return mechanical() + (is("gse") ? ns : 0); }
 static const double MASS = 40.0, SPRING = 30.0; /* kg, N/mm */
+
+/* State i of a GSE in the integrator, mm and mm/s, for one in the model. */
+static double state_unit(int i) { return length_unit / 1e-3 / (i == 1 ? time_unit : 1); }
 
 static void place(double t, const double *y)
 {
     const double w = 2 * M_PI * frequency;
+    int i;
+    if (model.is_read) {
+        dataset_place(&model, t, mode != 4, y);
+        body = dataset_distance(&model) - LENGTH;
+        body_speed = dataset_speed(&model);
+        actuator = actuator_speed = 0;
+        return;
+    }
     body = with_mass ? y[0] : 0;
     body_speed = with_mass ? y[1] : 0;
     actuator = mode == 4 ? amplitude * cos(w * t) : amplitude;
     actuator_speed = mode == 4 ? -amplitude * w * sin(w * t) : 0;
-    if (is("gse"))
-        memcpy(gse_x_now, y + (with_mass ? 2 : 0), (size_t)ns * sizeof(double));
+    for (i = 0; is("gse") && i < ns; i++)
+        gse_x_now[i] = y[mechanical() + i] / state_unit(i);
 }
 
 static double last_force;
 
 static void rates(double t, const double *y, double *f, int dflag)
 {
-    int m = with_mass ? 2 : 0;
+    int m = mechanical(), i;
     place(t, y);
     /* A rig without unknowns still asks. */
     last_force = force(t, dflag, 0);
-    if (with_mass) {
+    if (model.is_read) {
+        dataset_rates(&model, last_force, f);
+    } else if (with_mass) {
         f[0] = y[1];
         f[1] = 1000.0 * (last_force - SPRING * y[0]) / MASS;
     }
@@ -279,60 +427,112 @@ static void rates(double t, const double *y, double *f, int dflag)
         inputs();
         calls++;
         differencing += dflag;
-        deriv(gse(), t, dflag, 0, ns, f + m);
+        deriv(gse(), of_time(t), dflag, 0, ns, f + m);
+        check_questions(1, 0);
+        for (i = 0; i < ns; i++)
+            f[m + i] *= state_unit(i) / time_unit;
     }
 }
 
-/* d(rates)/d(unknowns), from partials where they are handed over, otherwise by differencing the routines. */
+/* d(rates)/d(unknowns) from partials that the routine hands over. */
+static void handed_jacobian(double t, const double *y, double J[MOST][MOST])
+{
+    /* What of a partial in the model's units is one in mm, s, N. */
+    const double by_mm = 1e-3 / length_unit, by_mm_s = by_mm * time_unit;
+    double ox[MOST * MOST], ou[MOST * 4], by_length, by_speed;
+    int i, j, m = mechanical();
+    place(t, y);
+    partials_wanted = 1;
+    got_par_x = got_par_u = got_syspar = 0;
+    force(t, 0, 0);
+    by_length = partial_dm;
+    by_speed = partial_vr;
+    if (is("gse")) {
+        double r[MOST];
+        if (got_par_x != no * ns || got_par_u != no * ni) {
+            fprintf(stderr, "no partials of the outputs\n");
+            exit(1);
+        }
+        memcpy(ox, par_x, sizeof ox);
+        memcpy(ou, par_u, sizeof ou);
+        by_length = ou[0];
+        by_speed = ou[no];
+        deriv(gse(), of_time(t), 0, 0, ns, r);
+        check_questions(1, 0);
+        if (got_par_x != ns * ns || got_par_u != ns * ni) {
+            fprintf(stderr, "no partials of the rates\n");
+            exit(1);
+        }
+        for (i = 0; i < ns; i++)
+            for (j = 0; j < ns; j++)
+                J[m + i][m + j] = par_x[i + j * ns] * state_unit(i) / state_unit(j) / time_unit;
+    } else if (is("gfo")) {
+        int row, column;
+        if (got_syspar != (joint_marker ? 28 : 12)) {
+            fprintf(stderr, "partials of a GFORCE are missing\n");
+            exit(1);
+        }
+        by_length = by_speed = 0;
+        for (row = 0; row < 3; row++)
+            for (column = 0; column < 3; column++) {
+                double both = in_rm(AXIS, row) * in_rm(AXIS, column);
+                by_length += both * partial_space[0][row + 6 * column];
+                by_speed += both * partial_space[1][row + 6 * column];
+            }
+    } else if (got_syspar != 3) {
+        fprintf(stderr, "partials of an SFORCE are missing\n");
+        exit(1);
+    }
+    partials_wanted = 0;
+    if (!with_mass)
+        return;
+    J[0][1] = 1;
+    J[1][0] = 1000.0 * (by_length * force_unit * by_mm - SPRING) / MASS;
+    J[1][1] = 1000.0 * by_speed * force_unit * by_mm_s / MASS;
+    for (j = 0; is("gse") && j < ns; j++) {
+        J[1][m + j] = 1000.0 * ox[j * no] * force_unit / state_unit(j) / MASS;
+        J[m + j][0] = par_u[j] * state_unit(j) / time_unit * by_mm;
+        J[m + j][1] = par_u[j + ns] * state_unit(j) / time_unit * by_mm_s;
+    }
+}
+
+/* The same by differencing the routines. */
+static void differenced_jacobian(double t, const double *y, double J[MOST][MOST])
+{
+    int n = unknowns(), i, j, k;
+    double f[2][MOST], z[MOST];
+    for (j = 0; j < n; j++) {
+        double h = 1e-6 * (1 + 0.1 * fabs(y[j]));
+        for (k = 0; k < 2; k++) {
+            memcpy(z, y, sizeof z);
+            z[j] += k ? h : -h;
+            rates(t, z, f[k], 1);
+        }
+        for (i = 0; i < n; i++)
+            J[i][j] = (f[1][i] - f[0][i]) / (2 * h);
+    }
+}
+
+/* partials=1: the handed ones are used; 2: differenced ones are used, and the others held against them. */
 static void jacobian(double t, const double *y, double J[MOST][MOST])
 {
-    int n = unknowns(), i, j, m = with_mass ? 2 : 0;
-    double f0[MOST], f1[MOST], z[MOST];
+    int n = unknowns(), i, j;
     memset(J, 0, sizeof(double) * MOST * MOST);
-    if (with_partials) {
-        double ox[MOST * MOST], ou[MOST * 4];
-        place(t, y);
-        partials_wanted = 1;
-        got_par_x = got_par_u = got_syspar = 0;
-        force(t, 0, 0);
-        if (is("gse")) {
-            double r[MOST];
-            if (got_par_x != no * ns || got_par_u != no * ni) {
-                fprintf(stderr, "no partials of the outputs\n");
-                exit(1);
-            }
-            memcpy(ox, par_x, sizeof ox);
-            memcpy(ou, par_u, sizeof ou);
-            deriv(gse(), t, 0, 0, ns, r);
-            if (got_par_x != ns * ns || got_par_u != ns * ni) {
-                fprintf(stderr, "no partials of the rates\n");
-                exit(1);
-            }
-            for (i = 0; i < ns; i++)
-                for (j = 0; j < ns; j++)
-                    J[m + i][m + j] = par_x[i + j * ns];
-        }
-        if (with_mass) {
-            J[0][1] = 1;
-            J[1][0] = 1000.0 * ((is("gse") ? ou[0] : partial_dm) - SPRING) / MASS;
-            J[1][1] = 1000.0 * (is("gse") ? ou[no] : partial_vr) / MASS;
-            for (j = 0; is("gse") && j < ns; j++) {
-                J[1][m + j] = 1000.0 * ox[j * no] / MASS;
-                J[m + j][0] = par_u[j];
-                J[m + j][1] = par_u[j + ns];
-            }
-        }
-        partials_wanted = 0;
+    if (with_partials == 1) {
+        handed_jacobian(t, y, J);
         return;
     }
-    rates(t, y, f0, 1);
-    for (j = 0; j < n; j++) {
-        double h = 1e-7 * (1 + fabs(y[j]));
-        memcpy(z, y, sizeof z);
-        z[j] += h;
-        rates(t, z, f1, 1);
-        for (i = 0; i < n; i++)
-            J[i][j] = (f1[i] - f0[i]) / h;
+    differenced_jacobian(t, y, J);
+    if (with_partials == 2) {
+        double handed[MOST][MOST] = {{0}};
+        handed_jacobian(t, y, handed);
+        for (i = 0; i < n; i++) {
+            double largest = 0;
+            for (j = 0; j < n; j++)
+                largest = fmax(largest, fabs(J[i][j]));
+            for (j = 0; j < n; j++)
+                partials_off = fmax(partials_off, fabs(J[i][j] - handed[i][j]) / (largest + 1e-9));
+        }
     }
 }
 
@@ -404,6 +604,9 @@ static int newton(double t, double beta, const double *known, double *y, int is_
 
 static void print_state(double t) { printf("at %.17g %.17g %.17g %.17g\n", t, body - actuator, body_speed - actuator_speed, last_force); }
 
+/* Speeds of a dataset's parts are held to so many times the tolerance of their places, per second. */
+static double speed_share(int i) { return model.is_read && i < mechanical() && i % 2 ? 100 : 1; }
+
 typedef struct { double t, h_before, y[MOST], before[MOST], f[MOST]; int steps; } integrator;
 
 /* One accepted step of the variable-step second-order backward formula. */
@@ -432,13 +635,22 @@ static void advance(integrator *s, double *h)
             continue;
         }
         for (i = 0; i < n; i++)
-            error = fmax(error, fabs(y[i] - guess[i]) / (tolerance * (1 + 0.001 * fabs(y[i]))) / 3);
+            error = fmax(error, fabs(y[i] - guess[i]) / (tolerance * (speed_share(i) + 0.001 * fabs(y[i]))) / 3);
         if (error > 1 && *h > 1e-9) {
             rejected++;
             *h *= fmax(0.2, 0.8 / cbrt(error));
             continue;
         }
-        rates(t, y, f, 0);
+        /* late: the last evaluation lies before the last iteration's change, and the accepted instant is never asked for. */
+        if (late)
+            place(t, y);
+        else
+            rates(t, y, f, 0);
+        if (late && n) {
+            double w_known = 1 / beta;
+            for (i = 0; i < n; i++)
+                f[i] = (y[i] - known[i]) * w_known;
+        }
         memcpy(s->before, s->y, sizeof y);
         memcpy(s->y, y, sizeof y);
         memcpy(s->f, f, sizeof f);
@@ -456,8 +668,10 @@ static void call_all(int iflag)
 {
     double r[MOST] = {0};
     force(clock_accepted, 0, iflag);
-    if (is("gse"))
-        deriv(gse(), clock_accepted, 0, iflag, ns, r);
+    if (is("gse")) {
+        deriv(gse(), of_time(clock_accepted), 0, iflag, ns, r);
+        check_questions(1, iflag);
+    }
 }
 
 static void initialise(void)
@@ -477,12 +691,18 @@ static void initialise(void)
 /* What a REQUEST shows at the accepted instant. */
 static void request(void)
 {
-    double par[2], r[8];
+    double par[6], r[8];
     adams_request q = {3, 2, par, "", {0}};
     int i;
-    par[0] = is("gfo") ? 2 : 1;
+    par[0] = request_kind ? request_kind : is("gfo") ? 2 : 1;
     par[1] = request_element;
-    reqsub(&q, clock_accepted, 0, r);
+    par[2] = request_page;
+    par[3] = length_unit;
+    par[4] = force_unit;
+    par[5] = time_unit;
+    if (request_page)
+        q.npar = units_given ? 6 : 3;
+    reqsub(&q, of_time(clock_accepted), 0, r);
     printf("request");
     for (i = 0; i < 8; i++)
         printf(" %.17g", r[i]);
@@ -513,20 +733,24 @@ static void dynamics(integrator *s, double until)
         advance(s, &h);
 }
 
+static const adams_gse *gse_of_threads;
+
 /* A thread with its own motion, against the same done alone. */
 static void *thread(void *argument)
 {
     double *sums = (double *)argument;
     int i, k, seed = (int)sums[1];
+    const adams_gse *g = gse_of_threads;
+    is_threaded = 1;
     for (i = 0; i < 20000; i++) {
         double r[MOST];
         for (k = 0; k < ns; k++)
             gse_x_now[k] = 1e-3 * sin(0.01 * i + seed + k);
         gse_u_now[0] = 20 * sin(0.02 * i + seed);
         gse_u_now[1] = 500 * cos(0.02 * i + seed);
-        output(&later.gse, 0, 0, 0, no, r);
+        output(g, 0, 0, 0, no, r);
         sums[0] += r[0];
-        deriv(&later.gse, 0, 0, 0, ns, r);
+        deriv(g, 0, 0, 0, ns, r);
         for (k = 0; k < ns; k++)
             sums[0] += 1e-6 * r[k];
     }
@@ -539,17 +763,137 @@ static void run_threads(void)
     double alone[N][2], together[N][2];
     pthread_t ids[N];
     int i;
-    gse();
+    gse_of_threads = gse();
     for (i = 0; i < N; i++) {
         alone[i][0] = together[i][0] = 0;
         alone[i][1] = together[i][1] = i;
-        thread(alone[i]);
+        pthread_create(&ids[i], NULL, thread, together[i]);
     }
     for (i = 0; i < N; i++)
-        pthread_create(&ids[i], NULL, thread, together[i]);
-    for (i = 0; i < N; i++) {
         pthread_join(ids[i], NULL);
+    for (i = 0; i < N; i++) {
+        thread(alone[i]);
         printf("thread %.17g %.17g\n", alone[i][0], together[i][0]);
+    }
+}
+
+static double random_number(void);
+
+/* The same questions in one order and in another, some of them as differences: each must get the same answer. */
+static void shuffle(double t)
+{
+    enum { QUESTIONS = 60, TWICE = 2 * QUESTIONS };
+    double ask_time[QUESTIONS], ask_body[QUESTIONS], ask_speed[QUESTIONS], first[QUESTIONS];
+    int i, k, differences = 0;
+    for (i = 0; i < QUESTIONS; i++) {
+        ask_time[i] = t + (i % 7 ? 0.004 * (1 + random_number()) : 0);
+        ask_body[i] = body + 0.5 * random_number();
+        ask_speed[i] = body_speed + 100 * random_number();
+    }
+    for (i = 0; i < TWICE; i++) {
+        double f;
+        k = i < QUESTIONS ? i : (int)(0.5 * (1 + random_number()) * QUESTIONS) % QUESTIONS;
+        body = ask_body[k];
+        body_speed = ask_speed[k];
+        f = force(ask_time[k], i >= QUESTIONS && i % 3 == 0, 0);
+        if (i < QUESTIONS)
+            first[k] = f;
+        else if (f != first[k])
+            differences++;
+    }
+    printf("shuffled %d %d\n", QUESTIONS, differences);
+}
+
+static double random_number(void)
+{
+    static unsigned long long state = 88172645463325252ull;
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (double)(state >> 11) / 4503599627370496.0 - 1.0; /* -1 to 1 */
+}
+
+/* A GFORCE between bodies anywhere in space, turned and turning: place and speed of both ends, guide's force, force on I,
+ * all in the global frame, and the GFORCE's own moment; and its partials against differences. */
+static void run_in_space(void)
+{
+    enum { CASES = 200 };
+    static const double STEP[3] = {1e-4, 1e-3, 1e-2}; /* mm, mm/s, N */
+    double *const asked_for[3] = {place_i, speed_i, guide_force};
+    const double unit[3] = {1e-3 / length_unit, 1e-3 / length_unit * time_unit, 1 / force_unit};
+    int n, i, k, what, row, column;
+    for (n = 0; n < CASES; n++) {
+        double q[4], size = 0, ends[2][3], speeds[2][3], f[3], moment, worst = 0, given[3][18];
+        for (i = 0; i < 4; i++) {
+            q[i] = random_number();
+            size += q[i] * q[i];
+        }
+        for (i = 0; i < 4; i++)
+            q[i] /= sqrt(size);
+        {
+            double w = q[0], x = q[1], y = q[2], z = q[3];
+            double turned[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                                   {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                                   {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+            memcpy(RM_AXES, turned, sizeof turned);
+        }
+        /* Either end is a point of a body that moves and turns: away from where the body's speed is known. */
+        for (i = 0; i < 2; i++) {
+            double arm[3], turn[3];
+            for (k = 0; k < 3; k++) {
+                arm[k] = 300 * random_number();
+                turn[k] = 3 * random_number();
+                ends[i][k] = (i ? 1000 : 1000 + 230) + 60 * random_number();
+            }
+            for (k = 0; k < 3; k++)
+                speeds[i][k] = 300 * random_number() + turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
+        }
+        for (k = 0; k < 3; k++) {
+            place_i[k] = ends[0][k] - ends[1][k];
+            speed_i[k] = speeds[0][k] - speeds[1][k];
+            guide_force[k] = 800 * random_number();
+        }
+        /* A new element each time: what it answers is the steady force at this motion. */
+        force_in_space(0, 0, 1, f, &moment);
+        partials_wanted = 1;
+        force_in_space(0, 0, 0, f, &moment);
+        partials_wanted = 0;
+        memcpy(given, partial_space, sizeof given);
+        printf("space");
+        for (i = 0; i < 2; i++)
+            for (k = 0; k < 3; k++)
+                printf(" %.17g", ends[i][k]);
+        for (i = 0; i < 2; i++)
+            for (k = 0; k < 3; k++)
+                printf(" %.17g", speeds[i][k]);
+        for (k = 0; k < 3; k++)
+            printf(" %.17g", guide_force[k]);
+        for (k = 0; k < 3; k++)
+            printf(" %.17g", f[k]);
+        for (what = 0; what < 3; what++) {
+            double differenced[3][3], largest = 0;
+            for (column = 0; column < 3; column++) {
+                double high[3], low[3], unused, before[3];
+                memcpy(before, asked_for[what], sizeof before);
+                for (k = 0; k < 3; k++)
+                    asked_for[what][k] = before[k] + STEP[what] * RM_AXES[k][column];
+                force_in_space(0, 1, 0, high, &unused);
+                for (k = 0; k < 3; k++)
+                    asked_for[what][k] = before[k] - STEP[what] * RM_AXES[k][column];
+                force_in_space(0, 1, 0, low, &unused);
+                memcpy(asked_for[what], before, sizeof before);
+                for (row = 0; row < 3; row++) {
+                    differenced[row][column] = (in_rm(high, row) - in_rm(low, row)) / (2 * STEP[what]);
+                    largest = fmax(largest, fabs(differenced[row][column]));
+                }
+            }
+            for (column = 0; column < 3; column++)
+                for (row = 0; row < 6; row++) {
+                    double got = given[what][row + 6 * column] * force_unit * unit[what];
+                    worst = fmax(worst, fabs(got - (row < 3 ? differenced[row][column] : 0)) / (largest + 1e-9));
+                }
+        }
+        printf(" %.17g %.17g\n", moment, worst);
     }
 }
 
@@ -560,10 +904,25 @@ static void set(const char *setting)
         {"no", &no, 0}, {"npar", &npar_change, 0}, {"iflag", &only_iflag, 0}, {"threads", &threads, 0},
         {"save", &save_at_half, 0}, {"bad", &bad_first_step, 0}, {"units", &has_units, 0}, {"amplitude", 0, &amplitude},
         {"frequency", 0, &frequency}, {"end", 0, &end_time}, {"hmax", 0, &hmax}, {"tolerance", 0, &tolerance},
-        {"side", 0, &side_force}, {"par", 0, &first_par}, {"request", 0, &request_element}, {"mm", 0, &mm}};
+        {"side", 0, &side_force}, {"par", 0, &first_par}, {"request", 0, &request_element}, {"told", 0, &told_length},
+        {"given", &units_given, 0}, {"simulations", &simulations, 0}, {"release", &release, 0}, {"late", &late, 0}, {"space", &space, 0}, {"page", &request_page, 0},
+        {"kind", 0, &request_kind}, {"temperature", 0, &temperature}, {"joint", 0, &joint_marker}, {"other", 0, &end_marker},
+        {"length_unit", 0, &length_unit}, {"force_unit", 0, &force_unit}, {"time_unit", 0, &time_unit}};
     size_t i, length = strcspn(setting, "=");
     if (strncmp(setting, "model=", 6) == 0) {
         snprintf(string_text, sizeof string_text, "%s", setting + 6);
+        return;
+    }
+    if (strncmp(setting, "dataset=", 8) == 0) {
+        dataset_read(&model, setting + 8);
+        I_MARKER = model.sforce.i;
+        J_MARKER = model.sforce.j;
+        LENGTH = model.sforce.par[1];
+        snprintf(string_text, sizeof string_text, "%s", dataset_string(&model, (int)model.sforce.par[0]));
+        return;
+    }
+    if (strncmp(setting, "type=", 5) == 0) {
+        type = setting + 5;
         return;
     }
     for (i = 0; i < sizeof settings / sizeof settings[0]; i++)
@@ -602,10 +961,20 @@ int main(int argc, char **argv)
     {
         int (*selftest)(void);
         *(void **)&selftest = entry(library, "dashpot_adams_selftest");
-        printf("selftest %d\n", selftest());
+        if (threads < 2) /* 2: the threads are the first to call */
+            printf("selftest %d\n", selftest());
     }
     if (only_iflag >= 0) {
+        initialise();
+        if (only_iflag == 9)
+            call_all(7);
+        call_all(only_iflag);
+        saved_read = 0;
         printf("force %.17g\n", force(0, 0, only_iflag));
+        return 0;
+    }
+    if (threads == 2) {
+        run_threads();
         return 0;
     }
     initialise();
@@ -614,11 +983,38 @@ int main(int argc, char **argv)
         run_threads();
         return 0;
     }
+    if (space) {
+        run_in_space();
+        return 0;
+    }
+    if (model.is_read) {
+        int command;
+        for (command = 0; command < model.commands && command <= simulations; command++) {
+            const simulation *c = &model.command[command];
+            if (c->is_static) {
+                statics(&s);
+                continue;
+            }
+            dataset_move(&model, c->motion);
+            end_time = c->end;
+            hmax = (c->end - s.t) / c->steps;
+            tolerance = model.error;
+            printf("simulation %.17g\n", c->end);
+            dynamics(&s, c->end);
+        }
+        return 0;
+    }
     statics(&s);
     if (save_at_half) {
         dynamics(&s, end_time / 2);
         half = s;
         call_all(7);
+        if (save_at_half == 3) {
+            shuffle(s.t);
+            return 0;
+        }
+        if (save_at_half == 2)
+            saved[0] = 99; /* the version of what was saved */
         puts("first");
         dynamics(&s, end_time);
         call_all(5);
@@ -635,6 +1031,7 @@ int main(int argc, char **argv)
     dynamics(&s, end_time);
     if (!is("gse"))
         request();
+    printf("partials_off %.17g\n", partials_off);
     printf("calls %ld differencing %ld iterations %ld rejected %ld threadsafe %ld\n", calls, differencing, iterations, rejected,
            threadsafe);
     return 0;

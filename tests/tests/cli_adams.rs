@@ -26,6 +26,47 @@ fn statements(text: &str) -> BTreeMap<String, String> {
     map
 }
 
+/// Every command of the file, with options that the command reference has for it and no others.
+fn only_documented_options(cmd: &str) {
+    let known: &[(&str, &str)] = &[
+        ("data_element create string", "string_name string"),
+        ("data_element create variable", "variable_name function"),
+        ("data_element create array u_input_array", "array_name size variable_name"),
+        ("data_element create array x_state_array", "array_name size"),
+        ("data_element create array y_output_array", "array_name size"),
+        ("data_element create array ic_array", "array_name size numbers"),
+        (
+            "part create equation general_state_equation",
+            "general_state_equation_name state_equation_count discrete_state_equation_count output_equation_count \
+             x_state_array_name u_input_array_name y_output_array_name ic_array_name static_hold implicit user_function \
+             interface_routines",
+        ),
+        (
+            "force create direct single_component_force",
+            "single_component_force_name type_of_freedom action_only i_marker_name j_marker_name function",
+        ),
+    ];
+    let mut seen = Vec::new();
+    for line in cmd.replace("&\n", " ").lines().filter(|l| !l.starts_with('!')) {
+        let (command, allowed) = known.iter().find(|k| line.starts_with(&format!("{} ", k.0))).expect(line);
+        let rest = &line[command.len()..];
+        let mut quoted = false;
+        let plain: String = rest
+            .chars()
+            .filter(|c| {
+                quoted ^= *c == '"';
+                !quoted
+            })
+            .collect();
+        for word in plain.split_whitespace().filter(|w| w.contains('=')) {
+            let option = word.split('=').next().unwrap();
+            assert!(allowed.split_whitespace().any(|a| a == option), "{command} has no {option}");
+        }
+        seen.push(*command);
+    }
+    assert!(known.iter().all(|k| seen.contains(&k.0)), "{seen:?}");
+}
+
 /// Options of the Adams View command that begins with `command`.
 fn options(text: &str, command: &str) -> BTreeMap<String, String> {
     let joined = text.replace("&\n", " ");
@@ -81,7 +122,16 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
     // The GSE of the command file is the one that the library wants.
     let cmd = read("damper.cmd");
     let gse = options(&cmd, "part create equation general_state_equation");
-    assert_eq!(gse["output_equation_count"], "7");
+    assert_eq!(gse["output_equation_count"], "9", "all that the library gives");
+    assert_eq!(options(&cmd, "data_element create array y_output_array")["size"], "9");
+    assert_eq!(gse["discrete_state_equation_count"], "0");
+    assert_eq!(
+        gse["interface_routines"],
+        ["deriv", "update", "output", "samp"].map(|r| format!("\"dashpot_adams::Dashpot_gse_{r}\"")).join(",")
+    );
+    let u = options(&cmd, "data_element create array u_input_array");
+    assert_eq!((u["size"].as_str(), u["variable_name"].as_str()), ("2", "dashpot_displacement,dashpot_velocity"));
+    only_documented_options(&cmd);
     let x = options(&cmd, "data_element create array x_state_array");
     assert_eq!(x["size"], gse["state_equation_count"]);
     assert!(cmd.contains("function=\"ARYVAL(dashpot_y,1)\"") && cmd.contains("DM(damper_i,damper_j)-412.5"));
@@ -91,7 +141,7 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
         format!("no={}", gse["output_equation_count"]),
         "end=0.01".into(),
     ];
-    let ran = run(&solver(&[]), "gse", &settings);
+    let ran = run(&solver(), "gse", &settings);
     assert_eq!(ran.code, Some(0), "{}", ran.text);
 }
 

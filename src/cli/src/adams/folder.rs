@@ -60,7 +60,7 @@ fn states(model: &Model) -> usize {
     count
 }
 
-/// The test matrix on the rig: every test begins and ends at rest in the middle, so that one follows the other.
+/// The test matrix on the rig, one line a command: every test begins and ends at rest in the middle, so that one follows the other.
 fn acf(matrix: &Matrix) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
@@ -70,14 +70,21 @@ fn acf(matrix: &Matrix) -> String {
         let (period, amplitude) = (1.0 / point.frequency_hz, 1e3 * point.amplitude_m);
         let [rise, fall, end] = [1.0, 3.0, 4.0].map(|cycles| begin + cycles * period);
         let w = std::f64::consts::TAU / period;
+        let [a, b, r, f, e] = [amplitude, begin, rise, fall, end].map(short);
         let _ = write!(
             out,
-            "! {amplitude:.3} mm, {:.6} Hz\nMOTION/1, FUNCTION = {amplitude:.9}*SIN({w:.12}*(TIME-{begin:.9}))\n\
-             , *STEP(TIME,{begin:.9},0,{rise:.9},1)\n, *STEP(TIME,{fall:.9},1,{end:.9},0)\n\
-             SIMULATE/DYNAMICS, END={end:.9}, STEPS=800\n",
+            "! {amplitude:.3} mm, {:.6} Hz\n\
+             MOTION/1, FUNCTION = {a}*SIN({w:.12}*(TIME-{b}))*STEP(TIME,{b},0,{r},1)*STEP(TIME,{f},1,{e},0)\n\
+             SIMULATE/DYNAMICS, END={e}, STEPS=800\n",
             1.0 / period
         );
         begin = end;
     }
     out + "STOP\n"
+}
+
+/// A number to nine decimals without closing zeros: command lines stay short.
+fn short(value: f64) -> String {
+    let text = format!("{value:.9}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }

@@ -38,7 +38,7 @@ pub fn fragment(params: &Params, model: &Model, states: usize, length: f64) -> R
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
     let friction = spline(3, &velocities, |v| at(0.0, v).friction_force);
     Ok(include_str!("templates/native.adm")
-        .replace("{splines}", &format!("{primary}{spring}{friction}"))
+        .replace("{splines}", format!("{primary}{spring}{friction}").trim_end())
         .replace("{series_stiffness}", &format!("{:?}", 1e-3 * params.scalar("series_stiffness")))
         .replace("{series_damping}", &format!("{:?}", 1e-3 * params.scalar("series_damping")))
         .replace("{mass}", &format!("{:?}", params.scalar("internal_mass")))

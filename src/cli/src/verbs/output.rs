@@ -30,21 +30,21 @@ pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()
     Ok(())
 }
 
-/// Writes `text` to a file, or to standard output where the path is `-`.
-pub fn write(path: &Path, text: &str) -> anyhow::Result<()> {
+/// Writes text or bytes to a file, or to standard output where the path is `-`.
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
     if is_stdout(path) {
         let mut out = std::io::stdout().lock();
-        out.write_all(text.as_bytes())?;
+        out.write_all(text.as_ref())?;
         return Ok(out.flush()?);
     }
-    replace_file(path, text.as_bytes()).with_context(|| format!("cannot write {}", path.display()))
+    replace_file(path, text.as_ref()).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// Writes a value as JSON.
 pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
-    write(path, &text)
+    write(path, text)
 }
 
 /// Prints a line for people: on standard output, or on standard error where standard output carries `result`.

@@ -17,7 +17,7 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.adm")]
     output: PathBuf,
-    /// Name of the damper's SFORCE and its length at zero displacement in model units; repeat for more
+    /// Name of the damper's SFORCE, or SFORCE/id, and its length at zero displacement in model units; repeat for more
     #[arg(long = "damper", value_name = "NAME=LENGTH", required = true, value_parser = damper)]
     dampers: Vec<Damper>,
     /// Path of the model file as the solver will find it
@@ -38,7 +38,7 @@ fn damper(text: &str) -> Result<Damper, String> {
 pub fn run(args: &Args) -> anyhow::Result<()> {
     output::check([args.output.as_path()])?;
     let named = || args.input.display().to_string();
-    let adm = std::fs::read_to_string(&args.input).with_context(|| format!("cannot read {}", named()))?;
-    output::write(&args.output, &patch::patch(&adm, &args.dampers, &args.model_file).with_context(named)?)?;
+    let adm = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
+    output::write(&args.output, patch::patch(&adm, &args.dampers, &args.model_file).with_context(named)?)?;
     output::say(Some(&args.output), &format!("{} dampers replaced in {}", args.dampers.len(), args.output.display()))
 }
