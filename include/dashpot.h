@@ -537,7 +537,9 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 10, default 0.01]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
-//   oil_stiffness                stiffness of the oil column, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
+//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
+//   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
+//   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
 //
 // aeration (element, off by default): air in the oil: the oil column is soft while the force is small
 //   aeration_stroke              stroke that the air takes up to each side, d_a [m, 0 to 0.005, default 3e-4]
@@ -547,6 +549,9 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   cavitation_force             largest hydraulic force of that stroke, C [N, 10 to 1e6, default 1500]
 //   cavitation_side              stroke whose force is capped [0 compression, 1 rebound]
 //   cavitation_return            share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke [-, 0 to 1, default 0]
+//   cavitation_form              void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it [0 cap, 1 foot_valve]
+//   cavitation_velocity          foot valve: speed of that stroke beyond which the chamber is not refilled, v_f [m/s, 0 to 10, default 0.3]
+//   cavitation_unfilled          foot valve: share of the flow beyond that speed that is missing, a [-, 1e-4 to 1, default 0.05]
 //
 // position_dependent_damping (element, off by default): damping that is weaker (bypass) or firmer over a part of the stroke
 //   bypass_share                 share of the FV force that is missing in the zone, a; negative: a firmer zone [-, -4 to 0.95, default 0.3]
@@ -554,6 +559,8 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bypass_half_width            half the length of the zone, w [m, 0.001 to 1, default 0.02]
 //   bypass_blend                 length over which the zone fades out, b [m, 5e-4 to 0.5, default 0.005]
 //   bypass_strokes               strokes on which it acts [0 both, 1 rebound, 2 compression]
+//   bypass_form                  factor on the FV force, or flow beside the valves [0 factor, 1 groove]
+//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 10, default 0.2]
 //
 // temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
 //   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
@@ -563,17 +570,21 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
 //
 // frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
-//   fsd_form                     lagging share, or bypass that closes within each stroke [0 filter, 1 stroke]
+//   fsd_form                     lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke [0 filter, 1 stroke, 2 bypass]
 //   fsd_share                    share of the force that fast strokes lose, a [-, 0 to 0.9, default 0.3]
 //   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
 //   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
+//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 10, default 0.2]
+//   fsd_force                    bypass form: hydraulic force that fills the control chamber, F_0 [N, 1 to 10000, default 50]
 //
 // valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises
-//   valve_hysteresis_share       share of the force that lateness adds [-, 0 to 0.8, default 0.15]
+//   valve_hysteresis_share       share of the force that lateness adds, eta [-, 0 to 3, default 0.15]
 //   valve_opening_force          force at which the valve opens [N, 1 to 1e5, default 600]
 //   valve_closing_ratio          force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
 //   valve_time                   time in which it moves, tau [s, 1e-4 to 1, default 0.002]
 //   valve_width                  force over which it opens, b [N, 10 to 1e5, default 100]
+//   valve_form                   one opening that comes and goes late, or a valve that lags at every opening [0 opening, 1 play]
+//   valve_play                   play form: force that the valve does not follow, P [N, 0 to 10000, default 0]
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
 //   spring_linear                k_p of k_p x [N/m, 0 to 1e7, default 0]
@@ -617,6 +628,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // presliding_friction (element, off by default): friction that turns over within a short travel after each reversal (Dahl)
 //   presliding_force             friction level after long travel, F_c [N, 0 to 10000, default 40]
 //   presliding_length            travel in which the force approaches its level by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
+//   presliding_power             1: slips from the first (Dahl); larger: bends elastically before it slips, n [-, 1 to 10, default 1]
 //
 // gas_spring (element, off by default): growth of the gas force with the displacement of the rod, slow to fast
 //   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e6, default 500]
@@ -634,6 +646,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bump_stop_progression        depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
 //   bump_stop_loss               share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
 //   bump_stop_damping            hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
+//   bump_stop_flow               hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
 //
 // rebound_stop (element, off by default): stop at the end of the rebound stroke, rubber or hydraulic
 //   rebound_stop_clearance       extension from x = 0 at which the stop is met [m, 0 to 1, default 0.05]
@@ -641,6 +654,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   rebound_stop_progression     depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
 //   rebound_stop_loss            share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
 //   rebound_stop_damping         hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
+//   rebound_stop_flow            hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
 //
 // integration: settings of the fixed-step integration
 //   method                       method inside a step [0 fourth_order, 1 second_order, 2 euler]

@@ -95,6 +95,41 @@ fn free_play_is_a_dead_band_of_its_length() {
 }
 
 #[test]
+fn friction_in_a_bushing_loses_the_same_at_any_rate() {
+    // Rod held at the mass: the loss of a cycle of deflection, at a hundred times the rate.
+    let loss = |frequency: f64| {
+        let model = with(
+            &["bushing"],
+            &[
+                ("bushing_slip", 5e-5),
+                ("bushing_loss_time", 1e3),
+                ("bushing_loss_stiffness", 0.5),
+                ("internal_mass", 0.1),
+                ("series_stiffness", 1e6),
+                ("series_damping", 0.0),
+            ],
+        );
+        let (z, dt) = (0.0f64, 1.0 / frequency / 4000.0);
+        let mut state = State { ..State::ZERO };
+        state.memory[0] = z;
+        let (mut energy, w) = (0.0, TAU * frequency);
+        for i in 0..8000 {
+            let t = dt * f64::from(i);
+            let (d, rate) = (3e-4 * (w * t).sin(), 3e-4 * w * (w * t).cos());
+            let at = State { mass_displacement: 0.0, mass_velocity: 0.0, displacement: d, velocity: rate, ..state };
+            let (output, rates) = evaluate(&model, &at, &Input::motion(d, rate));
+            if i >= 4000 {
+                energy += (output.force - output.friction_force) * rate * dt;
+            }
+            state.memory[0] += rates.memory[0] * dt;
+        }
+        energy
+    };
+    let (slow, fast) = (loss(20.0), loss(200.0));
+    assert!(slow > 1e-3 && (fast / slow - 1.0).abs() < 0.1, "{slow} {fast}");
+}
+
+#[test]
 fn a_bushing_hardens_and_loses_energy() {
     let model = with(&["bushing"], &[("bushing_hardening", 1e-3), ("series_stiffness", 1e6)]);
     let force = |d: f64| {
@@ -250,6 +285,11 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
         assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0) as f64).exp()).abs() < 1e-9);
         assert_eq!(output.oil_temperature, temperature);
     }
+    // Of a force that is laminar by half, half fades.
+    let half = straight(&["temperature_fade"], &[("fade_coefficient", a), ("fade_laminar_force", 0.5 * C)]);
+    let at = Input { temperature: 90.0, ..Input::motion(0.0, 0.5) };
+    let force = step(&half, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
+    assert!((force / (0.5 * C) - 0.5 * (1.0 + (-a * 70.0).exp())).abs() < 1e-9);
     // Constant speed: C dϑ/dt = P − h ϑ with the power of the faded force.
     let changes = [("fade_source", 1.0), ("fade_coefficient", a), ("heat_capacity", 500.0), ("heat_transfer", 50.0)];
     let own = straight(&["temperature_fade"], &changes);

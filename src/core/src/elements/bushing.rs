@@ -5,8 +5,9 @@ use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// F_s = φ (1 + (φ/(k_s d_h))²) + k_1 z with the straight series spring's force φ, and dz/dt = dd/dt − z/τ: a Maxwell
-/// branch of stiffness k_1 beside the hardening spring.
+/// F_s = φ (1 + (φ/(k_s d_h))²) + k_1 z with the straight series spring's force φ, and dz/dt = dd/dt − z/τ − |dd/dt| z/d_f:
+/// beside the hardening spring a branch of stiffness k_1 that gives way in time (Maxwell) and with deflection, as friction in
+/// the filler does (Berg, Veh. Syst. Dyn. 30, 1998).
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
     /// 1/d_h.
@@ -14,8 +15,13 @@ pub struct Bushing {
     /// k_1/k_s.
     pub(crate) share: f64,
     /// 1/τ.
-    pub(crate) per_time: f64,
+    per_time: f64,
+    /// 1/d_f.
+    per_slip: f64,
 }
+
+/// Rate of the deflection over which the friction sets in, m/s.
+const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {
     const MEANING: &'static str =
@@ -35,19 +41,51 @@ impl Describe for Bushing {
             (0.0, 3.0),
             "share of the series stiffness that fast motion adds, k_1/k_s",
         ),
-        Parameter::scalar("bushing_loss_time", "s", &[0.01], (1e-4, 10.0), "time in which that share gives way, tau"),
+        Parameter::scalar("bushing_loss_time", "s", &[0.01], (1e-4, 1e3), "time in which that share gives way, tau"),
+        Parameter::scalar(
+            "bushing_slip",
+            "m",
+            &[1e3],
+            (1e-6, 1e3),
+            "deflection in which that share gives way by friction, d_f; large: by time alone",
+        ),
     ];
 }
 
 impl Prepare for Bushing {
-    const OFF: Self = Bushing { per_length: 0.0, share: 0.0, per_time: 1.0 };
+    const OFF: Self = Bushing { per_length: 0.0, share: 0.0, per_time: 1.0, per_slip: 0.0 };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(Bushing { per_length: 1.0 / p.number(0), share: p.number(1), per_time: 1.0 / p.number(2) })
+        Ok(Bushing {
+            per_length: 1.0 / p.number(0),
+            share: p.number(1),
+            per_time: 1.0 / p.number(2),
+            per_slip: 1.0 / p.number(3),
+        })
     }
 }
 
 impl Bushing {
+    /// dz/dt at a rate of the deflection.
+    #[inline(always)]
+    pub(crate) fn rate<R: Real>(&self, rate: R, z: R) -> R {
+        let slips = rate * rate * rate.abs().plus(TURNING).inverse();
+        rate - z * (slips * self.per_slip).plus(self.per_time)
+    }
+
+    /// z after an implicit stage that is `known` at its start, with its slopes over the rate and over that.
+    #[inline(always)]
+    pub(crate) fn stage(&self, rate: f64, known: f64, g: f64) -> (f64, [f64; 2]) {
+        let size = rate.abs();
+        let per = 1.0 / (size + TURNING);
+        let slips = size * size * per;
+        let slips_by = rate * (size + 2.0 * TURNING) * per * per;
+        let gives_way = 1.0 / (1.0 + g * (self.per_time + slips * self.per_slip));
+        let z = (known + rate * g) * gives_way;
+        let along = slips_by * z * self.per_slip;
+        (z, [g * gives_way * (1.0 - along), gives_way])
+    }
+
     /// The hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
     #[inline(always)]
     pub(crate) fn hardened<R: Real>(&self, k: R, force: R, stiffness: R) -> (R, R) {

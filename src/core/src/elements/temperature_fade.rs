@@ -5,12 +5,15 @@ use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// F_d is multiplied by exp(−α (T − T_0)). T is the temperature that the host gives, or that of the surroundings it
+/// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by exp(−α (T − T_0)): what passes orifices and
+/// blow-off valves does not know the viscosity. T is the temperature that the host gives, or that of the surroundings it
 /// gives plus the rise ϑ by the damper's own heat, C dϑ/dt = F_h w − h ϑ.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
     reference: f64,
+    /// 1/F_l.
+    per_laminar: f64,
     /// 1/C.
     pub(crate) per_capacity: f64,
     /// h/C.
@@ -18,6 +21,8 @@ pub struct TemperatureFade {
     pub(crate) heats_itself: bool,
 }
 
+/// F_l from which all of the force fades.
+const ALL: f64 = 1e9;
 /// The exponent is kept inside ±3: a factor of twenty is beyond all dampers.
 const LARGEST: f64 = 3.0;
 
@@ -33,18 +38,32 @@ impl Describe for TemperatureFade {
         Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
         Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C"),
         Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h"),
+        Parameter::scalar(
+            "fade_laminar_force",
+            "N",
+            &[ALL],
+            (10.0, ALL),
+            "force at which half of it still is laminar and fades, F_l; large: all of it fades",
+        ),
     ];
 }
 
 impl Prepare for TemperatureFade {
-    const OFF: Self =
-        TemperatureFade { coefficient: 0.0, reference: 0.0, per_capacity: 0.0, cooling: 0.0, heats_itself: false };
+    const OFF: Self = TemperatureFade {
+        coefficient: 0.0,
+        reference: 0.0,
+        per_laminar: 0.0,
+        per_capacity: 0.0,
+        cooling: 0.0,
+        heats_itself: false,
+    };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let per_capacity = 1.0 / p.number(3);
         Ok(TemperatureFade {
             coefficient: p.number(1),
             reference: p.number(2),
+            per_laminar: if p.number(5) < ALL { 1.0 / p.number(5) } else { 0.0 },
             per_capacity,
             cooling: p.number(4) * per_capacity,
             heats_itself: p.number(0) == 1.0,
@@ -53,6 +72,18 @@ impl Prepare for TemperatureFade {
 }
 
 impl TemperatureFade {
+    /// The faded force.
+    #[inline(always)]
+    pub(crate) fn force<R: Real>(&self, force: R, factor: R) -> R {
+        force * (factor.plus(-1.0) * self.laminar(force)).plus(1.0)
+    }
+
+    /// 1/(1 + |F|/F_l).
+    #[inline(always)]
+    pub(crate) fn laminar<R: Real>(&self, force: R) -> R {
+        (force.abs() * self.per_laminar).plus(1.0).inverse()
+    }
+
     /// The factor at a given temperature and rise above it.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, given: f64, rise: R) -> R {

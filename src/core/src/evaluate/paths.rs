@@ -71,7 +71,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
         force = series::force(e, &frame, around.x - x, rate, states[place::BUSHING]);
         rates[place::X] = u;
         rates[place::U] = (force - inner - primary) * frame.mass.inverse();
-        rates[place::BUSHING] = rate - states[place::BUSHING] * e.bushing.per_time;
+        rates[place::BUSHING] = e.bushing.rate(rate, states[place::BUSHING]);
     }
     Instant { residual, rates, force, primary, inner }
 }

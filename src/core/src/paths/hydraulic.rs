@@ -41,7 +41,7 @@ pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<
         above = above * e.position_dependent_damping.factor(around.x, above.value() >= 0.0);
     }
     if e.has_fade() {
-        above = above * e.temperature_fade.factor(around.temperature, states[place::HEAT]);
+        above = e.temperature_fade.force(above, e.temperature_fade.factor(around.temperature, states[place::HEAT]));
     }
     let mut force = above + standing;
     let (mut valve_target, mut selective_target) = (states[place::VALVE], states[place::SELECTIVE]);
@@ -137,15 +137,20 @@ impl Valves {
         let above = curve - standing;
         let [on_stroke, by_x] = factors.strokes[usize::from(above >= 0.0)];
         let [fade, by_rise] = factors.fade;
-        let factor = on_stroke * fade;
-        let (mut force, mut by_curve, mut by_w) = (factor * above + standing, factor, 0.0);
+        // The laminar part alone fades: see the element.
+        let placed = on_stroke * above;
+        let laminar = if acts::<ON>(e, FADE) { e.temperature_fade.laminar(placed) } else { 1.0 };
+        let faded = 1.0 + (fade - 1.0) * laminar;
+        let faded_by = 1.0 + (fade - 1.0) * laminar * laminar;
+        let factor = on_stroke * faded_by;
+        let (mut force, mut by_curve, mut by_w) = (faded * placed + standing, factor, 0.0);
         let mut valves = Valves {
             force,
             valve: known[place::VALVE],
             selective: known[place::SELECTIVE],
             by_curve,
             by_w,
-            scaled_by: [factor, above * by_x * fade, above * on_stroke * by_rise],
+            scaled_by: [factor, above * by_x * faded_by, placed * laminar * by_rise],
             late_by: [1.0, 0.0],
             valve_by: [0.0, 1.0],
             selected_by: [1.0, 0.0, 0.0],

@@ -308,6 +308,8 @@ struct Substep<'a> {
 
 /// Pieces of a substep in which a void closes.
 const PIECES: u32 = 16;
+/// A void smaller than this, m, is about to close.
+const CLOSING: f64 = 2e-5;
 /// A void smaller than this, m, is closed.
 const SHUT: f64 = 1e-9;
 
@@ -352,7 +354,10 @@ impl Substep<'_> {
     fn sees_the_void_turn<const ON: u32>(&self, method: &Table, from: &Now) -> bool {
         let void = from.states[place::VOID];
         let (start, end) = (self.path.at(self.theta).v, self.path.at(self.theta + self.part).v);
-        void > 0.0 && (start * end <= 0.0 || self.run::<ON>(method, from, &mut ()).overshot)
+        void > 0.0 && (start * end <= 0.0 || {
+            let ended = self.run::<ON>(method, from, &mut ());
+            ended.overshot || ended.states[place::VOID] < CLOSING
+        })
     }
 
     /// In short implicit pieces of the first order, which keep the void from closing further than it is open.

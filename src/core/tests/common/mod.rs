@@ -51,6 +51,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     vec![
         ("free play", of(&["free_play"], &[])),
         ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
+        ("bushing with friction", of(&["bushing"], &[("bushing_slip", 1e-4), ("bushing_loss_time", 1e3)])),
         ("both in series", of(&["free_play", "bushing"], &[])),
         ("oil", of(&["oil_compressibility"], &[])),
         ("oil alone", without_series(of(&["oil_compressibility"], &[]))),
@@ -69,6 +70,10 @@ pub fn paths() -> Vec<(&'static str, Params)> {
             of(&["position_dependent_damping"], &[("bypass_share", -1.0), ("bypass_strokes", 1.0)]),
         ),
         ("fade", of(&["temperature_fade"], &[("fade_reference", 60.0)])),
+        (
+            "fade of the laminar part",
+            of(&["temperature_fade"], &[("fade_reference", 60.0), ("fade_laminar_force", 800.0)]),
+        ),
         ("self-heating", of(&["temperature_fade"], &heats)),
         ("filter", of(&["frequency_selective_damping"], &[])),
         ("stroke", of(&["frequency_selective_damping"], &stroke)),

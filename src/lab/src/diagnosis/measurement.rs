@@ -15,6 +15,8 @@ pub enum Artefact {
     Step(u32),
     /// The zero of the load cell moves with the campaign's clock, N/s.
     Drift,
+    /// It settles while the rig warms up, within this time on the campaign's clock, s: the whole way, N.
+    WarmUp(u32),
 }
 
 impl Artefact {
@@ -23,7 +25,7 @@ impl Artefact {
         match self {
             Artefact::Delay => "channel_delay",
             Artefact::Offset | Artefact::Step(_) => "force_offset",
-            Artefact::Drift => "force_drift",
+            Artefact::Drift | Artefact::WarmUp(_) => "force_drift",
         }
     }
 
@@ -33,6 +35,7 @@ impl Artefact {
             Artefact::Delay => "delay",
             Artefact::Offset | Artefact::Step(_) => "offset",
             Artefact::Drift => "drift",
+            Artefact::WarmUp(_) => "whole_drift",
         }
     }
 
@@ -40,7 +43,7 @@ impl Artefact {
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay => "s",
-            Artefact::Offset | Artefact::Step(_) => "N",
+            Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => "N",
             Artefact::Drift => "N/s",
         }
     }
@@ -49,7 +52,7 @@ impl Artefact {
     pub fn limit(self) -> f64 {
         match self {
             Artefact::Delay => 5e-3,
-            Artefact::Offset | Artefact::Step(_) => 500.0,
+            Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => 500.0,
             Artefact::Drift => 1.0,
         }
     }
@@ -58,7 +61,7 @@ impl Artefact {
     pub fn apply(self, value: f64, test: &Test, forces: &mut [f64]) {
         match self {
             Artefact::Delay => delay(value, &test.segment.dt, forces),
-            Artefact::Offset | Artefact::Step(_) | Artefact::Drift => {
+            Artefact::Offset | Artefact::Step(_) | Artefact::Drift | Artefact::WarmUp(_) => {
                 let added = value * self.per_value(test).unwrap_or(0.0);
                 forces.iter_mut().for_each(|f| *f += added);
             }
@@ -72,6 +75,7 @@ impl Artefact {
             Artefact::Offset => Some(1.0),
             Artefact::Step(after) => Some(f64::from(u8::from(test.clock > f64::from(after)))),
             Artefact::Drift => Some(test.clock),
+            Artefact::WarmUp(time) => Some(1.0 - (-test.clock / f64::from(time)).exp()),
         }
     }
 }

@@ -6,6 +6,7 @@
 //! | [`samples`] | the mean cycle of every test and the error that noise allows it |
 //! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
 //! | [`refit`] | everything refitted |
+//! | [`finer_curve`] | more points on the FV curve, where that is all that is missing |
 //! | [`vocabulary`] | the effects that can be named, with their starts |
 //! | [`screening`] | which of them are worth a refit |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
@@ -16,6 +17,7 @@
 
 mod evidence;
 mod extend;
+mod finer_curve;
 mod heating;
 mod hold_out;
 mod hypothesis;

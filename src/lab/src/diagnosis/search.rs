@@ -1,6 +1,7 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
 use super::evidence::{Evidence, effective_count, left_out, noise_chi2};
+use super::finer_curve::finer;
 use super::hypothesis::{Free, Hypothesis};
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
@@ -100,6 +101,7 @@ pub fn search(
     let first = refit(&base, tests, &start, None, Effort::FINE)?;
     let base = base.starting_at(&first.theta);
     let floor = noise_chi2(tests);
+    let (base, first) = with_enough_points(base, first, tests, floor);
     let mut found = Search {
         base: (base.clone(), first.clone()),
         last: (base, first),
@@ -143,6 +145,27 @@ pub fn search(
         take_out_what_is_not_needed(&mut found, tests);
     }
     Some(found)
+}
+
+/// Fall of χ² that a further point of the FV curve must bring, and share of the excess that all of them must.
+const PER_POINT: f64 = 4.0;
+const BY_POINTS: f64 = 0.15;
+
+/// With more points on the FV curve where they are worth it.
+fn with_enough_points(base: Hypothesis, first: Refit, tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
+    let excess = first.chi2 - floor;
+    let worth = |added: usize| (PER_POINT * added as f64).max(BY_POINTS * excess);
+    let count = |h: &Hypothesis| h.base.list("fv_velocity").len();
+    if excess < worth(count(&base)) {
+        return (base, first);
+    }
+    let Some(finer) = finer(&base, &first.theta) else { return (base, first) };
+    match refit(&finer, tests, &finer.start(), None, Effort::JUDGE) {
+        Some(refitted) if first.chi2 - refitted.chi2 > worth(count(&finer) - count(&base)) => {
+            (finer.starting_at(&refitted.theta), refitted)
+        }
+        _ => (base, first),
+    }
 }
 
 impl Search {

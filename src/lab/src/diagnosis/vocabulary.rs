@@ -223,20 +223,23 @@ fn series(s: &Situation, all: &mut Vec<Candidate>) {
     if !s.base.is_on("series_compliance") {
         return;
     }
-    all.push(Candidate {
-        // Two stiffnesses and a time follow any lag.
-        sponge: true,
-        ..candidate(
-            "bushing",
-            &["bushing"],
-            vec![
-                log("bushing_hardening", (2e-4, 2e-2)),
-                linear("bushing_loss_stiffness", (0.02, 3.0)),
-                held("bushing_loss_time", (1e-3, 0.3), 1.0),
-            ],
-            [6e-4, 2e-3].iter().flat_map(|d| [5e-3, 3e-2].map(|t| Start::at(&[*d, 0.3, t]))).collect(),
-        )
-    });
+    for (form, fixed, last, lasts) in [
+        ("relaxes", ("bushing_slip", 1e3), held("bushing_loss_time", (1e-3, 0.3), 1.0), [5e-3, 3e-2]),
+        ("friction in the rubber", ("bushing_loss_time", 1e3), held("bushing_slip", (5e-6, 2e-3), 1.0), [3e-5, 2e-4]),
+    ] {
+        all.push(Candidate {
+            form,
+            // Two stiffnesses and a time follow any lag.
+            sponge: true,
+            fixed: vec![fixed],
+            ..candidate(
+                "bushing",
+                &["bushing"],
+                vec![log("bushing_hardening", (2e-4, 2e-2)), linear("bushing_loss_stiffness", (0.02, 3.0)), last],
+                [6e-4, 2e-3].iter().flat_map(|d| lasts.map(|t| Start::at(&[*d, 0.3, t]))).collect(),
+            )
+        });
+    }
     all.push(candidate(
         "free_play",
         &["free_play"],
@@ -321,8 +324,8 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 "temperature_fade",
                 &["temperature_fade"],
-                vec![linear("fade_coefficient", (0.001, 0.03))],
-                vec![Start::at(&[0.004])],
+                vec![linear("fade_coefficient", (0.001, 0.05)), held("fade_laminar_force", (50.0, 1e6), 1.2)],
+                vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3])],
             )
         });
     } else {
@@ -333,10 +336,16 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
                 "temperature_fade",
                 &["temperature_fade"],
                 vec![
-                    linear("fade_coefficient", (0.001, 0.03)),
+                    linear("fade_coefficient", (0.001, 0.05)),
                     Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2) },
+                    held("fade_laminar_force", (50.0, 1e6), 1.2),
                 ],
-                vec![Start::at(&[0.004, 2e-3]), Start::at(&[0.004, 1e-2])],
+                vec![
+                    Start::at(&[0.004, 2e-3, 1e4]),
+                    Start::at(&[0.004, 1e-2, 1e4]),
+                    Start::at(&[0.01, 2e-3, 1e3]),
+                    Start::at(&[0.01, 1e-2, 1e3]),
+                ],
             )
         });
     }
@@ -535,6 +544,13 @@ fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
         all.push(rig(Artefact::Drift, (-0.2, 0.2), &[10.0 / s.clock_span]));
+        for share in [0.07, 0.15, 0.3, 0.6] {
+            let time = ((share * s.clock_span) as u32).max(1);
+            all.push(Candidate {
+                form: "settles as the rig warms up",
+                ..rig(Artefact::WarmUp(time), (-200.0, 200.0), &[10.0])
+            });
+        }
     }
 }
 

@@ -97,7 +97,9 @@ struct Look {
     u_by_force: f64,
     x: f64,
     u: f64,
+    /// z, and its slopes over the rate of the deflection and Z.
     maxwell: f64,
+    maxwell_by: [f64; 2],
     law: series::Sloped,
     inner: Response,
     /// d(force on the mass)/du, held back.
@@ -223,8 +225,8 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             u_held += (per_g * e.cavitation.sign) * (by_v * seed.v + by_void * known[place::VOID]);
         }
         let law = &at.law;
-        let gives_way = if acts::<ON>(e, BUSHING) { 1.0 / (1.0 + g * e.bushing.per_time) } else { 0.0 };
-        let by_rate = law.by_rate + law.by_maxwell * (g * gives_way);
+        let [maxwell_by_rate, gives_way] = at.maxwell_by;
+        let by_rate = law.by_rate + law.by_maxwell * maxwell_by_rate;
         let residual = if has_series {
             let mut residual = at.resists * u_held + held + (at.inner.by_x + law.by_deflection) * known[place::X]
                 - (e.series_compliance.mass * per_g) * known[place::U]
@@ -273,7 +275,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         states[place::U] = u;
         let mut force = law.by_deflection * (seed.x - x) + law.by_rate * (seed.v - u) + seed.series;
         if acts::<ON>(e, BUSHING) {
-            let maxwell = gives_way * (known[place::BUSHING] + g * (seed.v - u));
+            let maxwell = gives_way * known[place::BUSHING] + maxwell_by_rate * (seed.v - u);
             states[place::BUSHING] = maxwell;
             force += law.by_maxwell * maxwell;
         }
@@ -326,7 +328,7 @@ impl Look {
         self.inner.force += (self.inner.by_v + g * self.inner.by_x) * u;
         self.law.force -= (self.law.by_deflection * g + self.law.by_rate) * u;
         if acts::<ON>(e, BUSHING) {
-            let maxwell = g * u / (1.0 + g * e.bushing.per_time);
+            let maxwell = self.maxwell_by[0] * u;
             self.maxwell -= maxwell;
             self.law.force -= self.law.by_maxwell * maxwell;
         }
@@ -387,6 +389,7 @@ impl Look {
                 x,
                 u,
                 maxwell: 0.0,
+                maxwell_by: [0.0; 2],
                 law,
                 inner,
                 resists: 1.0,
@@ -394,17 +397,16 @@ impl Look {
         }
         let x = known[place::X] + u * g;
         let rate = path.v - u;
-        let (mut maxwell, mut gives_way) = (0.0, 0.0);
+        let (mut maxwell, mut maxwell_by) = (0.0, [0.0; 2]);
         if acts::<ON>(e, BUSHING) {
-            gives_way = 1.0 / (1.0 + g * e.bushing.per_time);
-            maxwell = (known[place::BUSHING] + rate * g) * gives_way;
+            (maxwell, maxwell_by) = e.bushing.stage(rate, known[place::BUSHING], g);
         }
         let law = series::sloped::<ON>(e, path.x - x, rate, maxwell);
         let inner = inner(x, u);
         let mass_rate = e.series_compliance.mass * per_g;
         let mut resists = mass_rate + inner.by_v + g * inner.by_x + g * law.by_deflection + law.by_rate;
         if acts::<ON>(e, BUSHING) {
-            resists += law.by_maxwell * (g * gives_way);
+            resists += law.by_maxwell * maxwell_by[0];
         }
         let follows = 1.0 + resists * u_by_force;
         let residual = Residual {
@@ -412,6 +414,23 @@ impl Look {
             by_w: resists + follows * valves.by_w,
             by_curve: follows * valves.by_curve,
         };
-        Look { residual, valves, column, length, past, void, void_by, oil_void_by, u_by_force, x, u, maxwell, law, inner, resists }
+        Look {
+            residual,
+            valves,
+            column,
+            length,
+            past,
+            void,
+            void_by,
+            oil_void_by,
+            u_by_force,
+            x,
+            u,
+            maxwell,
+            maxwell_by,
+            law,
+            inner,
+            resists,
+        }
     }
 }
