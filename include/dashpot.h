@@ -534,7 +534,8 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
 //   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]
 //   bushing_loss_stiffness       share of the series stiffness that fast motion adds, k_1/k_s [-, 0 to 3, default 0.3]
-//   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 10, default 0.01]
+//   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 1000, default 0.01]
+//   bushing_slip                 deflection in which that share gives way by friction, d_f; large: by time alone [m, 1e-6 to 1000, default 1000]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
 //   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
@@ -568,6 +569,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
 //   heat_capacity                heat capacity of oil and body, C [J/K, 50 to 1e5, default 1500]
 //   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
+//   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 10 to 1e9, default 1e9]
 //
 // frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
 //   fsd_form                     lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke [0 filter, 1 stroke, 2 bypass]
@@ -629,6 +631,8 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   presliding_force             friction level after long travel, F_c [N, 0 to 10000, default 40]
 //   presliding_length            travel in which the force approaches its level by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
 //   presliding_power             1: slips from the first (Dahl); larger: bends elastically before it slips, n [-, 1 to 10, default 1]
+//   presliding_return            after a reversal a bent contact slips at once, or first springs back [0 slips, 1 elastic]
+//   presliding_creep             speed below which the contact creeps, v_c [m/s, 1e-9 to 0.1, default 1e-9]
 //
 // gas_spring (element, off by default): growth of the gas force with the displacement of the rod, slow to fast
 //   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e6, default 500]

@@ -147,6 +147,32 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         }
         force
     };
+    // A contact that creeps has less friction at low speed, however long the way.
+    let creeping = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_creep", 1e-3)]);
+    for v in [3e-4, 1e-3, 0.1] {
+        let settled = creeping.settled(&Input::motion(0.0, v));
+        let (moved, output) = step(&creeping, &settled, &Input::motion(1e-3 * v, v), 1e-3);
+        assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
+        assert!((moved.memory[0] / settled.memory[0] - 1.0).abs() < 1e-9);
+    }
+    // Back from sliding: Dahl's contact turns over twice as fast as it bent, an elastic return just as fast.
+    for (back, slope) in [(0.0, 2.0), (1.0, 1.0)] {
+        let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
+        let v = -0.01;
+        let slid = State {
+            velocity: v,
+            memory: {
+                let mut m = State::ZERO.memory;
+                m[0] = length;
+                m
+            },
+            ..State::ZERO
+        };
+        let travel = 0.02 * length;
+        let dt = travel / -v;
+        let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
+        assert!(((level - force) / (level * 0.02) / slope - 1.0).abs() < 0.03, "{back}: {force}");
+    }
     // Half the length: a spring; two lengths: sliding.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);

@@ -238,9 +238,15 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
             .fresh
             .iter()
             .zip(values)
-            .filter(|(f, value)| {
+            .zip(&s.hypothesis.numbers[hypothesis.numbers.len()..])
+            .filter(|((f, value), number)| {
+                // At its bound a number would go on: it stands for something else.
+                let (low, high) = number.bounds;
+                let margin = 1e-3 * (high - low);
+                let inside =
+                    **value > low + margin.min(1e-3 * number.step) && **value < high - margin.min(1e-3 * number.step);
                 let value = physical(&f.free, **value);
-                (f.plausible.0..=f.plausible.1).contains(&value)
+                inside && (f.plausible.0..=f.plausible.1).contains(&value)
             })
             .count() as f64
             / fresh.max(1) as f64;
@@ -357,6 +363,9 @@ fn race(
         .collect()
 }
 
+/// Starts of each form that moved the base: what they answer to a step says little of where they end.
+const MOVED: usize = 2;
+
 /// The starts worth a refit: the best of the likeliest effects, and of the starts that moved the base the best of each
 /// form.
 fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
@@ -371,9 +380,8 @@ fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
             continue;
         }
         if s.moved {
-            // One of each form.
-            let known = chosen.iter().any(|c| screened[*c].moved && screened[*c].candidate == s.candidate);
-            if !known {
+            let of_form = chosen.iter().filter(|c| screened[**c].moved && screened[**c].candidate == s.candidate);
+            if of_form.count() < MOVED {
                 chosen.push(*place);
             }
             continue;

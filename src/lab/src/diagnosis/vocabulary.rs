@@ -151,6 +151,8 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
 
 /// Power of presliding friction from which it is refined.
 const SLIPS: f64 = 1.5;
+/// Speed below which its contacts creep, m/s.
+const CREEPS: f64 = 1e-4;
 
 fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     let level = s.friction.max(s.friction_in_curve).max(10.0);
@@ -184,27 +186,41 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             [0.006, 0.015, 0.035].map(|v| Start::at(&[0.4 * level, v, 1.5])).to_vec(),
         )
     });
-    all.push(candidate(
-        "presliding_friction",
-        &["presliding_friction"],
-        vec![
-            linear("presliding_force", (3.0, 200.0)),
-            log("presliding_length", (3e-5, 5e-3)),
-            held("presliding_power", (1.0, 8.0), 0.7),
-        ],
-        [1e-4, 3e-4, 9e-4]
-            .iter()
-            .flat_map(|length| {
-                let none = [("coulomb_force", 0.2), ("stribeck_coulomb_force", 0.2), ("stribeck_breakaway_force", 0.2)];
-                let stiffer = [none[0], none[1], none[2], ("series_stiffness", 1.3)];
-                [Start::moving(&[0.8 * level, *length, SLIPS], &stiffer), Start::at(&[0.3 * level, *length, SLIPS])]
-            })
-            .chain([3e-4, 1e-3, 2e-3].iter().filter(|_| s.friction_in_curve > 3.0).map(|length| Start {
-                level: 0.8 * s.friction_in_curve,
-                ..Start::at(&[0.8 * s.friction_in_curve, *length, SLIPS])
-            }))
-            .collect(),
-    ));
+    for (back, form) in [(0.0, "slips from the first"), (1.0, "bends before it slips")] {
+        all.push(Candidate {
+            form,
+            fixed: vec![("presliding_return", back)],
+            ..candidate(
+                "presliding_friction",
+                &["presliding_friction"],
+                vec![
+                    linear("presliding_force", (3.0, 200.0)),
+                    log("presliding_length", (3e-5, 5e-3)),
+                    held("presliding_power", (1.0, 8.0), 0.7),
+                    held("presliding_creep", (1e-7, 5e-3), 1.5),
+                ],
+                [1e-4, 3e-4, 9e-4]
+                    .iter()
+                    .flat_map(|length| {
+                        let none = [
+                            ("coulomb_force", 0.2),
+                            ("stribeck_coulomb_force", 0.2),
+                            ("stribeck_breakaway_force", 0.2),
+                        ];
+                        let stiffer = [none[0], none[1], none[2], ("series_stiffness", 1.3)];
+                        [
+                            Start::moving(&[level, *length, SLIPS, CREEPS], &stiffer),
+                            Start::at(&[0.3 * level, *length, SLIPS, CREEPS]),
+                        ]
+                    })
+                    .chain([3e-4, 1e-3, 2e-3].iter().filter(|_| s.friction_in_curve > 3.0).map(|length| Start {
+                        level: 0.8 * s.friction_in_curve,
+                        ..Start::at(&[0.8 * s.friction_in_curve, *length, SLIPS, CREEPS])
+                    }))
+                    .collect(),
+            )
+        });
+    }
     all.push(candidate(
         "side_force_friction",
         &["side_force_friction"],
