@@ -125,6 +125,17 @@ fn gas_and_springs(s: &Situation, all: &mut Vec<Candidate>) {
         vec![Start::at(&[100.0])],
     ));
     all.push(Candidate {
+        form: "isothermal",
+        fixed: vec![("gas_adiabatic_index", 1.0)],
+        ..candidate(
+            "gas_spring",
+            &["gas_spring"],
+            vec![linear("gas_stiffness", (100.0, 10_000.0)), held("gas_length", (0.06, 1.5), 1.0)],
+            [0.07, 0.15, 0.4].map(|l| Start::at(&[1000.0, l])).to_vec(),
+        )
+    });
+    all.push(Candidate {
+        form: "takes time to cool",
         fixed: vec![("gas_adiabatic_index", 1.4)],
         ..candidate(
             "gas_spring",
