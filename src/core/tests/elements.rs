@@ -94,7 +94,10 @@ proptest! {
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.settled(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
-        prop_assert!((stepped.force - direct.force).abs() <= 1e-12 * (1.0 + direct.force.abs()));
+        // What flows past the valves is found by rounds, to a ten-millionth of the velocity.
+        let grooved = p.is_on("position_dependent_damping") && p.scalar("bypass_form") == 1.0;
+        let allowed = if grooved { 1e-6 } else { 1e-12 };
+        prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));
     }
 
     #[test]

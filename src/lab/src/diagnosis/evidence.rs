@@ -34,9 +34,24 @@ pub struct Evidence {
     pub later: bool,
 }
 
-/// Expected χ² if nothing but noise were left.
+/// Share of a test's expected χ² that is noise.
+fn noise_of(test: &Test) -> f64 {
+    test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
+}
+
+/// Expected χ² if nothing but noise were left. A variance estimated from few deviations is too small as often as it is too
+/// large, and its inverse is too large in the mean: by ν/(ν − 2).
 pub fn noise_chi2(tests: &[Test]) -> f64 {
-    tests.iter().map(|t| t.allowed.iter().map(|a| (t.mean_noise / a).powi(2)).sum::<f64>()).sum()
+    tests.iter().map(|t| noise_of(t) * (1.0 + 2.0 / (t.noise_freedom - 2.0).max(4.0))).sum()
+}
+
+/// Standard deviation of that: of the residuals themselves, and of the noise they are compared with.
+pub fn noise_chi2_deviation(tests: &[Test]) -> f64 {
+    let of = |t: &Test| {
+        let samples = (t.count() as f64 * t.independence).max(1.0);
+        noise_of(t).powi(2) * (2.0 / samples + 2.0 / t.noise_freedom.max(4.0))
+    };
+    tests.iter().map(of).sum::<f64>().sqrt()
 }
 
 /// Independent samples of all tests.

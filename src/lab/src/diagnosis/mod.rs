@@ -9,6 +9,7 @@
 //! | [`finer_curve`] | more points on the FV curve, where that is all that is missing |
 //! | [`vocabulary`] | the effects that can be named, with their starts |
 //! | [`screening`] | which of them are worth a refit |
+//! | [`race`] | refits in heats |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
 //! | [`search`] | adding, looking again, taking out |
 //! | [`regions`] | where, in words and figures |
@@ -25,6 +26,7 @@ mod improved;
 mod measurement;
 mod next_test;
 mod outcome;
+mod race;
 mod refit;
 mod regions;
 mod samples;

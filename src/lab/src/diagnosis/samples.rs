@@ -42,6 +42,8 @@ pub struct Test {
     pub mean_noise: f64,
     /// Independent samples that one scored sample stands for: 1 for white noise.
     pub independence: f64,
+    /// Independent deviations from which the noise was estimated.
+    pub noise_freedom: f64,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
     /// Middle of the stretch on the campaign's clock, s.
@@ -226,6 +228,7 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
             allowed: Vec::new(),
             mean_noise,
             independence,
+            noise_freedom: (bounds.len() as f64 - 1.0).max(1.0) * count as f64 * independence,
             frequency: 1.0 / period,
             clock: 0.5 * (begin + end),
         },
@@ -259,6 +262,7 @@ fn road(place: usize, record: &Record, motion: &Motion) -> Test {
             allowed: Vec::new(),
             mean_noise: record.noise.force_rms,
             independence: independence(lag1.powi(stride as i32)),
+            noise_freedom: n as f64 * independence(lag1),
             frequency: 0.0,
             clock: 0.5 * (record.time[0] + record.time[n - 1]),
         },

@@ -1,8 +1,9 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
-use super::evidence::{Evidence, effective_count, left_out, noise_chi2};
+use super::evidence::{Evidence, effective_count, left_out, noise_chi2, noise_chi2_deviation};
 use super::finer_curve::finer;
 use super::hypothesis::{Free, Hypothesis};
+use super::race::race;
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
 use super::screening::{Projection, Screened, screen};
@@ -19,6 +20,8 @@ const REFITTED: usize = 7;
 pub const NAMED: f64 = 0.5;
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
 pub const QUIET: f64 = 0.1;
+/// Standard deviations of the noise floor beyond that.
+const SURE: f64 = 2.0;
 /// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
 /// often only the form of that effect, which another name would soak up.
 const LATER_REMAINING: f64 = 0.25;
@@ -76,6 +79,8 @@ pub struct Search {
     pub rounds: Vec<Round>,
     /// Expected χ² of noise.
     pub floor: f64,
+    /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
+    pub quiet: f64,
     /// Names that were taken back in the end, since together they explain too little.
     pub taken_back: Vec<&'static str>,
 }
@@ -101,6 +106,7 @@ pub fn search(
     let first = refit(&base, tests, &start, None, Effort::FINE)?;
     let base = base.starting_at(&first.theta);
     let floor = noise_chi2(tests);
+    let quiet = QUIET + SURE * noise_chi2_deviation(tests) / effective_count(tests);
     let (base, first) = with_enough_points(base, first, tests, floor);
     let mut found = Search {
         base: (base.clone(), first.clone()),
@@ -108,12 +114,13 @@ pub fn search(
         added: Vec::new(),
         rounds: Vec::new(),
         floor,
+        quiet,
         taken_back: Vec::new(),
     };
     loop {
         let left = (found.last.1.chi2 - floor) / effective_count(tests);
         let original = (found.base.1.chi2 - floor) / effective_count(tests);
-        if !found.added.is_empty() && (left < QUIET || left < LATER_ORIGINAL * original) {
+        if !found.added.is_empty() && (left < quiet || left < LATER_ORIGINAL * original) {
             break;
         }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
@@ -292,75 +299,6 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
         }
     }
     Round { before: at.chi2, tried, invisible }
-}
-
-/// Starts that go on after the first steps of a refit.
-const GO_ON: usize = 8;
-/// Effects whose best forms are refitted with a Jacobian of their own, and forms of each.
-const JUDGED: usize = 3;
-const FORMS_JUDGED: usize = 2;
-/// Share of the best one's fall of χ² that is worth it.
-const WORTH: f64 = 0.4;
-
-/// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
-/// the likeliest effects, since an updated one stops short of the best.
-fn race(
-    started: Vec<(usize, Vec<f64>, DMatrix<f64>)>,
-    screened: &[Screened],
-    list: &[Candidate],
-    tests: &[Test],
-    before: f64,
-) -> Vec<(usize, Refit)> {
-    let of = |place: usize| &screened[place].hypothesis;
-    let mut refits: Vec<(usize, Refit)> = started
-        .into_par_iter()
-        .filter_map(|(place, start, jacobian)| {
-            Some((place, refit(of(place), tests, &start, Some(jacobian), Effort::LOOK)?))
-        })
-        .collect();
-    let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
-
-    by_cost(&mut refits);
-    let rest = refits.split_off(refits.len().min(GO_ON));
-    let go_on = |(place, known): (usize, Refit), effort: Effort, jacobian: Option<DMatrix<f64>>| {
-        let better = refit(of(place), tests, &known.theta, jacobian, effort);
-        (place, better.unwrap_or(known))
-    };
-    let mut refits: Vec<(usize, Refit)> = refits
-        .into_par_iter()
-        .map(|(place, known)| {
-            let jacobian = Some(known.jacobian.clone());
-            go_on((place, known), Effort::COMPARE, jacobian)
-        })
-        .collect();
-    refits.extend(rest);
-    by_cost(&mut refits);
-    let worth = refits.first().map_or(0.0, |best| before - WORTH * (before - best.1.cost));
-    let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());
-    let finals: Vec<bool> = refits
-        .iter()
-        .map(|(place, known)| {
-            let form = screened[*place].candidate;
-            let effect = list[form].effect;
-            let of_effect = forms.iter().filter(|f| list[**f].effect == effect).count();
-            if known.cost > worth || forms.contains(&form) || of_effect >= FORMS_JUDGED {
-                return false;
-            }
-            if !effects.contains(&effect) {
-                if effects.len() >= JUDGED {
-                    return false;
-                }
-                effects.push(effect);
-            }
-            forms.push(form);
-            true
-        })
-        .collect();
-    refits
-        .into_par_iter()
-        .zip(finals)
-        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE, None) } else { one })
-        .collect()
 }
 
 /// Starts of each form that moved the base: what they answer to a step says little of where they end.

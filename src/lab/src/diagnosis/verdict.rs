@@ -3,7 +3,7 @@
 use super::evidence::effective_count;
 use super::outcome::{Rival, Verdict};
 use super::samples::Test;
-use super::search::{QUIET, Round, Search, Tried};
+use super::search::{Round, Search, Tried};
 
 /// Mean excess, in σ², that the form of the curves alone may leave.
 const FORM: f64 = 0.4;
@@ -38,7 +38,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             .iter()
             .map(|a| format!("{} ({:.0} % sure)", a.candidate.effect, 100.0 * a.confidence))
             .collect();
-        if after > QUIET && after > 0.15 * before {
+        if after > found.quiet && after > 0.15 * before {
             notes.push(format!(
                 "what is left ({} beyond it) is no noise, but no further effect is justified by these records",
                 in_noise(after)
@@ -64,7 +64,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     }
     let best = found.rounds.first().and_then(|r| r.tried.first());
     let convincing = best.is_some_and(|t| t.confidence >= 0.5 && t.evidence.is_admissible());
-    if before < QUIET || (before < FORM && !convincing) {
+    if before < found.quiet || (before < FORM && !convincing) {
         return Judged {
             verdict: Verdict::NothingMissing,
             summary: format!(

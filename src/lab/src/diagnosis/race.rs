@@ -1,0 +1,77 @@
+//! Refits in heats, so that the unlikely cost little.
+
+use super::refit::{Effort, Refit, refit};
+use super::samples::Test;
+use super::screening::Screened;
+use super::vocabulary::Candidate;
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+/// Starts that go on after the first steps of a refit.
+const GO_ON: usize = 8;
+/// Effects whose best forms are refitted with a Jacobian of their own, and forms of each.
+const JUDGED: usize = 3;
+const FORMS_JUDGED: usize = 2;
+/// Share of the best one's fall of χ² that is worth it.
+const WORTH: f64 = 0.4;
+
+/// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
+/// the likeliest effects, since an updated one stops short of the best.
+pub fn race(
+    started: Vec<(usize, Vec<f64>, DMatrix<f64>)>,
+    screened: &[Screened],
+    list: &[Candidate],
+    tests: &[Test],
+    before: f64,
+) -> Vec<(usize, Refit)> {
+    let of = |place: usize| &screened[place].hypothesis;
+    let mut refits: Vec<(usize, Refit)> = started
+        .into_par_iter()
+        .filter_map(|(place, start, jacobian)| {
+            Some((place, refit(of(place), tests, &start, Some(jacobian), Effort::LOOK)?))
+        })
+        .collect();
+    let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+
+    by_cost(&mut refits);
+    let rest = refits.split_off(refits.len().min(GO_ON));
+    let go_on = |(place, known): (usize, Refit), effort: Effort, jacobian: Option<DMatrix<f64>>| {
+        let better = refit(of(place), tests, &known.theta, jacobian, effort);
+        (place, better.unwrap_or(known))
+    };
+    let mut refits: Vec<(usize, Refit)> = refits
+        .into_par_iter()
+        .map(|(place, known)| {
+            let jacobian = Some(known.jacobian.clone());
+            go_on((place, known), Effort::COMPARE, jacobian)
+        })
+        .collect();
+    refits.extend(rest);
+    by_cost(&mut refits);
+    let worth = refits.first().map_or(0.0, |best| before - WORTH * (before - best.1.cost));
+    let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());
+    let finals: Vec<bool> = refits
+        .iter()
+        .map(|(place, known)| {
+            let form = screened[*place].candidate;
+            let effect = list[form].effect;
+            let of_effect = forms.iter().filter(|f| list[**f].effect == effect).count();
+            if known.cost > worth || forms.contains(&form) || of_effect >= FORMS_JUDGED {
+                return false;
+            }
+            if !effects.contains(&effect) {
+                if effects.len() >= JUDGED {
+                    return false;
+                }
+                effects.push(effect);
+            }
+            forms.push(form);
+            true
+        })
+        .collect();
+    refits
+        .into_par_iter()
+        .zip(finals)
+        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE, None) } else { one })
+        .collect()
+}
