@@ -129,6 +129,19 @@ fn opened<R: Real>(void: R) -> R {
     if void.value() > 0.0 { void } else { R::constant(0.0) }
 }
 
+/// x where it is positive, set in over a width.
+#[inline(always)]
+fn softly<R: Real>(x: R, width: f64) -> R {
+    let at = x.value();
+    if at <= 0.0 {
+        R::constant(0.0)
+    } else if at < width {
+        x * x * (0.5 / width)
+    } else {
+        x.plus(-0.5 * width)
+    }
+}
+
 /// e/(e + e_0).
 #[inline(always)]
 fn share_open<R: Real>(void: R) -> R {
@@ -153,15 +166,7 @@ impl Cavitation {
     #[inline(always)]
     fn ramp<R: Real>(&self, x: R) -> R {
         let width = if self.is_foot_valve { ROUNDING } else { ROUNDING * self.cap };
-        let at = x.value();
-        let ramp = if at <= 0.0 {
-            R::constant(0.0)
-        } else if at < width {
-            x * x * (0.5 / width)
-        } else {
-            x.plus(-0.5 * width)
-        };
-        ramp * self.per_resistance
+        softly(x, width) * self.per_resistance
     }
 
     /// Foot valve: rate at which the void opens without the oil's doing.
@@ -171,15 +176,7 @@ impl Cavitation {
             return R::constant(0.0);
         }
         let beyond = (velocity * self.sign).plus(-self.filling);
-        let at = beyond.value();
-        let lags = if at <= 0.0 {
-            R::constant(0.0)
-        } else if at < LAGGING {
-            beyond * beyond * (0.5 / LAGGING)
-        } else {
-            beyond.plus(-0.5 * LAGGING)
-        };
-        lags * self.unfilled
+        softly(beyond, LAGGING) * self.unfilled
     }
 
     /// What the oil makes of the void: de/dt less what lags behind, at a hydraulic force.
