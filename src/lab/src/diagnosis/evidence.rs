@@ -124,7 +124,9 @@ impl Evidence {
     /// matter, and predicts tests better that it has not seen.
     pub fn is_admissible(&self) -> bool {
         let share = if self.sponge { SPONGE_SHARE } else { SHARE };
-        self.share >= share && self.size >= SMALLEST && self.left_out_gain > LEFT_OUT && self.bic_fall > 10.0
+        // What fits a little of everything does so with numbers that no damper shows.
+        let likely = !self.sponge || self.plausible >= 1.0;
+        likely && self.share >= share && self.size >= SMALLEST && self.left_out_gain > LEFT_OUT && self.bic_fall > 10.0
     }
 
     /// Probability that the name is right.

@@ -235,7 +235,7 @@ fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "side_force_friction",
         &["side_force_friction"],
-        vec![linear("side_force_coefficient", (0.005, 0.3))],
+        vec![linear("side_force_coefficient", (0.003, 0.6))],
         vec![Start::at(&[0.05])],
     ));
 }
@@ -559,7 +559,7 @@ fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };
-    all.push(rig(Artefact::Delay, (-3e-3, 3e-3), &[3e-4, -3e-4]));
+    all.push(rig(Artefact::Delay, (-4.9e-3, 4.9e-3), &[3e-4, -3e-4]));
     if !s.base.is_on("gas_preload") {
         all.push(rig(Artefact::Offset, (-200.0, 200.0), &[10.0]));
     }
