@@ -453,6 +453,8 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
     ] {
         all.push(Candidate {
             form,
+            // A lag of its own at every force follows many loops.
+            sponge: true,
             fixed: vec![("valve_form", 1.0), ("valve_time", 5e-4), ("valve_play", 0.0)],
             ..candidate(
                 "valve_hysteresis",
