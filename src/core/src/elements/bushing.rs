@@ -1,6 +1,6 @@
 //! Rubber bushing in line with the damper: it hardens, and gives back less than it took.
 
-use crate::dual::Real;
+use crate::dual::{Dual, Real};
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
@@ -66,24 +66,25 @@ impl Prepare for Bushing {
 }
 
 impl Bushing {
+    /// 1/τ + |dd/dt|/d_f, with a friction that sets in softly.
+    #[inline(always)]
+    fn gives_way<R: Real>(&self, rate: R) -> R {
+        (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
+    }
+
     /// dz/dt at a rate of the deflection.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, rate: R, z: R) -> R {
-        let slips = rate * rate * rate.abs().plus(TURNING).inverse();
-        rate - z * (slips * self.per_slip).plus(self.per_time)
+        rate - z * self.gives_way(rate)
     }
 
     /// z after an implicit stage that is `known` at its start, with its slopes over the rate and over that.
     #[inline(always)]
     pub(crate) fn stage(&self, rate: f64, known: f64, g: f64) -> (f64, [f64; 2]) {
-        let size = rate.abs();
-        let per = 1.0 / (size + TURNING);
-        let slips = size * size * per;
-        let slips_by = rate * (size + 2.0 * TURNING) * per * per;
-        let gives_way = 1.0 / (1.0 + g * (self.per_time + slips * self.per_slip));
-        let z = (known + rate * g) * gives_way;
-        let along = slips_by * z * self.per_slip;
-        (z, [g * gives_way * (1.0 - along), gives_way])
+        let gives_way = self.gives_way(Dual::<1>::along(rate, 0));
+        let divide = 1.0 / (1.0 + g * gives_way.value);
+        let z = (known + rate * g) * divide;
+        (z, [g * divide * (1.0 - z * gives_way.slope(0)), divide])
     }
 
     /// The hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.

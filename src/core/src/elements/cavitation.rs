@@ -37,13 +37,15 @@ pub struct Cavitation {
     pub(crate) sign: f64,
     /// 1 − κ.
     lost: f64,
+    /// Force over which the ramp sets in.
+    rounding: f64,
     /// 1/r.
     per_resistance: f64,
 }
 
 /// r is C over so many metres per second.
 const SLACK: f64 = 100.0;
-/// The ramp sets in over this share of C.
+/// The ramp sets in over this share of C; of 1 N for a foot valve.
 const ROUNDING: f64 = 2e-3;
 /// Speed of the driven end over which T changes, m/s.
 const TURNING: f64 = 3e-3;
@@ -104,6 +106,7 @@ impl Prepare for Cavitation {
         cap: 1.0,
         sign: 1.0,
         lost: 0.0,
+        rounding: 1.0,
         per_resistance: 0.0,
     };
 
@@ -118,6 +121,7 @@ impl Prepare for Cavitation {
             cap,
             sign,
             lost: 1.0 - p.number(RETURN),
+            rounding: if is_foot_valve { ROUNDING } else { ROUNDING * cap },
             per_resistance: if is_foot_valve { 1.0 / FREE } else { SLACK / cap },
         })
     }
@@ -165,8 +169,7 @@ impl Cavitation {
     /// R(x)/r, smooth.
     #[inline(always)]
     fn ramp<R: Real>(&self, x: R) -> R {
-        let width = if self.is_foot_valve { ROUNDING } else { ROUNDING * self.cap };
-        softly(x, width) * self.per_resistance
+        softly(x, self.rounding) * self.per_resistance
     }
 
     /// Foot valve: rate at which the void opens without the oil's doing.

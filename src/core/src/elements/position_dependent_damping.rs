@@ -78,8 +78,7 @@ impl PositionDependentDamping {
     /// s(x) on the stroke.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
-        let [compression_acts, rebound_acts] = self.acts;
-        if if rebound { rebound_acts } else { compression_acts } { self.window(x) } else { R::constant(1.0) }
+        if self.acts[usize::from(rebound)] { self.window(x) } else { R::constant(1.0) }
     }
 
     /// s(x) on the compression and on the rebound stroke.
@@ -92,8 +91,7 @@ impl PositionDependentDamping {
     /// Flow through the groove at 1 kN, m/s, on the stroke.
     #[inline(always)]
     pub(crate) fn groove<R: Real>(&self, x: R, rebound: bool) -> R {
-        let [compression_acts, rebound_acts] = self.acts;
-        if if rebound { rebound_acts } else { compression_acts } { self.zone(x) * self.flow } else { R::constant(0.0) }
+        if self.acts[usize::from(rebound)] { self.zone(x) * self.flow } else { R::constant(0.0) }
     }
 
     /// s(x) where it acts.

@@ -27,30 +27,21 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     let standing = R::constant(e.fv_curve.at_zero());
     let flow = flow(e, curve, standing, w, around, states);
     let mut rates = [R::constant(0.0); STATES];
-    let (primary, residual);
-    let opens = |force: R| e.cavitation.rate(force, around.v, states[place::VOID]);
-    let passes = |force: R| if bypass::is_open(e) { bypass::flow(e, force, around.x, states) } else { R::constant(0.0) };
-    if e.has_column() {
-        // The oil column holds the force; the valves answer with their velocity.
-        primary = column_force(e, states[place::COLUMN]);
-        residual = flow.force - primary;
-        let mut left = u - w - passes(primary);
-        if e.has_cavitation() {
-            rates[place::VOID] = opens(primary);
-            left = left - rates[place::VOID] * e.cavitation.sign;
-        }
-        rates[place::COLUMN] = left * length(e, around.x, primary).inverse();
-    } else if e.has_cavitation() {
-        primary = flow.force;
-        rates[place::VOID] = opens(primary);
-        residual = w + passes(primary) + rates[place::VOID] * e.cavitation.sign - u;
-    } else {
-        primary = flow.force;
-        residual = w + passes(primary) - u;
-    }
+    // The oil column, where there is one, holds the force; the valves then answer with their velocity.
+    let primary = if e.has_column() { column_force(e, states[place::COLUMN]) } else { flow.force };
+    let through = w + bypass::flow(e, primary, around.x, states);
+    let mut displaced = through;
     if e.has_cavitation() {
-        rates[place::VOID] = rates[place::VOID] + e.cavitation.lags(around.v);
+        let oils = e.cavitation.rate(primary, around.v, states[place::VOID]);
+        rates[place::VOID] = oils + e.cavitation.lags(around.v);
+        displaced = displaced + oils * e.cavitation.sign;
     }
+    let residual = if e.has_column() {
+        rates[place::COLUMN] = (u - displaced) * length(e, around.x, primary).inverse();
+        flow.force - primary
+    } else {
+        displaced - u
+    };
     let selective = &e.frequency_selective_damping;
     rates[place::SELECTIVE] = if e.has_passage() {
         selective.fills(primary, states[place::SELECTIVE])
@@ -60,7 +51,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     rates[place::VALVE] = (flow.valve_target - states[place::VALVE]) * e.valve_hysteresis.per_time;
     let fade = &e.temperature_fade;
     if fade.heats_itself {
-        rates[place::HEAT] = flow.force * (w + passes(primary)) * fade.per_capacity - states[place::HEAT] * fade.cooling;
+        rates[place::HEAT] = flow.force * through * fade.per_capacity - states[place::HEAT] * fade.cooling;
     }
     let at = Motion { displacement: x.value(), velocity: u.value(), side_force: 0.0, temperature: around.temperature };
     let inner = e.inner(&at);
@@ -210,14 +201,8 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
             let standing = Dual::constant(standing);
             let steady = |w: Dual<2>, f: Dual<2>| {
                 let force = flow(e, f, standing, w, &around, &lifted).force;
-                let mut u = w;
-                if e.has_cavitation() {
-                    u = u + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign;
-                }
-                if bypass::is_open(e) {
-                    u = u + bypass::flow(e, force, around.x, &lifted);
-                }
-                u - around.v
+                let void = e.cavitation.rate(force, around.v, lifted[place::VOID]);
+                w + bypass::flow(e, force, around.x, &lifted) + void * e.cavitation.sign - around.v
             };
             if e.has_cavitation() || bypass::is_open(e) {
                 oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f)).answer()
@@ -226,11 +211,8 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
             }
         };
         let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
-        held[place::SELECTIVE] = if e.has_passage() {
-            e.frequency_selective_damping.towards(flow.force)
-        } else {
-            flow.selective_target
-        };
+        held[place::SELECTIVE] =
+            if e.has_passage() { e.frequency_selective_damping.towards(flow.force) } else { flow.selective_target };
         held[place::VALVE] = flow.valve_target;
         let still = held == states && force == flow.force;
         force = flow.force;

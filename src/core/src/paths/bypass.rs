@@ -25,10 +25,13 @@ pub(crate) fn is_open(e: &Elements) -> bool {
     e.has_groove() || e.has_passage()
 }
 
-/// b at given states, m/s.
+/// b at given states, m/s; 0 where nothing is open.
 #[inline(always)]
 pub fn flow<R: Real>(e: &Elements, force: R, x: R, states: &[R; STATES]) -> R {
     let mut at_stated = R::constant(0.0);
+    if !is_open(e) {
+        return at_stated;
+    }
     if e.has_groove() {
         at_stated = at_stated + e.position_dependent_damping.groove(x, force.value() >= 0.0);
     }

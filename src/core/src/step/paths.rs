@@ -17,7 +17,8 @@ use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;
 use crate::paths::acting::{
-    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES, VALVE, acts, moves,
+    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
+    VALVE, acts, moves,
 };
 use crate::paths::{STATES, place};
 use crate::state::{Output, State};
@@ -354,10 +355,11 @@ impl Substep<'_> {
     fn sees_the_void_turn<const ON: u32>(&self, method: &Table, from: &Now) -> bool {
         let void = from.states[place::VOID];
         let (start, end) = (self.path.at(self.theta).v, self.path.at(self.theta + self.part).v);
-        void > 0.0 && (start * end <= 0.0 || {
-            let ended = self.run::<ON>(method, from, &mut ());
-            ended.overshot || ended.states[place::VOID] < CLOSING
-        })
+        void > 0.0
+            && (start * end <= 0.0 || {
+                let ended = self.run::<ON>(method, from, &mut ());
+                ended.overshot || ended.states[place::VOID] < CLOSING
+            })
     }
 
     /// In short implicit pieces of the first order, which keep the void from closing further than it is open.

@@ -28,6 +28,17 @@ pub const WITH_STATES: [&str; 11] = [
     "valve_hysteresis",
 ];
 
+/// All elements of the hydraulic path.
+pub const HYDRAULICS: [&str; 7] = [
+    "oil_compressibility",
+    "aeration",
+    "cavitation",
+    "position_dependent_damping",
+    "temperature_fade",
+    "frequency_selective_damping",
+    "valve_hysteresis",
+];
+
 /// Models with every element of the coupled paths, alone and together.
 pub fn paths() -> Vec<(&'static str, Params)> {
     let of = |on: &[&str], changes: &[(&str, f64)]| {
@@ -95,33 +106,11 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         (
             "flows past",
             of(
-                &[
-                    "oil_compressibility",
-                    "aeration",
-                    "cavitation",
-                    "position_dependent_damping",
-                    "temperature_fade",
-                    "frequency_selective_damping",
-                    "valve_hysteresis",
-                ],
+                &HYDRAULICS,
                 &[groove.as_slice(), &passage, &foot, &play, &[("fade_source", 1.0), ("oil_shortening", 5.0)]].concat(),
             ),
         ),
-        (
-            "hydraulics",
-            of(
-                &[
-                    "oil_compressibility",
-                    "aeration",
-                    "cavitation",
-                    "position_dependent_damping",
-                    "temperature_fade",
-                    "frequency_selective_damping",
-                    "valve_hysteresis",
-                ],
-                &[("fade_source", 1.0), ("cavitation_force", 900.0), ("fsd_form", 1.0)],
-            ),
-        ),
+        ("hydraulics", of(&HYDRAULICS, &[("fade_source", 1.0), ("cavitation_force", 900.0), ("fsd_form", 1.0)])),
         (
             "paths and memory",
             of(

@@ -367,53 +367,37 @@ impl Look {
             u_by_force += oil_void_by[0] * per;
         }
         let inner = |x: f64, u: f64| e.inner(&Motion { displacement: x, velocity: u, side_force: 0.0, temperature });
-        if !acts::<ON>(e, SERIES) {
-            let residual = Residual {
+        let (mut maxwell, mut maxwell_by) = (0.0, [0.0; 2]);
+        let (residual, x, law, at, resists);
+        if acts::<ON>(e, SERIES) {
+            x = known[place::X] + u * g;
+            let rate = path.v - u;
+            if acts::<ON>(e, BUSHING) {
+                (maxwell, maxwell_by) = e.bushing.stage(rate, known[place::BUSHING], g);
+            }
+            law = series::sloped::<ON>(e, path.x - x, rate, maxwell);
+            at = inner(x, u);
+            let mass_rate = e.series_compliance.mass * per_g;
+            let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
+            if acts::<ON>(e, BUSHING) {
+                held += law.by_maxwell * maxwell_by[0];
+            }
+            resists = held;
+            let follows = 1.0 + resists * u_by_force;
+            residual = Residual {
+                value: mass_rate * (u - known[place::U]) + at.force + valves.force - law.force,
+                by_w: resists + follows * valves.by_w,
+                by_curve: follows * valves.by_curve,
+            };
+        } else {
+            residual = Residual {
                 value: u - path.v,
                 by_w: 1.0 + u_by_force * valves.by_w,
                 by_curve: u_by_force * valves.by_curve,
             };
-            let law = series::Sloped::NONE;
-            let (x, u) = (path.x, path.v);
-            let inner = inner(x, u);
-            return Look {
-                residual,
-                valves,
-                column,
-                length,
-                past,
-                void,
-                void_by,
-                oil_void_by,
-                u_by_force,
-                x,
-                u,
-                maxwell: 0.0,
-                maxwell_by: [0.0; 2],
-                law,
-                inner,
-                resists: 1.0,
-            };
+            (x, u) = (path.x, path.v);
+            (law, at, resists) = (series::Sloped::NONE, inner(x, u), 1.0);
         }
-        let x = known[place::X] + u * g;
-        let rate = path.v - u;
-        let (mut maxwell, mut maxwell_by) = (0.0, [0.0; 2]);
-        if acts::<ON>(e, BUSHING) {
-            (maxwell, maxwell_by) = e.bushing.stage(rate, known[place::BUSHING], g);
-        }
-        let law = series::sloped::<ON>(e, path.x - x, rate, maxwell);
-        let inner = inner(x, u);
-        let mass_rate = e.series_compliance.mass * per_g;
-        let mut resists = mass_rate + inner.by_v + g * inner.by_x + g * law.by_deflection + law.by_rate;
-        if acts::<ON>(e, BUSHING) {
-            resists += law.by_maxwell * maxwell_by[0];
-        }
-        let follows = 1.0 + resists * u_by_force;
-        let residual = Residual {
-            value: mass_rate * (u - known[place::U]) + inner.force + valves.force - law.force,
-            by_w: resists + follows * valves.by_w,
-            by_curve: follows * valves.by_curve,
-        };
         Look {
             residual,
             valves,
@@ -429,7 +413,7 @@ impl Look {
             maxwell,
             maxwell_by,
             law,
-            inner,
+            inner: at,
             resists,
         }
     }
