@@ -34,7 +34,7 @@ pub struct Evidence {
     pub later: bool,
 }
 
-/// Share of a test's expected χ² that is noise.
+/// What noise adds to the χ² of a test.
 fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }
@@ -47,16 +47,13 @@ pub fn noise_chi2(tests: &[Test]) -> f64 {
 
 /// Standard deviation of that: of the residuals themselves, and of the noise they are compared with.
 pub fn noise_chi2_deviation(tests: &[Test]) -> f64 {
-    let of = |t: &Test| {
-        let samples = (t.count() as f64 * t.independence).max(1.0);
-        noise_of(t).powi(2) * (2.0 / samples + 2.0 / t.noise_freedom.max(4.0))
-    };
+    let of = |t: &Test| noise_of(t).powi(2) * (2.0 / t.independent_count().max(1.0) + 2.0 / t.noise_freedom.max(4.0));
     tests.iter().map(of).sum::<f64>().sqrt()
 }
 
 /// Independent samples of all tests.
 pub fn effective_count(tests: &[Test]) -> f64 {
-    tests.iter().map(|t| t.count() as f64 * t.independence).sum::<f64>().max(1.0)
+    tests.iter().map(Test::independent_count).sum::<f64>().max(1.0)
 }
 
 /// Share of the full information that stays when a test is left out which alone determines a number.

@@ -109,12 +109,17 @@ impl Hypothesis {
         }
     }
 
-    /// The model to compare with: where heating is computed from the records, the damper takes it as measured.
-    fn model(&self, theta: &[f64]) -> Option<Model> {
-        let mut params = self.params(theta);
+    /// Where heating is computed from the records, the damper takes its temperature as measured.
+    fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
             let _ = params.set("fade_source", 0.0);
         }
+    }
+
+    /// The model to compare with.
+    fn model(&self, theta: &[f64]) -> Option<Model> {
+        let mut params = self.params(theta);
+        self.take_heat_as_measured(&mut params);
         let model = Model::new(&params).ok()?;
         Some(model.with_integration(Integration::fixed(Method::Fourth, 1)))
     }
@@ -165,13 +170,10 @@ impl Hypothesis {
     /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample. One run gives those over
     /// the numbers of the model; what the rig added takes a difference each.
     pub fn jacobian(&self, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
-        let at = self.residual(tests, theta)?;
-        let rows = at.len();
+        let rows = tests.iter().map(Test::count).sum();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (mut unknowns, values, places) = self.unknowns(theta);
-        if self.heating.is_some() {
-            let _ = unknowns.base.set("fade_source", 0.0);
-        }
+        self.take_heat_as_measured(&mut unknowns.base);
         let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
         let run = Run::new(&unknowns, &values, Accuracy::Single)?;
         let parts: Vec<DMatrix<f64>> = tests
@@ -199,8 +201,11 @@ impl Hypothesis {
             }
             row += part.nrows();
         }
-        for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
-            matrix.set_column(place, &self.column(tests, theta, &at, place)?);
+        if places.len() < self.numbers.len() {
+            let at = self.residual(tests, theta)?;
+            for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
+                matrix.set_column(place, &self.column(tests, theta, &at, place)?);
+            }
         }
         Some(matrix)
     }

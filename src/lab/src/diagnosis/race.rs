@@ -16,9 +16,10 @@ const FORMS_JUDGED: usize = 2;
 const WORTH: f64 = 0.4;
 
 /// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
-/// the likeliest effects, since an updated one stops short of the best.
+/// the likeliest effects, since an updated one stops short of the best. What is `started` comes with the Jacobian at its
+/// start, `before` is the cost without any of them.
 pub fn race(
-    started: Vec<(usize, Vec<f64>, DMatrix<f64>)>,
+    started: Vec<(usize, DMatrix<f64>)>,
     screened: &[Screened],
     list: &[Candidate],
     tests: &[Test],
@@ -27,25 +28,20 @@ pub fn race(
     let of = |place: usize| &screened[place].hypothesis;
     let mut refits: Vec<(usize, Refit)> = started
         .into_par_iter()
-        .filter_map(|(place, start, jacobian)| {
-            Some((place, refit(of(place), tests, &start, Some(jacobian), Effort::LOOK)?))
+        .filter_map(|(place, jacobian)| {
+            Some((place, refit(of(place), tests, &screened[place].start, Some(jacobian), Effort::LOOK)?))
         })
         .collect();
     let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
 
     by_cost(&mut refits);
     let rest = refits.split_off(refits.len().min(GO_ON));
-    let go_on = |(place, known): (usize, Refit), effort: Effort, jacobian: Option<DMatrix<f64>>| {
+    let go_on = |(place, known): (usize, Refit), effort: Effort| {
+        let jacobian = (!effort.renews).then(|| known.jacobian.clone());
         let better = refit(of(place), tests, &known.theta, jacobian, effort);
         (place, better.unwrap_or(known))
     };
-    let mut refits: Vec<(usize, Refit)> = refits
-        .into_par_iter()
-        .map(|(place, known)| {
-            let jacobian = Some(known.jacobian.clone());
-            go_on((place, known), Effort::COMPARE, jacobian)
-        })
-        .collect();
+    let mut refits: Vec<(usize, Refit)> = refits.into_par_iter().map(|one| go_on(one, Effort::COMPARE)).collect();
     refits.extend(rest);
     by_cost(&mut refits);
     let worth = refits.first().map_or(0.0, |best| before - WORTH * (before - best.1.cost));
@@ -72,6 +68,6 @@ pub fn race(
     refits
         .into_par_iter()
         .zip(finals)
-        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE, None) } else { one })
+        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE) } else { one })
         .collect()
 }

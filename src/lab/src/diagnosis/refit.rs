@@ -91,7 +91,6 @@ pub fn refit(
         None => hypothesis.jacobian(tests, &theta)?,
     };
     let mut damping = 1e-3;
-    let mut calm = 0;
     let mut step_number = 0;
     while step_number < effort.steps {
         step_number += 1;
@@ -153,13 +152,13 @@ pub fn refit(
             chi = chi2(&residual);
             cost = tried_cost;
             damping = (damping * 0.2).max(1e-9);
-            calm = if fall < effort.tolerance { calm + 1 } else { 0 };
-            if calm > 0 && (fresh || calm > 1 || !effort.renews) {
+            // A known Jacobian may be stale: calm counts once it was taken here.
+            if fall < effort.tolerance && (fresh || !effort.renews) {
                 break;
             }
-            fresh = effort.renews;
             if effort.renews {
                 jacobian = hypothesis.jacobian(tests, &theta)?;
+                fresh = true;
             }
         } else {
             if moved.norm() < 1e-7 {

@@ -56,6 +56,11 @@ impl Test {
         self.segment.force.len() - self.segment.from
     }
 
+    /// Number of independent ones among them.
+    pub fn independent_count(&self) -> f64 {
+        self.count() as f64 * self.independence
+    }
+
     /// The scored inputs.
     pub fn inputs(&self) -> &[Input] {
         &self.segment.input[self.segment.from..]

@@ -212,7 +212,7 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
     let screened = screen(hypothesis, &at, &projection, &list, tests);
     progress("refitting everything with each likely effect");
     let chosen = choose(&screened, &list);
-    let started: Vec<(usize, Vec<f64>, DMatrix<f64>)> = chosen
+    let started: Vec<(usize, DMatrix<f64>)> = chosen
         .par_iter()
         .filter_map(|place| {
             let s = &screened[*place];
@@ -223,7 +223,7 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
             for k in first..s.start.len() {
                 jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
             }
-            Some((*place, s.start.clone(), jacobian))
+            Some((*place, jacobian))
         })
         .collect();
     let refits = race(started, &screened, &list, tests, at.cost);
@@ -249,9 +249,8 @@ fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, pr
             .filter(|((f, value), number)| {
                 // At its bound a number would go on: it stands for something else.
                 let (low, high) = number.bounds;
-                let margin = 1e-3 * (high - low);
-                let inside =
-                    **value > low + margin.min(1e-3 * number.step) && **value < high - margin.min(1e-3 * number.step);
+                let margin = 1e-3 * (high - low).min(number.step);
+                let inside = **value > low + margin && **value < high - margin;
                 let value = physical(&f.free, **value);
                 inside && (f.plausible.0..=f.plausible.1).contains(&value)
             })

@@ -376,53 +376,39 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    for (strokes, form) in [(0.0, "both strokes"), (1.0, "rebound"), (2.0, "compression")] {
-        let (low, high) = s.reach;
-        let middle = 0.5 * (low + high);
-        let span = 0.5 * (high - low);
-        all.push(Candidate {
-            form,
-            // Four numbers fit a hump into anything.
-            sponge: true,
-            fixed: vec![("bypass_strokes", strokes)],
-            ..candidate(
-                "position_dependent_damping",
-                &["position_dependent_damping"],
-                vec![
-                    linear("bypass_share", (-1.0, 0.9)),
-                    linear("bypass_centre", (-0.1, 0.1)),
-                    held("bypass_half_width", (0.003, 0.08), 0.8),
-                    held("bypass_blend", (0.001, 0.03), 0.8),
-                ],
-                [-0.5, 0.0, 0.5]
-                    .iter()
-                    .flat_map(|c| [0.008, 0.02].map(|w| Start::at(&[0.3, middle + c * span, w, 0.005])))
-                    .collect(),
-            )
-        });
-    }
-    for (strokes, form) in [(0.0, "groove"), (1.0, "groove open in rebound"), (2.0, "groove open in compression")] {
-        let (low, high) = s.reach;
-        let (middle, span) = (0.5 * (low + high), 0.5 * (high - low));
-        all.push(Candidate {
-            form,
-            sponge: true,
-            fixed: vec![("bypass_strokes", strokes), ("bypass_form", 1.0)],
-            ..candidate(
-                "position_dependent_damping",
-                &["position_dependent_damping"],
-                vec![
-                    linear("bypass_flow", (0.003, 2.0)),
-                    linear("bypass_centre", (-0.1, 0.1)),
-                    held("bypass_half_width", (0.003, 0.08), 0.8),
-                    held("bypass_blend", (0.001, 0.03), 0.8),
-                ],
-                [-0.5, 0.0, 0.5]
-                    .iter()
-                    .flat_map(|c| [0.008, 0.02].map(|w| Start::at(&[0.05, middle + c * span, w, 0.005])))
-                    .collect(),
-            )
-        });
+    let (low, high) = s.reach;
+    let (middle, span) = (0.5 * (low + high), 0.5 * (high - low));
+    for (form, strength, start, names) in [
+        (0.0, linear("bypass_share", (-1.0, 0.9)), 0.3, ["both strokes", "rebound", "compression"]),
+        (
+            1.0,
+            linear("bypass_flow", (0.003, 2.0)),
+            0.05,
+            ["groove", "groove open in rebound", "groove open in compression"],
+        ),
+    ] {
+        for (strokes, name) in [0.0, 1.0, 2.0].into_iter().zip(names) {
+            all.push(Candidate {
+                form: name,
+                // Four numbers fit a hump into anything.
+                sponge: true,
+                fixed: vec![("bypass_strokes", strokes), ("bypass_form", form)],
+                ..candidate(
+                    "position_dependent_damping",
+                    &["position_dependent_damping"],
+                    vec![
+                        strength.clone(),
+                        linear("bypass_centre", (-0.1, 0.1)),
+                        held("bypass_half_width", (0.003, 0.08), 0.8),
+                        held("bypass_blend", (0.001, 0.03), 0.8),
+                    ],
+                    [-0.5, 0.0, 0.5]
+                        .iter()
+                        .flat_map(|c| [0.008, 0.02].map(|w| Start::at(&[start, middle + c * span, w, 0.005])))
+                        .collect(),
+                )
+            });
+        }
     }
     all.push(Candidate {
         form: "bypass",
