@@ -31,8 +31,8 @@ pub struct Outcome {
     pub gap_closed: Option<f64>,
     /// Seconds.
     pub seconds: f64,
-    /// The likeliest name of every round with the figures behind it, whether it was given or not.
-    pub evidence: Vec<(String, f64, Evidence)>,
+    /// The names tried in every round, likeliest first, with the figures behind each, whether it was given or not.
+    pub evidence: Vec<Vec<(String, f64, Evidence)>>,
     /// Effects that the diagnosis says these records cannot show.
     pub could_not_test: Vec<String>,
 }
@@ -80,8 +80,7 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
         evidence: found
             .rounds
             .iter()
-            .filter_map(|r| r.first())
-            .map(|t| (t.effect.to_owned(), t.confidence, t.evidence))
+            .map(|round| round.iter().map(|t| (t.effect.to_owned(), t.confidence, t.evidence)).collect())
             .collect(),
         could_not_test: found.could_not_test.iter().map(|c| c.effect.to_owned()).collect(),
     };

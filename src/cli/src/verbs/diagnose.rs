@@ -208,8 +208,9 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
     for finding in &found.findings {
         lines.extend(one(finding));
     }
+    let of = if found.findings.is_empty() { "" } else { " of what is left" };
     for suspect in &found.suspects {
-        lines.push(format!("Suspect {}: {}", suspect.effect, suspect.why));
+        lines.push(format!("Suspect{of}, {}: {}", suspect.effect, suspect.why));
     }
     lines.extend(errors(found));
     if !found.shifts.is_empty() {

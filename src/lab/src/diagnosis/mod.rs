@@ -11,6 +11,8 @@
 //! | [`screening`] | which of them are worth a refit |
 //! | [`race`] | refits in heats |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
+//! | [`round`] | one look at what is left |
+//! | [`pair`] | two effects that hide each other's share |
 //! | [`search`] | adding, looking again, taking out |
 //! | [`regions`] | where, in words and figures |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
@@ -26,9 +28,11 @@ mod improved;
 mod measurement;
 mod next_test;
 mod outcome;
+mod pair;
 mod race;
 mod refit;
 mod regions;
+mod round;
 mod samples;
 mod screening;
 mod search;
@@ -413,9 +417,11 @@ impl Answer<'_> {
         if judged.verdict == Verdict::NothingMissing {
             return Vec::new();
         }
-        let Some(round) =
-            (if judged.verdict == Verdict::Named { self.found.rounds.first() } else { self.found.rounds.last() })
-        else {
+        let Some(round) = (if judged.verdict == Verdict::Named && judged.suspects.is_empty() {
+            self.found.rounds.first()
+        } else {
+            self.found.rounds.last()
+        }) else {
             return Vec::new();
         };
         let rivals: Vec<next_test::Rival> = round

@@ -28,7 +28,7 @@ pub struct Diagnosis {
     pub summary: String,
     /// Effects in the order in which they were added.
     pub findings: Vec<Finding>,
-    /// For a verdict without a name: what explains it about as well, likeliest first.
+    /// What explains about as well as each other a disagreement, or the rest of one, that got no name; likeliest first.
     pub suspects: Vec<Rival>,
     /// Where model and records disagree before anything is added, worst first.
     #[serde(rename = "where")]

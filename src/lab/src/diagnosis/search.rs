@@ -1,23 +1,16 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
-use super::evidence::{Evidence, effective_count, left_out, noise_chi2, noise_chi2_deviation};
+use super::evidence::{Evidence, effective_count, noise_chi2, noise_chi2_deviation};
 use super::finer_curve::finer;
 use super::hypothesis::{Free, Hypothesis};
-use super::race::race;
+use super::pair::two_at_once;
 use super::refit::{Effort, Refit, refit};
+use super::round::{Ground, Round, Tried, look};
 use super::samples::Test;
-use super::screening::{Projection, Screened, screen};
-use super::situation::Situation;
-use super::vocabulary::{Candidate, candidates};
+use super::vocabulary::Candidate;
 use crate::identification::unknowns::Unknown;
 use crate::records::Record;
-use nalgebra::DMatrix;
-use rayon::prelude::*;
 
-/// Effects whose best start is refitted in full.
-const REFITTED: usize = 7;
-/// Confidence from which an effect is added.
-pub const NAMED: f64 = 0.5;
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
 pub const QUIET: f64 = 0.1;
 /// Standard deviations of the noise floor beyond that.
@@ -28,31 +21,6 @@ const LATER_REMAINING: f64 = 0.25;
 const LATER_ORIGINAL: f64 = 0.03;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
-
-/// An effect that was tried by a full refit.
-#[derive(Clone)]
-pub struct Tried {
-    /// The form tried.
-    pub candidate: Candidate,
-    /// The explanation with it.
-    pub hypothesis: Hypothesis,
-    /// Where the refit ended.
-    pub refit: Refit,
-    /// What it brought.
-    pub evidence: Evidence,
-    /// Probability that its name is the right one.
-    pub confidence: f64,
-}
-
-/// One round: what was tried, best first; one entry per effect.
-pub struct Round {
-    /// χ² before.
-    pub before: f64,
-    /// All that were refitted.
-    pub tried: Vec<Tried>,
-    /// Effects that leave no trace in these tests, with what is left of their response, in σ².
-    pub invisible: Vec<(&'static str, f64)>,
-}
 
 /// An effect in the explanation.
 #[derive(Clone)]
@@ -108,6 +76,7 @@ pub fn search(
     let floor = noise_chi2(tests);
     let quiet = QUIET + SURE * noise_chi2_deviation(tests) / effective_count(tests);
     let (base, first) = with_enough_points(base, first, tests, floor);
+    let ground = Ground { records, tests, floor, allowed: limits.allowed };
     let mut found = Search {
         base: (base.clone(), first.clone()),
         last: (base, first),
@@ -125,33 +94,53 @@ pub fn search(
         }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
         progress(done, "screening effects");
-        let round = look(&found, records, tests, limits, &|text| progress(done + 0.1, text));
-        let best = round.tried.first().cloned();
-        let before = round.before;
+        let round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
         found.rounds.push(round);
-        let Some(best) = best else { break };
-        if found.added.len() >= limits.effects || best.confidence < NAMED || !best.evidence.is_admissible() {
+        let round = &found.rounds[found.rounds.len() - 1];
+        if found.added.len() >= limits.effects {
             break;
         }
-        if !found.added.is_empty() {
-            let fall = before - best.refit.chi2;
-            let original = (found.base.1.chi2 - floor).max(1e-9);
-            if fall < LATER_REMAINING * (before - floor) || fall < LATER_ORIGINAL * original {
+        let original = found.base.1.chi2 - floor;
+        if let Some(best) = round.tried.first().filter(|best| best.convinces()) {
+            if !found.added.is_empty() && !is_worth_a_later_name(best, round.before - floor, original) {
                 break;
             }
+            (found.last, found.added) = with(best, &found.last.0, &found.added, tests)?;
+            take_out_what_is_not_needed(&mut found.last, &mut found.added, tests);
+            continue;
         }
-        let numbers = found.last.0.numbers.len()..best.hypothesis.numbers.len();
-        let fine = refit(&best.hypothesis, tests, &best.refit.theta, Some(best.refit.jacobian.clone()), Effort::FINE)?;
-        found.last = (best.hypothesis.clone().starting_at(&fine.theta), fine);
-        found.added.push(Added {
-            candidate: best.candidate.clone(),
-            evidence: best.evidence,
-            confidence: best.confidence,
-            numbers,
-        });
-        take_out_what_is_not_needed(&mut found, tests);
+        if found.added.len() + 2 > limits.effects || left < quiet {
+            break;
+        }
+        progress(done + 0.15, "looking for two effects at once");
+        let Some(pair) = two_at_once(&ground, &found.last, &found.added, round, original) else { break };
+        (found.last, found.added) = (pair.last, pair.added);
+        found.rounds.extend(pair.rounds);
+        take_out_what_is_not_needed(&mut found.last, &mut found.added, tests);
     }
     Some(found)
+}
+
+/// Whether a later effect explains enough of what was left, and of what there was to begin with.
+pub fn is_worth_a_later_name(best: &Tried, left: f64, original: f64) -> bool {
+    let fall = best.evidence.chi2_fall;
+    fall >= LATER_REMAINING * left && fall >= LATER_ORIGINAL * original.max(1e-9)
+}
+
+/// An explanation with what was added to it.
+pub type Explained = ((Hypothesis, Refit), Vec<Added>);
+
+/// The explanation that an effect was tried in, refitted to the end, with the effect among the added.
+pub fn with(best: &Tried, from: &Hypothesis, added: &[Added], tests: &[Test]) -> Option<Explained> {
+    let fine = refit(&best.hypothesis, tests, &best.refit.theta, Some(best.refit.jacobian.clone()), Effort::FINE)?;
+    let mut added = added.to_vec();
+    added.push(Added {
+        candidate: best.candidate.clone(),
+        evidence: best.evidence,
+        confidence: best.confidence,
+        numbers: from.numbers.len()..best.hypothesis.numbers.len(),
+    });
+    Some(((best.hypothesis.clone().starting_at(&fine.theta), fine), added))
 }
 
 /// Fall of χ² that a further point of the FV curve must bring, and share of the excess that all of them must.
@@ -188,160 +177,6 @@ impl Search {
     }
 }
 
-/// Effects that differ in their curvature only are no rivals: whichever fits better speaks for both.
-fn family(effect: &str) -> &str {
-    match effect {
-        "gas_spring" | "parallel_spring" => "spring",
-        other => other,
-    }
-}
-
-/// One round of screening, refitting and judging.
-fn look(found: &Search, records: &[&Record], tests: &[Test], limits: &Limits, progress: &dyn Fn(&str)) -> Round {
-    let (hypothesis, at) = &found.last;
-    let at = match hypothesis.jacobian(tests, &at.theta) {
-        Some(jacobian) => Refit { jacobian, ..at.clone() },
-        None => at.clone(),
-    };
-    let projection = Projection::new(hypothesis, &at);
-    let situation = Situation::new(&hypothesis.params(&at.theta), records, tests);
-    let list: Vec<Candidate> = candidates(&situation)
-        .into_iter()
-        .filter(|c| (limits.allowed)(c.effect) && !found.added.iter().any(|a| a.candidate.effect == c.effect))
-        .collect();
-    let screened = screen(hypothesis, &at, &projection, &list, tests);
-    progress("refitting everything with each likely effect");
-    let chosen = choose(&screened, &list);
-    let started: Vec<(usize, DMatrix<f64>)> = chosen
-        .par_iter()
-        .filter_map(|place| {
-            let s = &screened[*place];
-            let first = hypothesis.numbers.len();
-            let residual = s.hypothesis.residual(tests, &s.start)?;
-            let mut jacobian = DMatrix::zeros(residual.len(), s.start.len());
-            jacobian.columns_mut(0, first).copy_from(&at.jacobian);
-            for k in first..s.start.len() {
-                jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
-            }
-            Some((*place, jacobian))
-        })
-        .collect();
-    let refits = race(started, &screened, &list, tests, at.cost);
-    let base_left_out = left_out(tests, &at);
-    let count = effective_count(tests).ln();
-    let excess = (at.chi2 - found.floor).max(1e-9);
-    let mut tried: Vec<Tried> = Vec::new();
-    for (place, refit) in refits {
-        let s = &screened[place];
-        let candidate = &list[s.candidate];
-        let fresh = candidate.fresh.len();
-        let chi2_fall = at.cost - refit.cost;
-        // Numbers that are held near an expected value cost less than free ones.
-        let free = candidate.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum::<f64>();
-        let predicted = left_out(tests, &refit);
-        let gains: Vec<f64> = base_left_out.iter().zip(&predicted).map(|(a, b)| (a / b).ln()).collect();
-        let values = &refit.theta[refit.theta.len() - fresh..];
-        let plausible = candidate
-            .fresh
-            .iter()
-            .zip(values)
-            .zip(&s.hypothesis.numbers[hypothesis.numbers.len()..])
-            .filter(|((f, value), number)| {
-                // At its bound a number would go on: it stands for something else.
-                let (low, high) = number.bounds;
-                let margin = 1e-3 * (high - low).min(number.step);
-                let inside = **value > low + margin && **value < high - margin;
-                let value = physical(&f.free, **value);
-                inside && (f.plausible.0..=f.plausible.1).contains(&value)
-            })
-            .count() as f64
-            / fresh.max(1) as f64;
-        let evidence = Evidence {
-            chi2_fall,
-            bic_fall: chi2_fall - free * count,
-            share: chi2_fall / excess.max(QUIET * effective_count(tests)),
-            size: (chi2_fall.max(0.0) / effective_count(tests)).sqrt(),
-            margin: 0.0,
-            log_fall: (at.chi2 / refit.chi2.max(1e-9)).ln(),
-            left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
-            tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
-            excess: (excess / effective_count(tests)).sqrt(),
-            plausible,
-            sponge: candidate.sponge,
-            later: !found.added.is_empty(),
-        };
-        let entry =
-            Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };
-        match tried.iter_mut().find(|t| t.candidate.effect == candidate.effect) {
-            Some(other) if other.evidence.bic_fall >= entry.evidence.bic_fall => {}
-            Some(other) => *other = entry,
-            None => tried.push(entry),
-        }
-    }
-    tried.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.bic_fall)).collect();
-    for entry in &mut tried {
-        let own = family(entry.candidate.effect);
-        let rival = scores.iter().filter(|(other, _)| *other != own).map(|s| s.1).fold(0.0, f64::max);
-        entry.evidence.margin = entry.evidence.bic_fall - rival;
-        entry.confidence = entry.evidence.confidence();
-    }
-    let mut invisible: Vec<(&'static str, f64)> = Vec::new();
-    for candidate in &list {
-        let seen = screened
-            .iter()
-            .filter(|s| list[s.candidate].effect == candidate.effect)
-            .map(|s| s.visible)
-            .fold(0.0, f64::max);
-        if !invisible.iter().any(|(name, _)| *name == candidate.effect) {
-            invisible.push((candidate.effect, seen));
-        }
-    }
-    Round { before: at.chi2, tried, invisible }
-}
-
-/// Starts of each form that moved the base: what they answer to a step says little of where they end.
-const MOVED: usize = 2;
-
-/// The starts worth a refit: the best of the likeliest effects, and of the starts that moved the base the best of each
-/// form.
-fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..screened.len()).collect();
-    order.sort_by(|a, b| screened[*b].gain.total_cmp(&screened[*a].gain));
-    let mut chosen: Vec<usize> = Vec::new();
-    let mut effects: Vec<&str> = Vec::new();
-    for place in &order {
-        let s = &screened[*place];
-        let candidate = &list[s.candidate];
-        if s.gain <= 0.0 && !s.moved {
-            continue;
-        }
-        if s.moved {
-            let of_form = chosen.iter().filter(|c| screened[**c].moved && screened[**c].candidate == s.candidate);
-            if of_form.count() < MOVED {
-                chosen.push(*place);
-            }
-            continue;
-        }
-        let forms = chosen.iter().filter(|c| {
-            let other = &screened[**c];
-            !other.moved && list[other.candidate].effect == candidate.effect
-        });
-        let same_form = forms.clone().any(|c| screened[*c].candidate == s.candidate);
-        if same_form || forms.count() >= 2 {
-            continue;
-        }
-        if !effects.contains(&candidate.effect) {
-            if effects.len() >= REFITTED {
-                continue;
-            }
-            effects.push(candidate.effect);
-        }
-        chosen.push(*place);
-    }
-    chosen
-}
-
 /// A number in the unit that people use.
 pub fn physical(free: &Free, value: f64) -> f64 {
     match free {
@@ -351,26 +186,30 @@ pub fn physical(free: &Free, value: f64) -> f64 {
 }
 
 /// Takes out effects that later ones have made superfluous.
-fn take_out_what_is_not_needed(found: &mut Search, tests: &[Test]) {
+fn take_out_what_is_not_needed(last: &mut (Hypothesis, Refit), added: &mut Vec<Added>, tests: &[Test]) {
     let mut place = 0;
-    while place + 1 < found.added.len() {
-        let (hypothesis, at) = &found.last;
-        let without = without(hypothesis, &at.theta, &found.added[place]);
-        let refitted = refit(&without, tests, &without.start(), None, Effort::COMPARE);
-        match refitted {
-            Some(r) if r.cost - at.cost < REMOVABLE * found.added[place].candidate.fresh.len() as f64 => {
-                let gone = found.added.remove(place);
-                for other in &mut found.added {
-                    if other.numbers.start >= gone.numbers.end {
-                        let length = gone.numbers.len();
-                        other.numbers = other.numbers.start - length..other.numbers.end - length;
-                    }
-                }
-                found.last = (without.starting_at(&r.theta), r);
-            }
+    while place + 1 < added.len() {
+        let numbers = added[place].candidate.fresh.len() as f64;
+        match leave(last, added, place, tests) {
+            Some((less, rest)) if less.1.cost - last.1.cost < REMOVABLE * numbers => (*last, *added) = (less, rest),
             _ => place += 1,
         }
     }
+}
+
+/// Everything refitted with one of the effects left out.
+pub fn leave(last: &(Hypothesis, Refit), added: &[Added], place: usize, tests: &[Test]) -> Option<Explained> {
+    let less = without(&last.0, &last.1.theta, &added[place]);
+    let refitted = refit(&less, tests, &less.start(), None, Effort::COMPARE)?;
+    let mut rest = added.to_vec();
+    let gone = rest.remove(place);
+    for other in &mut rest {
+        if other.numbers.start >= gone.numbers.end {
+            let length = gone.numbers.len();
+            other.numbers = other.numbers.start - length..other.numbers.end - length;
+        }
+    }
+    Some(((less.starting_at(&refitted.theta), refitted), rest))
 }
 
 /// An explanation without one of its effects.

@@ -2,8 +2,9 @@
 
 use super::evidence::effective_count;
 use super::outcome::{Rival, Verdict};
+use super::round::{Round, Tried};
 use super::samples::Test;
-use super::search::{Round, Search, Tried};
+use super::search::Search;
 
 /// Mean excess, in σ², that the form of the curves alone may leave.
 const FORM: f64 = 0.4;
@@ -18,7 +19,7 @@ pub struct Judged {
     pub verdict: Verdict,
     /// The sentences.
     pub summary: String,
-    /// What explains an unnamed disagreement about as well, likeliest first.
+    /// What explains about as well as each other a disagreement, or the rest of one, that got no name; likeliest first.
     pub suspects: Vec<Rival>,
     /// Remarks.
     pub notes: Vec<String>,
@@ -30,7 +31,6 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     let excess = |chi2: f64| ((chi2 - found.floor) / count).max(0.0);
     let (before, after) = (excess(found.base.1.chi2), excess(found.last.1.chi2));
     let mut notes = Vec::new();
-    let suspects = found.rounds.first().map_or(Vec::new(), suspects);
     let in_noise = |x: f64| format!("{:.2} times the noise", x.sqrt());
     if !found.added.is_empty() {
         let names: Vec<String> = found
@@ -38,12 +38,26 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             .iter()
             .map(|a| format!("{} ({:.0} % sure)", a.candidate.effect, 100.0 * a.confidence))
             .collect();
-        if after > found.quiet && after > 0.15 * before {
-            notes.push(format!(
-                "what is left ({} beyond it) is no noise, but no further effect is justified by these records",
-                in_noise(after)
-            ));
+        // A round that added nothing is the last look at what is left.
+        let is_added = |t: &Tried| found.added.iter().any(|a| a.candidate.effect == t.candidate.effect);
+        let last = found.rounds.last().filter(|r| !r.tried.first().is_some_and(is_added));
+        let rest = last.map_or(Vec::new(), suspects);
+        let may_be = rest.first().is_some_and(|s| s.share >= SUSPECT_SHARE);
+        if after > found.quiet && (may_be || after > 0.15 * before) {
+            let left = in_noise(after);
+            notes.push(if may_be {
+                let names: Vec<&str> = rest.iter().map(|s| s.effect).collect();
+                format!(
+                    "what is left ({left} beyond it) is no noise: {} would explain {:.0} % of it, but these records do not \
+                     make that sure",
+                    names.join(" or "),
+                    100.0 * rest[0].share
+                )
+            } else {
+                format!("what is left ({left} beyond it) is no noise, but no further effect is justified by these records")
+            });
         }
+        let suspects = if may_be && after > found.quiet { rest } else { Vec::new() };
         return Judged {
             verdict: Verdict::Named,
             summary: format!(
@@ -52,7 +66,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
                 in_noise(before),
                 in_noise(after)
             ),
-            suspects: Vec::new(),
+            suspects,
             notes,
         };
     }
@@ -62,8 +76,9 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             found.taken_back.join(" and ")
         ));
     }
+    let suspects = found.rounds.first().map_or(Vec::new(), suspects);
     let best = found.rounds.first().and_then(|r| r.tried.first());
-    let convincing = best.is_some_and(|t| t.confidence >= 0.5 && t.evidence.is_admissible());
+    let convincing = best.is_some_and(Tried::convinces);
     if before < found.quiet || (before < FORM && !convincing) {
         return Judged {
             verdict: Verdict::NothingMissing,

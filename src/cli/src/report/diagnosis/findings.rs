@@ -4,7 +4,7 @@ use crate::report::blocks::{Block, Column, Section, Table};
 use crate::report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_lab::diagnosis::{Diagnosis, Finding, Rival, Verdict};
 
-/// The findings, or the suspects where nothing is named; `None` where nothing is missing.
+/// The findings, and the suspects of what got no name; `None` where nothing is missing.
 pub fn section(found: &Diagnosis) -> Option<Section> {
     let mut blocks = Vec::new();
     for (k, finding) in found.findings.iter().enumerate() {
@@ -13,6 +13,9 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
     if !found.suspects.is_empty() {
         let caption = match found.verdict {
             Verdict::CannotTell => "These explain the disagreement about equally well, likeliest first.",
+            Verdict::Named => {
+                "These explain what is left about equally well, likeliest first; none is sure enough to be added."
+            }
             _ => "What comes nearest, and why it is not named.",
         };
         blocks.push(Block::Table(rivals(caption, &found.suspects)));

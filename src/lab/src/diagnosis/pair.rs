@@ -1,0 +1,59 @@
+//! Two effects at once: where neither stands out alone because the other one hides its share, each is judged with the
+//! other already in.
+
+use super::hypothesis::Hypothesis;
+use super::refit::Refit;
+use super::round::{Ground, Round, Tried, look};
+use super::search::{Added, is_worth_a_later_name, leave, with};
+
+/// Effects of a round that are tried as one of two.
+const TRIED: usize = 2;
+/// Least share of the excess of one of two.
+const SHARE: f64 = 0.2;
+/// Share of what was left that two must explain together.
+const TOGETHER: f64 = 0.75;
+
+/// Two effects that were added together.
+pub struct Pair {
+    /// The explanation with both.
+    pub last: (Hypothesis, Refit),
+    /// All that it has added.
+    pub added: Vec<Added>,
+    /// The rounds in which each was judged beside the other.
+    pub rounds: Vec<Round>,
+}
+
+/// Looks for two effects of which each is convincing once the other is in; `round` is the look at `last` in which none
+/// was, `original` the excess to begin with.
+pub fn two_at_once(
+    ground: &Ground,
+    last: &(Hypothesis, Refit),
+    added: &[Added],
+    round: &Round,
+    original: f64,
+) -> Option<Pair> {
+    let left = round.before - ground.floor;
+    let may_be_one =
+        |t: &&Tried| t.evidence.share >= SHARE && t.evidence.plausible >= 1.0 && t.evidence.bic_fall > 10.0;
+    round.tried.iter().filter(may_be_one).take(TRIED).find_map(|first| {
+        let ((hypothesis, refit), with_first) = with(first, &last.0, added, ground.tests)?;
+        let with_first = ((hypothesis, refit), with_first);
+        let beside_first = look(ground, &with_first.0, &with_first.1, &|_| ());
+        let second = beside_first.tried.first().filter(|t| t.convinces())?;
+        if round.before - second.refit.chi2 < TOGETHER * left {
+            return None;
+        }
+        let with_both = with(second, &with_first.0.0, &with_first.1, ground.tests)?;
+        let with_second = leave(&with_both.0, &with_both.1, added.len(), ground.tests)?;
+        // The first, or whatever takes its place, must stand beside the second.
+        let likely =
+            |effect: &str| (ground.allowed)(effect) && round.tried.iter().any(|t| t.candidate.effect == effect);
+        let beside_second = look(&Ground { allowed: &likely, ..*ground }, &with_second.0, &with_second.1, &|_| ());
+        let other = beside_second.tried.first().filter(|t| t.convinces())?;
+        if !is_worth_a_later_name(other, beside_second.before - ground.floor, original) {
+            return None;
+        }
+        let (last, added) = with(other, &with_second.0.0, &with_second.1, ground.tests)?;
+        Some(Pair { last, added, rounds: vec![beside_first, beside_second] })
+    })
+}

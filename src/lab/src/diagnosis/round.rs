@@ -1,0 +1,220 @@
+//! One look at what is left: which effects are likely, everything refitted with each, and how well each then stands.
+
+use super::evidence::{Evidence, effective_count, left_out};
+use super::hypothesis::Hypothesis;
+use super::race::race;
+use super::refit::Refit;
+use super::samples::Test;
+use super::screening::{Projection, Screened, screen};
+use super::search::{Added, QUIET, physical};
+use super::situation::Situation;
+use super::vocabulary::{Candidate, candidates};
+use crate::records::Record;
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+/// Effects whose best start is refitted in full.
+const REFITTED: usize = 7;
+/// Confidence from which an effect is added.
+pub const NAMED: f64 = 0.5;
+
+/// What is looked at, and what may be tried.
+pub struct Ground<'a> {
+    /// The records.
+    pub records: &'a [&'a Record],
+    /// Their tests.
+    pub tests: &'a [Test],
+    /// Expected χ² of noise.
+    pub floor: f64,
+    /// Whether an effect may be tried.
+    pub allowed: &'a (dyn Fn(&str) -> bool + Sync),
+}
+
+/// An effect that was tried by a full refit.
+#[derive(Clone)]
+pub struct Tried {
+    /// The form tried.
+    pub candidate: Candidate,
+    /// The explanation with it.
+    pub hypothesis: Hypothesis,
+    /// Where the refit ended.
+    pub refit: Refit,
+    /// What it brought.
+    pub evidence: Evidence,
+    /// Probability that its name is the right one.
+    pub confidence: f64,
+}
+
+impl Tried {
+    /// Whether it may be named.
+    pub fn convinces(&self) -> bool {
+        self.confidence >= NAMED && self.evidence.is_admissible()
+    }
+}
+
+/// One round: what was tried, likeliest first; one entry per effect.
+pub struct Round {
+    /// χ² before.
+    pub before: f64,
+    /// All that were refitted.
+    pub tried: Vec<Tried>,
+    /// Effects that leave no trace in these tests, with what is left of their response, in σ².
+    pub invisible: Vec<(&'static str, f64)>,
+}
+
+/// Effects that differ in their curvature only are no rivals: whichever fits better speaks for both.
+fn family(effect: &str) -> &str {
+    match effect {
+        "gas_spring" | "parallel_spring" => "spring",
+        other => other,
+    }
+}
+
+/// One round of screening, refitting and judging.
+pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progress: &dyn Fn(&str)) -> Round {
+    let tests = ground.tests;
+    let (hypothesis, at) = last;
+    let at = match hypothesis.jacobian(tests, &at.theta) {
+        Some(jacobian) => Refit { jacobian, ..at.clone() },
+        None => at.clone(),
+    };
+    let projection = Projection::new(hypothesis, &at);
+    let situation = Situation::new(&hypothesis.params(&at.theta), ground.records, tests);
+    let list: Vec<Candidate> = candidates(&situation)
+        .into_iter()
+        .filter(|c| (ground.allowed)(c.effect) && !added.iter().any(|a| a.candidate.effect == c.effect))
+        .collect();
+    let screened = screen(hypothesis, &at, &projection, &list, tests);
+    progress("refitting everything with each likely effect");
+    let chosen = choose(&screened, &list);
+    let started: Vec<(usize, DMatrix<f64>)> = chosen
+        .par_iter()
+        .filter_map(|place| {
+            let s = &screened[*place];
+            let first = hypothesis.numbers.len();
+            let residual = s.hypothesis.residual(tests, &s.start)?;
+            let mut jacobian = DMatrix::zeros(residual.len(), s.start.len());
+            jacobian.columns_mut(0, first).copy_from(&at.jacobian);
+            for k in first..s.start.len() {
+                jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
+            }
+            Some((*place, jacobian))
+        })
+        .collect();
+    let refits = race(started, &screened, &list, tests, at.cost);
+    let base_left_out = left_out(tests, &at);
+    let count = effective_count(tests).ln();
+    let excess = (at.chi2 - ground.floor).max(1e-9);
+    let mut tried: Vec<Tried> = Vec::new();
+    for (place, refit) in refits {
+        let s = &screened[place];
+        let candidate = &list[s.candidate];
+        let fresh = candidate.fresh.len();
+        let chi2_fall = at.cost - refit.cost;
+        // Numbers that are held near an expected value cost less than free ones.
+        let free = candidate.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum::<f64>();
+        let predicted = left_out(tests, &refit);
+        let gains: Vec<f64> = base_left_out.iter().zip(&predicted).map(|(a, b)| (a / b).ln()).collect();
+        let values = &refit.theta[refit.theta.len() - fresh..];
+        let plausible = candidate
+            .fresh
+            .iter()
+            .zip(values)
+            .zip(&s.hypothesis.numbers[hypothesis.numbers.len()..])
+            .filter(|((f, value), number)| {
+                // At its bound a number would go on: it stands for something else.
+                let (low, high) = number.bounds;
+                let margin = 1e-3 * (high - low).min(number.step);
+                let inside = **value > low + margin && **value < high - margin;
+                let value = physical(&f.free, **value);
+                inside && (f.plausible.0..=f.plausible.1).contains(&value)
+            })
+            .count() as f64
+            / fresh.max(1) as f64;
+        let evidence = Evidence {
+            chi2_fall,
+            bic_fall: chi2_fall - free * count,
+            share: chi2_fall / excess.max(QUIET * effective_count(tests)),
+            size: (chi2_fall.max(0.0) / effective_count(tests)).sqrt(),
+            margin: 0.0,
+            log_fall: (at.chi2 / refit.chi2.max(1e-9)).ln(),
+            left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
+            tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
+            excess: (excess / effective_count(tests)).sqrt(),
+            plausible,
+            sponge: candidate.sponge,
+            later: !added.is_empty(),
+        };
+        let entry =
+            Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };
+        match tried.iter_mut().find(|t| t.candidate.effect == candidate.effect) {
+            Some(other) if other.evidence.bic_fall >= entry.evidence.bic_fall => {}
+            Some(other) => *other = entry,
+            None => tried.push(entry),
+        }
+    }
+    tried.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
+    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.bic_fall)).collect();
+    for entry in &mut tried {
+        let own = family(entry.candidate.effect);
+        let rival = scores.iter().filter(|(other, _)| *other != own).map(|s| s.1).fold(0.0, f64::max);
+        entry.evidence.margin = entry.evidence.bic_fall - rival;
+        entry.confidence = entry.evidence.confidence();
+    }
+    // What fits best is not always likeliest: it may need numbers that no damper shows.
+    tried.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
+    let mut invisible: Vec<(&'static str, f64)> = Vec::new();
+    for candidate in &list {
+        let seen = screened
+            .iter()
+            .filter(|s| list[s.candidate].effect == candidate.effect)
+            .map(|s| s.visible)
+            .fold(0.0, f64::max);
+        if !invisible.iter().any(|(name, _)| *name == candidate.effect) {
+            invisible.push((candidate.effect, seen));
+        }
+    }
+    Round { before: at.chi2, tried, invisible }
+}
+
+/// Starts of each form that moved the base: what they answer to a step says little of where they end.
+const MOVED: usize = 2;
+
+/// The starts worth a refit: the best of the likeliest effects, and of the starts that moved the base the best of each
+/// form.
+fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..screened.len()).collect();
+    order.sort_by(|a, b| screened[*b].gain.total_cmp(&screened[*a].gain));
+    let mut chosen: Vec<usize> = Vec::new();
+    let mut effects: Vec<&str> = Vec::new();
+    for place in &order {
+        let s = &screened[*place];
+        let candidate = &list[s.candidate];
+        if s.gain <= 0.0 && !s.moved {
+            continue;
+        }
+        if s.moved {
+            let of_form = chosen.iter().filter(|c| screened[**c].moved && screened[**c].candidate == s.candidate);
+            if of_form.count() < MOVED {
+                chosen.push(*place);
+            }
+            continue;
+        }
+        let forms = chosen.iter().filter(|c| {
+            let other = &screened[**c];
+            !other.moved && list[other.candidate].effect == candidate.effect
+        });
+        let same_form = forms.clone().any(|c| screened[*c].candidate == s.candidate);
+        if same_form || forms.count() >= 2 {
+            continue;
+        }
+        if !effects.contains(&candidate.effect) {
+            if effects.len() >= REFITTED {
+                continue;
+            }
+            effects.push(candidate.effect);
+        }
+        chosen.push(*place);
+    }
+    chosen
+}
