@@ -38,7 +38,8 @@ impl Model {
     /// The parameter at fault, and why.
     pub fn new(params: &Params) -> Result<Model, Fault> {
         params.check()?;
-        let elements = Elements::prepare(params)?;
+        let mut elements = Elements::prepare(params)?;
+        elements.join();
         if elements.has_series() && steepest_inner(&elements) > elements.series_compliance.stiffness {
             let parameter = find("series_stiffness").map_or(NO_PARAMETER, |row| row.index as u16);
             return Err(Fault { parameter, reason: Reason::SofterThanInner });

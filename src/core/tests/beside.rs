@@ -123,6 +123,26 @@ fn moving_mass_is_a_mass() {
 }
 
 #[test]
+fn a_mass_inside_is_internal_mass() {
+    let own = [("internal_mass", 0.3), ("series_stiffness", 8e5)];
+    let more = [("internal_mass", 2.3), ("series_stiffness", 8e5)];
+    let inside = [own[0], own[1], ("moving_mass", 2.0), ("moving_mass_place", 1.0)];
+    let (a, b) = (
+        only(&["fv_curve", "series_compliance", "moving_mass"], &inside),
+        only(&["fv_curve", "series_compliance"], &more),
+    );
+    for ((_, a), (_, b)) in run(&a, &sine(5e-3, 20.0), 5e-4, 200).iter().zip(&run(&b, &sine(5e-3, 20.0), 5e-4, 200)) {
+        assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{a} {b}");
+    }
+    // Without a series stiffness the driven end is the piston.
+    let (a, b) = (
+        only(&["moving_mass"], &[("moving_mass", 2.0), ("moving_mass_place", 1.0)]),
+        only(&["moving_mass"], &[("moving_mass", 2.0)]),
+    );
+    assert_eq!(run(&a, &sine(5e-3, 20.0), 5e-4, 50), run(&b, &sine(5e-3, 20.0), 5e-4, 50));
+}
+
+#[test]
 fn moving_mass_takes_no_energy_but_to_heat() {
     let model = only(&["moving_mass"], &[("moving_mass", 5.0), ("moving_mass_time", 1e-3)]);
     for frequency in [1.0, 10.0, 100.0] {

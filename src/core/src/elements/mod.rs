@@ -487,6 +487,13 @@ elements! {
 
 /// What the coupled paths ask for.
 impl Elements {
+    /// Gives one element what another one brings along: the internal mass, a mass inside.
+    pub(crate) fn join(&mut self) {
+        if self.has_series() {
+            self.moving_mass.join(&mut self.series_compliance.mass);
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn has_free_play(&self) -> bool {
         self.has(Place::free_play)

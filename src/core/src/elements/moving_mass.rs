@@ -1,4 +1,5 @@
-//! Moving mass between load cell and damper: eye, clamp and tube, where the load cell moves with them.
+//! Moving mass: eye, clamp and tube between load cell and damper, where the load cell moves with them; or oil in a long
+//! passage, which the piston has to speed up.
 
 use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
 use crate::fault::Fault;
@@ -8,8 +9,12 @@ use crate::parameter::{Parameter, View};
 ///
 /// Hosts give displacement and velocity but no acceleration, so the mass, at velocity z, is drawn along by a stiff
 /// damper M/τ. It only ever takes energy, and lags behind a mass without it by τ.
+///
+/// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass; oil of the mass m in a
+/// passage of the area a counts as M = m (A/a)². Without a series stiffness the piston moves like the driven end.
 #[derive(Clone, Copy, Debug)]
 pub struct MovingMass {
+    is_inside: bool,
     /// M/τ.
     damping: f64,
     /// 1/τ.
@@ -17,7 +22,7 @@ pub struct MovingMass {
 }
 
 impl Describe for MovingMass {
-    const MEANING: &'static str = "mass between load cell and damper, moved by the driven end";
+    const MEANING: &'static str = "mass moved by the driven end, between load cell and damper, or by the piston";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("moving_mass", "kg", &[2.0], (0.0, 100.0), "mass, M"),
         Parameter::scalar(
@@ -27,15 +32,30 @@ impl Describe for MovingMass {
             (1e-4, 1e-2),
             "time by which its force lags, tau; short beside the motion",
         ),
+        Parameter::choice(
+            "moving_mass_place",
+            &["driven end", "inside"],
+            "what moves it: the driven end, or the piston behind the series stiffness",
+        ),
     ];
 }
 
 impl Prepare for MovingMass {
-    const OFF: Self = MovingMass { damping: 0.0, per_time: 1.0 };
+    const OFF: Self = MovingMass { is_inside: false, damping: 0.0, per_time: 1.0 };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         let per_time = 1.0 / p.number(1);
-        Ok(MovingMass { damping: p.number(0) * per_time, per_time })
+        Ok(MovingMass { is_inside: p.number(2) == 1.0, damping: p.number(0) * per_time, per_time })
+    }
+}
+
+impl MovingMass {
+    /// Gives a mass inside to the internal mass that there is.
+    pub(crate) fn join(&mut self, internal: &mut f64) {
+        if self.is_inside {
+            *internal += self.damping / self.per_time;
+            self.damping = 0.0;
+        }
     }
 }
 

@@ -296,6 +296,7 @@ fn hydraulics(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![
                     Start::at(&[1e7, COLUMN]),
                     Start::at(&[2.5e6, COLUMN]),
+                    Start::at(&[7e5, COLUMN]),
                     Start::moving(&[2.0 * stiffness, COLUMN], &[("series_stiffness", 2.0)]),
                     Start::moving(&[1.3 * stiffness, COLUMN], &[("series_stiffness", 4.0)]),
                 ],
@@ -534,10 +535,19 @@ fn stops(s: &Situation, all: &mut Vec<Candidate>) {
 }
 
 fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
-    all.push(Candidate {
-        sponge: true,
-        ..candidate("moving_mass", &["moving_mass"], vec![linear("moving_mass", (0.2, 30.0))], vec![Start::at(&[2.0])])
-    });
+    for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
+        all.push(Candidate {
+            form,
+            sponge: true,
+            fixed: vec![("moving_mass_place", place)],
+            ..candidate(
+                "moving_mass",
+                &["moving_mass"],
+                vec![linear("moving_mass", (0.2, 30.0))],
+                vec![Start::at(&[2.0])],
+            )
+        });
+    }
     let rig = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
         sponge: true,
         ..candidate(
