@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 3
+#define DASHPOT_ABI_VERSION 4
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -565,7 +565,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //
 // temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
 //   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
-//   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.05, default 0.003]
+//   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
 //   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
 //   heat_capacity                heat capacity of oil and body, C [J/K, 50 to 1e5, default 1500]
 //   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
@@ -640,9 +640,10 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   gas_adiabatic_index          ratio of fast to slow stiffness, gamma [-, 1 to 1.67, default 1.4]
 //   gas_thermal_time             time in which the gas takes the temperature of its wall, tau [s, 0.01 to 1000, default 3]
 //
-// moving_mass (element, off by default): mass between load cell and damper, moved by the driven end
+// moving_mass (element, off by default): mass moved by the driven end, between load cell and damper, or by the piston
 //   moving_mass                  mass, M [kg, 0 to 100, default 2]
 //   moving_mass_time             time by which its force lags, tau; short beside the motion [s, 1e-4 to 0.01, default 2e-4]
+//   moving_mass_place            what moves it: the driven end, or the piston behind the series stiffness [0 driven end, 1 inside]
 //
 // bump_stop (element, off by default): stop at the end of the compression stroke, rubber or hydraulic
 //   bump_stop_clearance          compression from x = 0 at which the stop is met, as a positive length [m, 0 to 1, default 0.05]
