@@ -11,8 +11,7 @@ import sys
 from array import array
 
 from fmpy import extract, read_model_description
-from fmpy.fmi2 import FMU2Model, FMU2Slave
-from fmpy.fmi3 import FMU3Model, FMU3Slave
+from fmu_instance import begun
 
 DT = 1e-3
 PARTS = 8
@@ -43,23 +42,9 @@ def motion(sine, t):
 
 
 def begin(exchange, group):
-    kind = {(False, False): FMU2Slave, (False, True): FMU2Model, (True, False): FMU3Slave, (True, True): FMU3Model}
-    face = description.modelExchange if exchange else description.coSimulation
-    fmu = kind[three, exchange](
-        guid=description.guid, unzipDirectory=folder, modelIdentifier=face.modelIdentifier, instanceName="matrix")
-    fmu.instantiate()
     values = [v for sine in group for v in motion(sine, 0.0)]
-    (fmu.setFloat64 if three else fmu.setReal)(inputs, values)
-    if three:
-        fmu.enterInitializationMode(startTime=0.0)
-    else:
-        fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
-    if exchange:
-        fmu.updateDiscreteStates() if three else fmu.newDiscreteStates()
-        fmu.enterContinuousTimeMode()
-    return fmu
+    return begun(
+        description, folder, exchange, lambda fmu: (fmu.setFloat64 if three else fmu.setReal)(inputs, values))
 
 
 def end(fmu):

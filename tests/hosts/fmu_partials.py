@@ -6,8 +6,7 @@ import shutil
 import sys
 
 from fmpy import extract, read_model_description
-from fmpy.fmi2 import FMU2Model, FMU2Slave
-from fmpy.fmi3 import FMU3Model, FMU3Slave
+from fmu_instance import begun
 
 DT = 1e-3
 CORNERS = ["L1", "R1", "L2", "R2"]
@@ -22,24 +21,6 @@ forces = [f"Damper_Force_{c}" for c in CORNERS]
 state_names = [v.derivative.name for v in description.modelVariables if v.derivative is not None]
 rate_names = [v.name for v in description.modelVariables if v.derivative is not None]
 worst = 0.0
-
-
-def make(exchange):
-    kind = {(False, False): FMU2Slave, (False, True): FMU2Model, (True, False): FMU3Slave, (True, True): FMU3Model}
-    face = description.modelExchange if exchange else description.coSimulation
-    fmu = kind[three, exchange](
-        guid=description.guid, unzipDirectory=folder, modelIdentifier=face.modelIdentifier, instanceName="partials")
-    fmu.instantiate()
-    if three:
-        fmu.enterInitializationMode(startTime=0.0)
-    else:
-        fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
-    if exchange:
-        fmu.updateDiscreteStates() if three else fmu.newDiscreteStates()
-        fmu.enterContinuousTimeMode()
-    return fmu
 
 
 def get(fmu, names):
@@ -85,7 +66,7 @@ def compare(what, got, at, size):
 
 
 try:
-    co, exchange = make(False), make(True)
+    co, exchange = begun(description, folder, False), begun(description, folder, True)
     points = []
     for k in range(1, 400):
         put(co, inputs, motion(k * DT))

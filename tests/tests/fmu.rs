@@ -4,55 +4,31 @@ use dashpot_core::elements::{COUNT, GROUPS};
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::{Params, State, model_file};
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
-use dashpot_tests::cli::{done, refused};
-use dashpot_tests::library::{directory, root, succeed};
+use dashpot_tests::cli::refused;
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::python;
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
 
-fn runs(fmi: &str, corners: &str) {
+fn runs(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    // The static library beside the command.
-    directory();
-    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
-    let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
-    if corners == "4" {
-        export.push("--four");
-    }
-    done(at, &export);
+    exported(at, MODEL, fmi, four, &[]);
     let first = std::fs::read(at.join("damper.fmu")).expect("the FMU");
-    done(at, &export);
+    exported(at, MODEL, fmi, four, &[]);
     assert!(std::fs::read(at.join("damper.fmu")).expect("the FMU") == first, "the same model gives the same bytes");
 
     let bridge = bridge_host("bridge.c", &[], at);
-    let trace = succeed(Command::new(bridge).arg(at.join("model.toml")).arg(map(at)).arg(corners));
+    let trace = succeed(Command::new(bridge).arg(at.join("model.toml")).arg(map(at)).arg(if four { "4" } else { "1" }));
     std::fs::write(at.join("trace.txt"), trace).expect("a file");
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu.py")).arg(at.join("damper.fmu")).arg(at.join("trace.txt"));
     print!("{}", succeed(host.current_dir(at)));
 }
 
-#[test]
-fn fmi_2_one_corner() {
-    runs("2", "1");
-}
-
-#[test]
-fn fmi_2_four_corners() {
-    runs("2", "4");
-}
-
-#[test]
-fn fmi_3_one_corner() {
-    runs("3", "1");
-}
-
-#[test]
-fn fmi_3_four_corners() {
-    runs("3", "4");
-}
+dashpot_tests::each_fmu!(runs);
 
 #[test]
 fn export_refuses_in_words() {
@@ -67,16 +43,6 @@ fn export_refuses_in_words() {
     assert!(refused(at, &zero).contains("--motion-scale"));
     let library = ["export", "fmu", "model.toml", "-o", "x.fmu", "--library", "none.a"];
     assert!(refused(at, &library).contains("none.a"));
-}
-
-/// An FMU of one corner or four of a model, beside its model file.
-fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
-    directory();
-    std::fs::write(at.join("model.toml"), text).expect("a model file");
-    let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
-    export.extend(four.then_some("--four"));
-    export.extend(more);
-    done(at, &export);
 }
 
 fn unpacked(fmu: &Path, to: &Path) {

@@ -4,8 +4,8 @@ use dashpot_core::{Model, Params, model_file};
 use dashpot_lab::accuracy::{Given, References, Sine, errors, step_forces};
 use dashpot_rig::Matrix;
 use dashpot_tests::bridge::MODEL;
-use dashpot_tests::cli::done;
-use dashpot_tests::library::{Language, compiler, directory, root, succeed};
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{Language, compiler, root, succeed};
 use dashpot_tests::python::python;
 use std::process::Command;
 use std::sync::OnceLock;
@@ -34,16 +34,10 @@ fn exact() -> &'static [(Sine, Vec<f64>)] {
     })
 }
 
-fn runs(fmi: &str, corners: &str) {
+fn runs(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    directory();
-    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
-    let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
-    if corners == "4" {
-        export.push("--four");
-    }
-    done(at, &export);
+    exported(at, MODEL, fmi, four, &[]);
     let mut tests = String::new();
     for (sine, forces) in exact() {
         tests += &format!("{:?} {:?} {}\n", sine.amplitude, sine.frequency, forces.len() - 1);
@@ -74,28 +68,15 @@ fn runs(fmi: &str, corners: &str) {
     }
     assert_eq!(forces.next(), None);
     let percent = |e: [f64; 2]| format!("{:.4} % rms, {:.4} % at most", 100.0 * e[0], 100.0 * e[1]);
-    println!("FMI {fmi}, {corners}: steps of 1 ms {}; model exchange {}", percent(steps), percent(exchange));
+    println!(
+        "FMI {fmi}, {} corners: steps of 1 ms {}; model exchange {}",
+        if four { 4 } else { 1 },
+        percent(steps),
+        percent(exchange)
+    );
     assert!(exchange[1] < 1e-3, "model exchange is {} from the converged kernel", percent(exchange));
     // The kernel's own contract at 1 ms.
     assert!(steps[0] < 1e-3 && steps[1] < 1e-2, "co-simulation is {} from the converged kernel", percent(steps));
 }
 
-#[test]
-fn fmi_2_one_corner() {
-    runs("2", "1");
-}
-
-#[test]
-fn fmi_2_four_corners() {
-    runs("2", "4");
-}
-
-#[test]
-fn fmi_3_one_corner() {
-    runs("3", "1");
-}
-
-#[test]
-fn fmi_3_four_corners() {
-    runs("3", "4");
-}
+dashpot_tests::each_fmu!(runs);

@@ -4,6 +4,7 @@ use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
+use crate::paths::bypass::{law, per_stated};
 
 /// Three forms.
 ///
@@ -13,14 +14,15 @@ use crate::parameter::{Parameter, View};
 /// τ dz/dt = tanh(w/u_0) − z, y = smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z is of the other stroke's
 /// sign, so the bypass is open until z has changed over.
 ///
-/// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity q_s (1 − y) √(F_h / 1 kN)
-/// (see [`crate::paths::bypass`]), y = z tanh(F_h/F_0) where that is positive, τ dz/dt = tanh(F_h/F_0) − z; the chamber of
+/// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity q_s (1 − y) r(F_h)/r(1 kN)
+/// with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]), y = z tanh(F_h/F_0) where that is positive, τ dz/dt = tanh(F_h/F_0) − z; the chamber of
 /// the other stroke empties through a check valve ten times as fast.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
     pub(crate) is_bypass: bool,
     flow: f64,
+    laminar: f64,
     per_force: f64,
     share: f64,
     pub(crate) per_time: f64,
@@ -58,6 +60,13 @@ impl Describe for FrequencySelectiveDamping {
             (1.0, 1e4),
             "bypass form: hydraulic force that fills the control chamber, F_0",
         ),
+        Parameter::scalar(
+            "fsd_laminar_force",
+            "N",
+            &[20.0],
+            (1.0, 1e5),
+            "bypass form: hydraulic force below which its flow is laminar, F_l",
+        ),
     ];
 }
 
@@ -66,6 +75,7 @@ impl Prepare for FrequencySelectiveDamping {
         is_stroke: false,
         is_bypass: false,
         flow: 0.0,
+        laminar: 1.0,
         per_force: 1.0,
         share: 0.0,
         per_time: 1.0,
@@ -76,7 +86,8 @@ impl Prepare for FrequencySelectiveDamping {
         Ok(FrequencySelectiveDamping {
             is_stroke: p.number(0) == 1.0,
             is_bypass: p.number(0) == 2.0,
-            flow: p.number(4),
+            flow: p.number(4) * per_stated(p.number(6)),
+            laminar: p.number(6),
             per_force: 1.0 / p.number(5),
             share: p.number(1),
             per_time: 1.0 / p.number(2),
@@ -114,11 +125,12 @@ impl FrequencySelectiveDamping {
         sum * (1.0 / (1.0 + per * empties))
     }
 
-    /// Bypass form: flow at 1 kN, m/s.
+    /// Bypass form: flow, m/s.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
         let closed = z * self.towards(force);
-        if closed.value() <= 0.0 { R::constant(self.flow) } else { (-(closed * self.flow)).plus(self.flow) }
+        let open = law(force, self.laminar) * self.flow;
+        if closed.value() <= 0.0 { open } else { open - open * closed }
     }
 
     /// What the state is drawn to: F, or tanh(w/u_0).

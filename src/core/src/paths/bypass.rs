@@ -1,23 +1,35 @@
 //! Oil that flows past the valves: through grooves in the tube, or through the open bypass of frequency-selective damping.
 //!
-//! u = w + b, b = q √(F_h / 1 kN), smooth through zero: flows through parallel passages add, so a bypass takes more force
-//! where the FV curve is steep than where a blow-off valve holds it.
+//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: in proportion to the force far below F_l, to its root far above.
+//! Flows through parallel passages add, so a bypass takes more force where the FV curve is steep than where a blow-off valve
+//! holds it.
 
 use super::acting::{GROOVE, PASSAGE, acts};
 use super::{STATES, place};
 use crate::dual::{Dual, Real};
 use crate::elements::Elements;
 
-/// Force below which the flow is proportional to it, N.
+/// F_l of a groove, which is short, N.
 const LAMINAR: f64 = 20.0;
 /// Force at which the flows are stated, N.
 const STATED: f64 = 1000.0;
 
-/// √(F / 1 kN) with the sign of F.
+/// 1/r(1 kN) of a passage.
+pub(crate) fn per_stated(laminar: f64) -> f64 {
+    libm::sqrt(libm::hypot(STATED, laminar)) / STATED
+}
+
+/// r(F).
 #[inline(always)]
-fn orifice<R: Real>(force: R) -> R {
-    let root = (force * force).plus(LAMINAR * LAMINAR).sqrt().sqrt();
-    force * root.inverse() * (1.0 / libm::sqrt(STATED))
+pub(crate) fn law<R: Real>(force: R, laminar: f64) -> R {
+    let root = (force * force).plus(laminar * laminar).sqrt().sqrt();
+    force * root.inverse()
+}
+
+/// r(F)/r(1 kN) of a groove.
+#[inline(always)]
+fn short<R: Real>(force: R) -> R {
+    law(force, LAMINAR) * (1.0 / libm::sqrt(STATED))
 }
 
 /// Whether oil flows past the valves.
@@ -28,17 +40,14 @@ pub(crate) fn is_open(e: &Elements) -> bool {
 /// b at given states, m/s; 0 where nothing is open.
 #[inline(always)]
 pub fn flow<R: Real>(e: &Elements, force: R, x: R, states: &[R; STATES]) -> R {
-    let mut at_stated = R::constant(0.0);
-    if !is_open(e) {
-        return at_stated;
-    }
+    let mut flow = R::constant(0.0);
     if e.has_groove() {
-        at_stated = at_stated + e.position_dependent_damping.groove(x, force.value() >= 0.0);
+        flow = e.position_dependent_damping.groove(x, force.value() >= 0.0) * short(force);
     }
     if e.has_passage() {
-        at_stated = at_stated + e.frequency_selective_damping.passes(force, states[place::SELECTIVE]);
+        flow = flow + e.frequency_selective_damping.passes(force, states[place::SELECTIVE]);
     }
-    at_stated * orifice(force)
+    flow
 }
 
 /// b after an implicit stage, with its slopes.
@@ -62,18 +71,17 @@ impl Past {
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Elements, force: f64, x: f64, known: f64, g: f64) -> Past {
         let force = Dual::<3>::along(force, 0);
-        let mut at_stated = Dual::constant(0.0);
+        let mut flow = Dual::constant(0.0);
         let (mut state, mut state_by) = (known, [0.0, 1.0]);
         if acts::<ON>(e, GROOVE) {
             let x = Dual::along(x, 1);
-            at_stated = at_stated + e.position_dependent_damping.groove(x, force.value >= 0.0);
+            flow = e.position_dependent_damping.groove(x, force.value >= 0.0) * short(force);
         }
         if acts::<ON>(e, PASSAGE) {
             let z = e.frequency_selective_damping.filled(force, Dual::along(known, 2), g);
-            at_stated = at_stated + e.frequency_selective_damping.passes(force, z);
+            flow = flow + e.frequency_selective_damping.passes(force, z);
             (state, state_by) = (z.value, [z.slope(0), z.slope(2)]);
         }
-        let flow = at_stated * orifice(force);
         Past { flow: flow.value, flow_by: flow.slopes, state, state_by }
     }
 }
