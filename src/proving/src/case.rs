@@ -5,7 +5,7 @@ use crate::severity;
 use dashpot_core::Params;
 use dashpot_lab::identification::{FitOptions, fit};
 use dashpot_lab::records::{self, Record};
-use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Options, Plan, Truth};
+use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
 pub const BASE: [&str; 4] = ["fv_curve", "series_compliance", "coulomb_friction", "gas_preload"];
@@ -33,6 +33,8 @@ pub struct Measured {
     pub held_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
+    /// Strengths of what is hidden.
+    pub strengths: Vec<f64>,
     /// What is hidden.
     pub truth: Truth,
 }
@@ -51,9 +53,15 @@ impl Case {
         self
     }
 
-    fn at(&self, strengths: &[f64]) -> Result<HiddenCampaign, ProvingError> {
+    fn at(&self, strengths: &[f64], more: &[TestPoint]) -> Result<HiddenCampaign, ProvingError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
-        Ok(HiddenCase { effects, plan: self.plan, options: self.options.clone() }.run()?)
+        let case = HiddenCase { effects, plan: self.plan, options: self.options.clone() };
+        if more.is_empty() {
+            return Ok(case.run()?);
+        }
+        let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
+        let matrix = Matrix::new(planned.points().iter().chain(more).cloned().collect())?;
+        Ok(case.run_matrix(&matrix, |_, _| ())?)
     }
 
     /// The strengths that make the severities, each effect by itself; together they are what they are.
@@ -65,14 +73,19 @@ impl Case {
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
             return Ok(strengths);
         }
-        let neutral = self.at(&strengths)?;
+        let neutral = self.at(&strengths, &[])?;
         let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent)?;
         for (k, (name, wanted)) in self.effects.iter().enumerate() {
             let mut alone = vec![0.0; self.effects.len()];
-            strengths[k] = ground.strength(name, *wanted, |strength| {
+            let found = ground.strength(name, *wanted, |strength| {
                 alone[k] = strength;
-                Ok(self.at(&alone)?.campaign)
-            })?;
+                Ok(self.at(&alone, &[])?.campaign)
+            });
+            strengths[k] = match found {
+                // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
+                Err(ProvingError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
+                other => other?,
+            };
         }
         Ok(strengths)
     }
@@ -82,8 +95,15 @@ impl Case {
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
     pub fn measure(&self) -> Result<Measured, ProvingError> {
-        let strengths = self.strengths()?;
-        let hidden = self.at(&strengths)?;
+        self.measure_at(self.strengths()?, &[])
+    }
+
+    /// Measures at known strengths, with tests beyond the plan, and identifies the base model.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse.
+    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, ProvingError> {
+        let hidden = self.at(&strengths, more)?;
         let noisy = read(&hidden.campaign)?;
         let clean = read(&without_noise(&hidden.campaign))?;
         let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
@@ -95,7 +115,7 @@ impl Case {
         if self.straight_curve {
             let _ = base.set("fv_interpolation", 1.0);
         }
-        Ok(Measured { records: noisy, clean, held_out, base, truth: hidden.truth })
+        Ok(Measured { records: noisy, clean, held_out, base, strengths, truth: hidden.truth })
     }
 }
 

@@ -99,6 +99,13 @@ pub fn table(all: &[Outcome]) -> String {
         })
         .count();
     let _ = writeln!(out, "poor plans, named right or said so: {}", share(honest, poor.len()));
+    let after: Vec<bool> =
+        poor.iter().filter_map(|o| o.with_proposed.as_ref().map(|name| Some(name.as_str()) == o.truth())).collect();
+    let _ = writeln!(
+        out,
+        "  the test proposed, run as well, decides: {}",
+        share(after.iter().filter(|right| **right).count(), after.len())
+    );
     if let Some(m) = median(all.iter().map(|o| o.seconds).collect()) {
         let _ = writeln!(out, "seconds per diagnosis, median: {m:.2}");
     }

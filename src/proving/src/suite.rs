@@ -38,7 +38,7 @@ impl Size {
         Size { seeds: 3, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 60, unknown: 2, pairs: 60, poor: 40 };
     /// Some ten minutes: the figures in the README.
     pub const MEDIUM: Size =
-        Size { seeds: 1, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 8, unknown: 1, pairs: 8, poor: 5 };
+        Size { seeds: 1, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 8, unknown: 1, pairs: 8, poor: 15 };
     /// A few minutes.
     pub const SHORT: Size = Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4 };
 }

@@ -15,11 +15,20 @@ const FORMS_JUDGED: usize = 2;
 /// Share of the best one's fall of χ² that is worth it.
 const WORTH: f64 = 0.4;
 
+/// A start with the Jacobian there.
+pub struct Started {
+    /// Which of those screened.
+    pub place: usize,
+    /// The numbers it starts from.
+    pub start: Vec<f64>,
+    /// Derivatives there.
+    pub jacobian: DMatrix<f64>,
+}
+
 /// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
-/// the likeliest effects, since an updated one stops short of the best. What is `started` comes with the Jacobian at its
-/// start, `before` is the cost without any of them.
+/// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them.
 pub fn race(
-    started: Vec<(usize, DMatrix<f64>)>,
+    started: Vec<Started>,
     screened: &[Screened],
     list: &[Candidate],
     tests: &[Test],
@@ -28,9 +37,7 @@ pub fn race(
     let of = |place: usize| &screened[place].hypothesis;
     let mut refits: Vec<(usize, Refit)> = started
         .into_par_iter()
-        .filter_map(|(place, jacobian)| {
-            Some((place, refit(of(place), tests, &screened[place].start, Some(jacobian), Effort::LOOK)?))
-        })
+        .filter_map(|s| Some((s.place, refit(of(s.place), tests, &s.start, Some(s.jacobian), Effort::LOOK)?)))
         .collect();
     let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
 

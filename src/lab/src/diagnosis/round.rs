@@ -2,7 +2,7 @@
 
 use super::evidence::{Evidence, effective_count, left_out};
 use super::hypothesis::Hypothesis;
-use super::race::race;
+use super::race::{Started, race};
 use super::refit::Refit;
 use super::samples::Test;
 use super::screening::{Projection, Screened, screen};
@@ -87,18 +87,26 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     let screened = screen(hypothesis, &at, &projection, &list, tests);
     progress("refitting everything with each likely effect");
     let chosen = choose(&screened, &list);
-    let started: Vec<(usize, DMatrix<f64>)> = chosen
+    let started: Vec<Started> = chosen
         .par_iter()
         .filter_map(|place| {
             let s = &screened[*place];
             let first = hypothesis.numbers.len();
-            let residual = s.hypothesis.residual(tests, &s.start)?;
-            let mut jacobian = DMatrix::zeros(residual.len(), s.start.len());
-            jacobian.columns_mut(0, first).copy_from(&at.jacobian);
-            for k in first..s.start.len() {
-                jacobian.set_column(k, &s.hypothesis.column(tests, &s.start, &residual, k)?);
+            let (mut start, mut residual) = (s.start.clone(), s.hypothesis.residual(tests, &s.start)?);
+            if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
+                // The base gave way to first order, which may be further than it goes: then it had better stay.
+                let still = s.hypothesis.start();
+                let there = s.hypothesis.residual(tests, &still)?;
+                if there.norm_squared() < residual.norm_squared() {
+                    (start, residual) = (still, there);
+                }
             }
-            Some((*place, jacobian))
+            let mut jacobian = DMatrix::zeros(residual.len(), start.len());
+            jacobian.columns_mut(0, first).copy_from(&at.jacobian);
+            for k in first..start.len() {
+                jacobian.set_column(k, &s.hypothesis.column(tests, &start, &residual, k)?);
+            }
+            Some(Started { place: *place, start, jacobian })
         })
         .collect();
     let refits = race(started, &screened, &list, tests, at.cost);
