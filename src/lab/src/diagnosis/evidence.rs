@@ -16,7 +16,7 @@ pub struct Evidence {
     pub share: f64,
     /// Root mean square of what it explains, in units of the noise.
     pub size: f64,
-    /// Lead of its criterion over the best effect of another name.
+    /// Lead of its criterion over the best effect of another name, each as it counts.
     pub margin: f64,
     /// Fall of the logarithm of χ².
     pub log_fall: f64,
@@ -87,32 +87,53 @@ pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
         .collect()
 }
 
+/// Mean excess, in σ², that the form of right names leaves: a share of the excess is one of what goes beyond.
+const FORM: f64 = 0.1;
+/// Least excess that a share is taken of, in σ².
+const LEAST: f64 = 0.06;
 /// Share of the excess that an effect must explain; the second for those that fit a little of everything.
-const SHARE: f64 = 0.25;
+const SHARE: f64 = 0.4;
 const SPONGE_SHARE: f64 = 0.5;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
 /// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing.
-const LEFT_OUT: f64 = -0.05;
+const LEFT_OUT: f64 = -0.15;
+/// What a criterion is worth that needs numbers which no damper shows.
+const FAR_FETCHED: f64 = 0.9;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
-const WEIGHTS: [f64; FEATURES] = [-11.10, 0.486, 4.19, 3.92, -1.99, 2.79, 2.87];
+const WEIGHTS: [f64; FEATURES] = [-8.700, 0.918, 0.317, 2.24, -1.265, 3.416, -0.103];
 /// Number of features.
 pub const FEATURES: usize = 7;
 
+/// Share of an excess, both in σ² per independent sample, beyond what the form of right names leaves.
+pub fn share_beyond_form(fall: f64, excess: f64) -> f64 {
+    fall / (excess - FORM).max(LEAST)
+}
+
 impl Evidence {
+    /// Its criterion as it counts against rivals.
+    pub fn standing(&self) -> f64 {
+        if self.plausible >= 1.0 { self.bic_fall } else { FAR_FETCHED * self.bic_fall }
+    }
+
+    fn explained(&self) -> f64 {
+        let excess = self.excess * self.excess;
+        share_beyond_form(self.share * excess, excess).clamp(-1.0, 1.05)
+    }
+
     /// What the logistic sees.
     pub fn features(&self) -> [f64; FEATURES] {
         [
             1.0,
             (self.bic_fall / 10.0).asinh(),
-            self.share.clamp(-1.0, 1.0),
+            self.explained(),
             self.plausible,
             f64::from(u8::from(self.sponge)),
             // Of two that explain nearly the same, the form of the curves decides, not the effect.
-            (self.margin / self.bic_fall.max(1.0)).clamp(-1.0, 1.0),
+            (4.0 * self.margin / self.standing().abs().max(1.0)).clamp(-1.0, 1.0),
             self.tests_better,
         ]
     }
@@ -123,7 +144,11 @@ impl Evidence {
         let share = if self.sponge { SPONGE_SHARE } else { SHARE };
         // What fits a little of everything does so with numbers that no damper shows.
         let likely = !self.sponge || self.plausible >= 1.0;
-        likely && self.share >= share && self.size >= SMALLEST && self.left_out_gain > LEFT_OUT && self.bic_fall > 10.0
+        likely
+            && self.explained() >= share
+            && self.size >= SMALLEST
+            && self.left_out_gain > LEFT_OUT
+            && self.bic_fall > 10.0
     }
 
     /// Probability that the name is right.

@@ -166,7 +166,8 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
         return false;
     }
     let closed = gap_closed(tests, &before, &after).unwrap_or(0.0);
-    found.together() >= TOGETHER || (found.together() >= LESS_TOGETHER && closed >= GAP_CLOSED)
+    let together = found.together(fitted);
+    together >= TOGETHER || (together >= LESS_TOGETHER && closed >= GAP_CLOSED)
 }
 
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.
@@ -427,6 +428,7 @@ impl Answer<'_> {
         let rivals: Vec<next_test::Rival> = round
             .tried
             .iter()
+            .filter(|t| t.candidate.unnamed.is_none())
             .take(3)
             .filter(|t| t.evidence.bic_fall > 0.0)
             .map(|t| next_test::Rival {

@@ -33,8 +33,12 @@ pub fn two_at_once(
     original: f64,
 ) -> Option<Pair> {
     let left = round.before - ground.floor;
-    let may_be_one =
-        |t: &&Tried| t.evidence.share >= SHARE && t.evidence.plausible >= 1.0 && t.evidence.bic_fall > 10.0;
+    let may_be_one = |t: &&Tried| {
+        t.candidate.unnamed.is_none()
+            && t.evidence.share >= SHARE
+            && t.evidence.plausible >= 1.0
+            && t.evidence.bic_fall > 10.0
+    };
     round.tried.iter().filter(may_be_one).take(TRIED).find_map(|first| {
         let ((hypothesis, refit), with_first) = with(first, &last.0, added, ground.tests)?;
         let with_first = ((hypothesis, refit), with_first);

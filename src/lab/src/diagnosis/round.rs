@@ -48,7 +48,7 @@ pub struct Tried {
 impl Tried {
     /// Whether it may be named.
     pub fn convinces(&self) -> bool {
-        self.confidence >= NAMED && self.evidence.is_admissible()
+        self.candidate.unnamed.is_none() && self.confidence >= NAMED && self.evidence.is_admissible()
     }
 }
 
@@ -82,7 +82,9 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     let situation = Situation::new(&hypothesis.params(&at.theta), ground.records, tests);
     let list: Vec<Candidate> = candidates(&situation)
         .into_iter()
-        .filter(|c| (ground.allowed)(c.effect) && !added.iter().any(|a| a.candidate.effect == c.effect))
+        .filter(|c| {
+            (c.unnamed.is_some() || (ground.allowed)(c.effect)) && !added.iter().any(|a| a.candidate.effect == c.effect)
+        })
         .collect();
     let screened = screen(hypothesis, &at, &projection, &list, tests);
     progress("refitting everything with each likely effect");
@@ -162,17 +164,17 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         }
     }
     tried.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.bic_fall)).collect();
+    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.standing())).collect();
     for entry in &mut tried {
         let own = family(entry.candidate.effect);
         let rival = scores.iter().filter(|(other, _)| *other != own).map(|s| s.1).fold(0.0, f64::max);
-        entry.evidence.margin = entry.evidence.bic_fall - rival;
+        entry.evidence.margin = entry.evidence.standing() - rival;
         entry.confidence = entry.evidence.confidence();
     }
     // What fits best is not always likeliest: it may need numbers that no damper shows.
     tried.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
     let mut invisible: Vec<(&'static str, f64)> = Vec::new();
-    for candidate in &list {
+    for candidate in list.iter().filter(|c| c.unnamed.is_none()) {
         let seen = screened
             .iter()
             .filter(|s| list[s.candidate].effect == candidate.effect)

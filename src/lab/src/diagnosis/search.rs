@@ -1,6 +1,6 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
-use super::evidence::{Evidence, effective_count, noise_chi2, noise_chi2_deviation};
+use super::evidence::{Evidence, effective_count, noise_chi2, noise_chi2_deviation, share_beyond_form};
 use super::finer_curve::finer;
 use super::hypothesis::{Free, Hypothesis};
 use super::pair::two_at_once;
@@ -165,9 +165,10 @@ fn with_enough_points(base: Hypothesis, first: Refit, tests: &[Test], floor: f64
 }
 
 impl Search {
-    /// Share of the excess that all names together explain.
-    pub fn together(&self) -> f64 {
-        (self.base.1.chi2 - self.last.1.chi2) / (self.base.1.chi2 - self.floor).max(1e-9)
+    /// Share of the excess, beyond what the form of right names leaves, that all names together explain.
+    pub fn together(&self, tests: &[Test]) -> f64 {
+        let per = 1.0 / effective_count(tests);
+        share_beyond_form(per * (self.base.1.chi2 - self.last.1.chi2), per * (self.base.1.chi2 - self.floor))
     }
 
     /// Takes all names back.

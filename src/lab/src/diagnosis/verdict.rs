@@ -77,8 +77,9 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
         ));
     }
     let suspects = found.rounds.first().map_or(Vec::new(), suspects);
-    let best = found.rounds.first().and_then(|r| r.tried.first());
+    let best = found.rounds.first().and_then(|r| named(r).next());
     let convincing = best.is_some_and(Tried::convinces);
+    let looks_like = found.rounds.first().and_then(looks_like);
     if before < found.quiet || (before < FORM && !convincing) {
         return Judged {
             verdict: Verdict::NothingMissing,
@@ -91,7 +92,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             notes,
         };
     }
-    if suspects.len() >= 2 && suspects[0].share >= SUSPECT_SHARE {
+    if suspects.len() >= 2 && suspects[0].share >= SUSPECT_SHARE && looks_like.is_none() {
         let names: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
         return Judged {
             verdict: Verdict::CannotTell,
@@ -112,9 +113,12 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             notes,
         };
     }
-    let nearest = best.map_or(String::new(), |t| {
-        format!("; the nearest, {}, explains {:.0} %", t.candidate.effect, 100.0 * t.evidence.share.clamp(0.0, 1.0))
-    });
+    let percent = |t: &Tried| 100.0 * t.evidence.share.clamp(0.0, 1.0);
+    let nearest = match looks_like {
+        Some((what, t)) => format!("; it looks like {what}, which explains {:.0} %", percent(t)),
+        None => best
+            .map_or(String::new(), |t| format!("; the nearest, {}, explains {:.0} %", t.candidate.effect, percent(t))),
+    };
     Judged {
         verdict: Verdict::UnknownEffect,
         summary: format!(
@@ -126,12 +130,21 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     }
 }
 
+/// What a disagreement without a name looks like, where that explains it better than any name.
+fn looks_like(round: &Round) -> Option<(&'static str, &Tried)> {
+    let best = round.tried.iter().max_by(|a, b| a.evidence.standing().total_cmp(&b.evidence.standing()))?;
+    best.candidate.unnamed.filter(|_| best.evidence.share >= SUSPECT_SHARE).map(|what| (what, best))
+}
+
+/// Those tried that have a name.
+fn named(round: &Round) -> impl Iterator<Item = &Tried> {
+    round.tried.iter().filter(|t| t.candidate.unnamed.is_none())
+}
+
 /// The effects that explain about as much as the best.
 fn suspects(round: &Round) -> Vec<Rival> {
-    let Some(best) = round.tried.first() else { return Vec::new() };
-    round
-        .tried
-        .iter()
+    let Some(best) = named(round).next() else { return Vec::new() };
+    named(round)
         .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > best.evidence.share - AS_WELL)
         .take(4)
         .map(|t| rival(t, best))
@@ -140,8 +153,8 @@ fn suspects(round: &Round) -> Vec<Rival> {
 
 /// The names that lost a round.
 pub fn rivals(round: &Round) -> Vec<Rival> {
-    let Some(best) = round.tried.first() else { return Vec::new() };
-    round.tried.iter().skip(1).take(4).map(|t| rival(t, best)).collect()
+    let Some(best) = named(round).next() else { return Vec::new() };
+    named(round).skip(1).take(4).map(|t| rival(t, best)).collect()
 }
 
 fn rival(t: &Tried, best: &Tried) -> Rival {

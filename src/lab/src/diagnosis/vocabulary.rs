@@ -62,6 +62,9 @@ pub struct Candidate {
     pub starts: Vec<Start>,
     /// Whether it fits a little of everything: it must then explain more than others to be named.
     pub sponge: bool,
+    /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
+    /// what it explains better.
+    pub unnamed: Option<&'static str>,
 }
 
 impl Candidate {
@@ -94,7 +97,7 @@ fn candidate(
     fresh: Vec<Fresh>,
     starts: Vec<Start>,
 ) -> Candidate {
-    Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false }
+    Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false, unnamed: None }
 }
 
 fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
@@ -110,6 +113,7 @@ pub fn candidates(s: &Situation) -> Vec<Candidate> {
     hydraulics(s, &mut all);
     stops(s, &mut all);
     measurement(s, &mut all);
+    unnamed(&mut all);
     all.retain(|c| {
         let known = |name: &str| elements::names().any(|n| n == name);
         c.elements.iter().all(|e| known(e)) && (c.is_artefact() || !s.base.is_on(c.elements[0]))
@@ -581,6 +585,30 @@ fn measurement(s: &Situation, all: &mut Vec<Candidate>) {
                 ..rig(Artefact::WarmUp(time), (-200.0, 200.0), &[10.0])
             });
         }
+    }
+}
+
+/// What a rig may add that the vocabulary has no name for.
+fn unnamed(all: &mut Vec<Candidate>) {
+    let fresh = |artefact: Artefact| Fresh {
+        free: Free::Rig(artefact),
+        plausible: (-artefact.limit(), artefact.limit()),
+        deviation: None,
+    };
+    all.push(Candidate {
+        unnamed: Some("friction that grows with the force, as a tilted cross-head or eye makes in the guides"),
+        ..candidate(
+            Artefact::Guide.name(),
+            &[],
+            vec![fresh(Artefact::Guide), fresh(Artefact::GuideAlong)],
+            vec![Start::at(&[0.03, 0.1])],
+        )
+    });
+    for width in [50, 150, 400] {
+        all.push(Candidate {
+            unnamed: Some("a loop over force whatever the speed, as a load cell with hysteresis draws"),
+            ..candidate(Artefact::Loop(width).name(), &[], vec![fresh(Artefact::Loop(width))], vec![Start::at(&[0.02])])
+        });
     }
 }
 
