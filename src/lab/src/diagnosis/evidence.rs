@@ -26,7 +26,9 @@ pub struct Evidence {
     pub tests_better: f64,
     /// Root mean square of the excess before, in units of the noise.
     pub excess: f64,
-    /// Share of its fresh numbers that are inside what dampers and rigs show.
+    /// How many fresh numbers it has.
+    pub numbers: usize,
+    /// Share of them that are inside what dampers and rigs show.
     pub plausible: f64,
     /// Whether it is of a kind that fits a little of everything.
     pub sponge: bool,
@@ -93,18 +95,20 @@ const FORM: f64 = 0.1;
 const LEAST: f64 = 0.06;
 /// Share of the excess that an effect must explain; the second for those that fit a little of everything.
 const SHARE: f64 = 0.4;
-const SPONGE_SHARE: f64 = 0.5;
+const SPONGE_SHARE: f64 = 0.55;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
 /// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing.
 const LEFT_OUT: f64 = -0.15;
+/// Numbers from which an effect has many.
+const MANY: usize = 4;
 /// What a criterion is worth that needs numbers which no damper shows.
 const FAR_FETCHED: f64 = 0.9;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
-const WEIGHTS: [f64; FEATURES] = [-8.700, 0.918, 0.317, 2.24, -1.265, 3.416, -0.103];
+const WEIGHTS: [f64; FEATURES] = [-7.047, 0.770, 1.760, -1.382, 1.736, 1.882, 0.274];
 /// Number of features.
 pub const FEATURES: usize = 7;
 
@@ -126,14 +130,15 @@ impl Evidence {
 
     /// What the logistic sees.
     pub fn features(&self) -> [f64; FEATURES] {
+        let lead = self.margin / self.standing().abs().max(1.0);
         [
             1.0,
             (self.bic_fall / 10.0).asinh(),
-            self.explained(),
             self.plausible,
             f64::from(u8::from(self.sponge)),
             // Of two that explain nearly the same, the form of the curves decides, not the effect.
-            (4.0 * self.margin / self.standing().abs().max(1.0)).clamp(-1.0, 1.0),
+            (4.0 * lead).clamp(-1.0, 1.0),
+            (10.0 * lead).clamp(-1.0, 1.0),
             self.tests_better,
         ]
     }
@@ -143,7 +148,8 @@ impl Evidence {
     pub fn is_admissible(&self) -> bool {
         let share = if self.sponge { SPONGE_SHARE } else { SHARE };
         // What fits a little of everything does so with numbers that no damper shows.
-        let likely = !self.sponge || self.plausible >= 1.0;
+        // Of many numbers one may be far-fetched.
+        let likely = if self.sponge { self.plausible >= 1.0 } else { self.numbers < MANY || self.plausible > 0.5 };
         likely
             && self.explained() >= share
             && self.size >= SMALLEST

@@ -128,7 +128,8 @@ pub fn diagnose(
     };
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let mut found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
-    if !holds(&found, records, &fitted, &left) {
+    let stands = |found: &Search| holds(found, records, &fitted, &left);
+    if !stands(&found) && !found.stands_in_another_form(&fitted, &stands) {
         found.take_back();
     }
     progress(0.92, "looking at what is left");

@@ -57,7 +57,9 @@ pub fn two_at_once(
         if !is_worth_a_later_name(other, beside_second.before - ground.floor, original) {
             return None;
         }
-        let (last, added) = with(other, &with_second.0.0, &with_second.1, ground.tests)?;
-        Some(Pair { last, added, rounds: vec![beside_first, beside_second] })
+        let (last, mut both) = with(other, &with_second.0.0, &with_second.1, ground.tests)?;
+        // The one that explains more comes first.
+        both[added.len()..].sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
+        Some(Pair { last, added: both, rounds: vec![beside_first, beside_second] })
     })
 }

@@ -14,6 +14,10 @@ const JUDGED: usize = 3;
 const FORMS_JUDGED: usize = 2;
 /// Share of the best one's fall of χ² that is worth it.
 const WORTH: f64 = 0.4;
+/// Shares of the excess that must be explained after the first and after the second heat to go on: what brings less will
+/// not be named.
+const STARTED: f64 = 0.05;
+const HALFWAY: f64 = 0.15;
 
 /// A start with the Jacobian there.
 pub struct Started {
@@ -26,13 +30,15 @@ pub struct Started {
 }
 
 /// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
-/// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them.
+/// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them,
+/// `excess` what of it is no noise.
 pub fn race(
     started: Vec<Started>,
     screened: &[Screened],
     list: &[Candidate],
     tests: &[Test],
     before: f64,
+    excess: f64,
 ) -> Vec<(usize, Refit)> {
     let of = |place: usize| &screened[place].hypothesis;
     let mut refits: Vec<(usize, Refit)> = started
@@ -42,7 +48,8 @@ pub fn race(
     let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
 
     by_cost(&mut refits);
-    let rest = refits.split_off(refits.len().min(GO_ON));
+    let started = refits.iter().filter(|r| before - r.1.cost > STARTED * excess).count();
+    let rest = refits.split_off(started.min(GO_ON));
     let go_on = |(place, known): (usize, Refit), effort: Effort| {
         let jacobian = (!effort.renews).then(|| known.jacobian.clone());
         let better = refit(of(place), tests, &known.theta, jacobian, effort);
@@ -51,7 +58,7 @@ pub fn race(
     let mut refits: Vec<(usize, Refit)> = refits.into_par_iter().map(|one| go_on(one, Effort::COMPARE)).collect();
     refits.extend(rest);
     by_cost(&mut refits);
-    let worth = refits.first().map_or(0.0, |best| before - WORTH * (before - best.1.cost));
+    let worth = refits.first().map_or(0.0, |best| before - (WORTH * (before - best.1.cost)).max(HALFWAY * excess));
     let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());
     let finals: Vec<bool> = refits
         .iter()

@@ -56,8 +56,10 @@ impl Tried {
 pub struct Round {
     /// χ² before.
     pub before: f64,
-    /// All that were refitted.
+    /// All effects that were refitted, each in the form that fits best.
     pub tried: Vec<Tried>,
+    /// Their other forms, as far as those were refitted.
+    pub other_forms: Vec<Tried>,
     /// Effects that leave no trace in these tests, with what is left of their response, in σ².
     pub invisible: Vec<(&'static str, f64)>,
 }
@@ -111,11 +113,11 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             Some(Started { place: *place, start, jacobian })
         })
         .collect();
-    let refits = race(started, &screened, &list, tests, at.cost);
+    let excess = (at.chi2 - ground.floor).max(1e-9);
+    let refits = race(started, &screened, &list, tests, at.cost, excess);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
-    let excess = (at.chi2 - ground.floor).max(1e-9);
-    let mut tried: Vec<Tried> = Vec::new();
+    let (mut tried, mut other_forms): (Vec<Tried>, Vec<Tried>) = (Vec::new(), Vec::new());
     for (place, refit) in refits {
         let s = &screened[place];
         let candidate = &list[s.candidate];
@@ -151,6 +153,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
             tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
             excess: (excess / effective_count(tests)).sqrt(),
+            numbers: fresh,
             plausible,
             sponge: candidate.sponge,
             later: !added.is_empty(),
@@ -158,8 +161,8 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         let entry =
             Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };
         match tried.iter_mut().find(|t| t.candidate.effect == candidate.effect) {
-            Some(other) if other.evidence.bic_fall >= entry.evidence.bic_fall => {}
-            Some(other) => *other = entry,
+            Some(other) if other.evidence.bic_fall >= entry.evidence.bic_fall => other_forms.push(entry),
+            Some(other) => other_forms.push(std::mem::replace(other, entry)),
             None => tried.push(entry),
         }
     }
@@ -184,7 +187,8 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             invisible.push((candidate.effect, seen));
         }
     }
-    Round { before: at.chi2, tried, invisible }
+    other_forms.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
+    Round { before: at.chi2, tried, other_forms, invisible }
 }
 
 /// Starts of each form that moved the base: what they answer to a step says little of where they end.

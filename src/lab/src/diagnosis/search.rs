@@ -106,7 +106,9 @@ pub fn search(
                 break;
             }
             (found.last, found.added) = with(best, &found.last.0, &found.added, tests)?;
-            take_out_what_is_not_needed(&mut found.last, &mut found.added, tests);
+            // The one just added is needed.
+            let old = found.added.len() - 1;
+            take_out_what_is_not_needed(&mut found.last, &mut found.added, old, tests);
             continue;
         }
         if found.added.len() + 2 > limits.effects || left < quiet {
@@ -116,7 +118,8 @@ pub fn search(
         let Some(pair) = two_at_once(&ground, &found.last, &found.added, round, original) else { break };
         (found.last, found.added) = (pair.last, pair.added);
         found.rounds.extend(pair.rounds);
-        take_out_what_is_not_needed(&mut found.last, &mut found.added, tests);
+        let both = found.added.len();
+        take_out_what_is_not_needed(&mut found.last, &mut found.added, both, tests);
     }
     Some(found)
 }
@@ -171,6 +174,28 @@ impl Search {
         share_beyond_form(per * (self.base.1.chi2 - self.last.1.chi2), per * (self.base.1.chi2 - self.floor))
     }
 
+    /// Whether a single effect that does not stand does so in another form, which then takes its place.
+    pub fn stands_in_another_form(&mut self, tests: &[Test], stands: &dyn Fn(&Search) -> bool) -> bool {
+        let [only] = &self.added[..] else { return false };
+        let (last, added) = (self.last.clone(), self.added.clone());
+        let others: Vec<Tried> = self.rounds[0]
+            .other_forms
+            .iter()
+            .filter(|t| t.candidate.effect == only.candidate.effect && t.evidence.is_admissible())
+            .map(|t| Tried { confidence: only.confidence, ..t.clone() })
+            .collect();
+        for other in &others {
+            if let Some(explained) = with(other, &self.base.0, &[], tests) {
+                (self.last, self.added) = explained;
+                if stands(self) {
+                    return true;
+                }
+            }
+        }
+        (self.last, self.added) = (last, added);
+        false
+    }
+
     /// Takes all names back.
     pub fn take_back(&mut self) {
         self.taken_back = self.added.drain(..).map(|a| a.candidate.effect).collect();
@@ -186,13 +211,21 @@ pub fn physical(free: &Free, value: f64) -> f64 {
     }
 }
 
-/// Takes out effects that later ones have made superfluous.
-fn take_out_what_is_not_needed(last: &mut (Hypothesis, Refit), added: &mut Vec<Added>, tests: &[Test]) {
+/// Takes those of the first effects out that others have made superfluous.
+fn take_out_what_is_not_needed(
+    last: &mut (Hypothesis, Refit),
+    added: &mut Vec<Added>,
+    mut first: usize,
+    tests: &[Test],
+) {
     let mut place = 0;
-    while place + 1 < added.len() {
+    while place < first && added.len() > 1 {
         let numbers = added[place].candidate.fresh.len() as f64;
         match leave(last, added, place, tests) {
-            Some((less, rest)) if less.1.cost - last.1.cost < REMOVABLE * numbers => (*last, *added) = (less, rest),
+            Some((less, rest)) if less.1.cost - last.1.cost < REMOVABLE * numbers => {
+                (*last, *added) = (less, rest);
+                first -= 1;
+            }
             _ => place += 1,
         }
     }
@@ -201,7 +234,7 @@ fn take_out_what_is_not_needed(last: &mut (Hypothesis, Refit), added: &mut Vec<A
 /// Everything refitted with one of the effects left out.
 pub fn leave(last: &(Hypothesis, Refit), added: &[Added], place: usize, tests: &[Test]) -> Option<Explained> {
     let less = without(&last.0, &last.1.theta, &added[place]);
-    let refitted = refit(&less, tests, &less.start(), None, Effort::COMPARE)?;
+    let refitted = refit(&less, tests, &less.start(), None, Effort::JUDGE)?;
     let mut rest = added.to_vec();
     let gone = rest.remove(place);
     for other in &mut rest {

@@ -16,7 +16,7 @@ pub const CHECK_PREFIX: &str = "check_";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Plan {
     /// 34 tests over strokes, frequencies, mean positions and side force, three of them the same reference at start, middle
-    /// and end; 10 more to check on. In shuffled order.
+    /// and end; 14 more to check on. In shuffled order.
     #[default]
     Diagnosis,
     /// The thesis's matrix, in its own order.
@@ -100,12 +100,12 @@ mod tests {
     fn diagnosis_covers_what_it_says() {
         let matrix = Plan::Diagnosis.matrix(5);
         let points = matrix.points();
-        assert_eq!(points.len(), 44);
-        assert_eq!(points.iter().filter(|p| p.name.starts_with(CHECK_PREFIX)).count(), 10);
+        assert_eq!(points.len(), 48);
+        assert_eq!(points.iter().filter(|p| p.name.starts_with(CHECK_PREFIX)).count(), 14);
         assert_eq!(points.iter().filter(|p| p.road_seed.is_some()).count(), 3);
-        let references: Vec<usize> = (0..44).filter(|i| points[*i].name.starts_with("reference")).collect();
-        assert_eq!((references[0], references[2]), (0, 43));
-        assert!((18..26).contains(&references[1]));
+        let references: Vec<usize> = (0..48).filter(|i| points[*i].name.starts_with("reference")).collect();
+        assert_eq!((references[0], references[2]), (0, 47));
+        assert!((20..28).contains(&references[1]));
         assert!(points.iter().all(|p| p.peak_velocity_m_s <= 1.6 && p.frequency_hz <= 25.03 && p.cycles >= 3));
         for side in [500.0, 1000.0] {
             assert!(points.iter().any(|p| p.side_force_n == side));

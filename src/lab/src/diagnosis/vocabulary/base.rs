@@ -1,0 +1,63 @@
+//! The numbers of the model that is diagnosed.
+
+use crate::diagnosis::hypothesis::{Number, number};
+use crate::identification::unknowns::Unknown;
+use dashpot_core::Params;
+
+/// Masses of a rod with what moves with it, kg. A free internal mass would stand for any mass on the rig.
+const ROD: (f64, f64) = (0.02, 0.6);
+
+fn rod_mass(base: &Params) -> Number {
+    let mut base = *base;
+    let _ = base.set("internal_mass", base.scalar("internal_mass").clamp(ROD.0, ROD.1));
+    Number { bounds: (ROD.0.ln(), ROD.1.ln()), ..number(&base, Unknown::Log("internal_mass"), Some(1.0)) }
+}
+
+/// The numbers of the base model that a refit may change.
+pub fn base_numbers(base: &Params) -> Vec<Number> {
+    use crate::identification::unknowns::{CurveName, Unknowns};
+    let mut list = Vec::new();
+    let on = |name: &str| base.is_on(name);
+    if on("series_compliance") {
+        list.push(rod_mass(base));
+    }
+    let mut add = |unknown: Unknown, prior: Option<f64>| list.push(number(base, unknown, prior));
+    for rise in Unknowns::rises(base, CurveName::Fv) {
+        add(rise, None);
+    }
+    if on("series_compliance") {
+        add(Unknown::Log("series_stiffness"), Some(1.5));
+        add(Unknown::Linear("series_damping"), Some(0.5 * base.scalar("series_damping").abs().max(200.0)));
+    }
+    if on("parallel_spring") {
+        for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {
+            if base.scalar(name) != 0.0 {
+                add(Unknown::Linear(name), None);
+            }
+        }
+        if base.list("spring_displacement").len() > 2 {
+            for rise in Unknowns::rises(base, CurveName::Spring) {
+                add(rise, None);
+            }
+        }
+    }
+    if on("gas_preload") {
+        add(Unknown::Linear("gas_force"), None);
+    }
+    if on("coulomb_friction") {
+        add(Unknown::Linear("coulomb_force"), None);
+        add(Unknown::Log("coulomb_steepness"), Some(0.5));
+    }
+    if on("stribeck_friction") {
+        add(Unknown::Linear("stribeck_coulomb_force"), None);
+        add(Unknown::Above("stribeck_breakaway_force", "stribeck_coulomb_force"), Some(0.5));
+        add(Unknown::Log("stribeck_breakaway_velocity"), Some(0.7));
+    }
+    if on("viscous_friction") {
+        add(Unknown::Linear("viscous_coefficient"), Some(0.3 * base.scalar("viscous_coefficient").abs().max(10.0)));
+    }
+    if on("side_force_friction") {
+        add(Unknown::Linear("side_force_coefficient"), None);
+    }
+    list
+}

@@ -1,0 +1,133 @@
+//! The effects that a diagnosis can name, each with the numbers it adds and where their search starts.
+//!
+//! One effect may come in several forms (a cap on rebound or on compression, a stop of rubber or of oil): they carry one
+//! name, and the form that fits best speaks for it.
+
+mod base;
+mod friction;
+mod oil;
+mod rig;
+mod series;
+mod springs;
+mod stops;
+mod unnamed;
+mod valves;
+
+pub use base::base_numbers;
+
+use super::hypothesis::Free;
+use super::situation::Situation;
+use crate::identification::unknowns::Unknown;
+use dashpot_core::elements;
+
+/// A number that an effect brings along.
+#[derive(Debug, Clone)]
+pub struct Fresh {
+    /// What it is.
+    pub free: Free,
+    /// Values that a damper or a rig shows; a finding outside is told.
+    pub plausible: (f64, f64),
+    /// Standard deviation of what is expected of it, in its own scale, where it is weakly determined by nature.
+    pub deviation: Option<f64>,
+}
+
+/// Where a search begins.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// Values of the fresh numbers in physical units, in their order.
+    pub values: Vec<f64>,
+    /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
+    pub moves: Vec<(&'static str, f64)>,
+    /// A stroke (+1 rebound, −1 compression) whose FV branch is drawn on straight from its middle: a capped branch hides the
+    /// cap.
+    pub unbend: Option<f64>,
+    /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
+    pub level: f64,
+}
+
+impl Start {
+    fn at(values: &[f64]) -> Start {
+        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, level: 0.0 }
+    }
+
+    fn moving(values: &[f64], moves: &[(&'static str, f64)]) -> Start {
+        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, level: 0.0 }
+    }
+}
+
+/// One form of one effect.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// Name of the effect.
+    pub effect: &'static str,
+    /// Which form, where there are several.
+    pub form: &'static str,
+    /// Elements that it switches on.
+    pub elements: &'static [&'static str],
+    /// Parameters that it sets and leaves.
+    pub fixed: Vec<(&'static str, f64)>,
+    /// Numbers that it frees.
+    pub fresh: Vec<Fresh>,
+    /// Where to search.
+    pub starts: Vec<Start>,
+    /// Whether it fits a little of everything: it must then explain more than others to be named.
+    pub sponge: bool,
+    /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
+    /// what it explains better.
+    pub unnamed: Option<&'static str>,
+}
+
+impl Candidate {
+    /// Whether it is of the rig, not of the damper.
+    pub fn is_artefact(&self) -> bool {
+        self.elements.is_empty()
+    }
+}
+
+fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
+    Fresh { free: Free::Model(Unknown::Log(name)), plausible, deviation: None }
+}
+
+fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..log(name, plausible) }
+}
+
+fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
+    Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None }
+}
+
+/// Near an expected value by nature: `deviation` in its own unit.
+fn near(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..linear(name, plausible) }
+}
+
+fn candidate(
+    effect: &'static str,
+    elements: &'static [&'static str],
+    fresh: Vec<Fresh>,
+    starts: Vec<Start>,
+) -> Candidate {
+    Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false, unnamed: None }
+}
+
+fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
+    a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
+}
+
+/// All effects that could be added in a situation: those of elements that are not on, and those of the rig.
+pub fn candidates(s: &Situation) -> Vec<Candidate> {
+    let mut all = Vec::new();
+    springs::springs(&mut all);
+    friction::friction(s, &mut all);
+    series::series(s, &mut all);
+    oil::oil(s, &mut all);
+    valves::valves(s, &mut all);
+    stops::stops(s, &mut all);
+    rig::rig(s, &mut all);
+    unnamed::unnamed(&mut all);
+    all.retain(|c| {
+        let known = |name: &str| elements::names().any(|n| n == name);
+        c.elements.iter().all(|e| known(e)) && (c.is_artefact() || !s.base.is_on(c.elements[0]))
+    });
+    all
+}

@@ -1,0 +1,106 @@
+//! The oil column: compressibility, air, voids, temperature.
+
+use super::{Candidate, Fresh, Start, candidate, grid, held, linear, log, near};
+use crate::diagnosis::hypothesis::Free;
+use crate::diagnosis::situation::Situation;
+
+/// One over the length of an oil column, 1/m.
+const COLUMN: f64 = 6.0;
+
+/// Oil that yields, tears off or thins.
+pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
+    let stiffness = if s.base.is_on("series_compliance") { s.base.scalar("series_stiffness") } else { 2e6 };
+    for (chambers, form) in [(0.0, "rebound chamber"), (1.0, "both chambers")] {
+        all.push(Candidate {
+            form,
+            fixed: vec![("oil_chambers", chambers)],
+            ..candidate(
+                "oil_compressibility",
+                &["oil_compressibility"],
+                // A column of eight to fifty centimetres.
+                vec![log("oil_stiffness", (3e5, 2e7)), near("oil_shortening", (0.0, 20.0), 4.0)],
+                vec![
+                    Start::at(&[1e7, COLUMN]),
+                    Start::at(&[2.5e6, COLUMN]),
+                    Start::at(&[7e5, COLUMN]),
+                    Start::moving(&[2.0 * stiffness, COLUMN], &[("series_stiffness", 2.0)]),
+                    Start::moving(&[1.3 * stiffness, COLUMN], &[("series_stiffness", 4.0)]),
+                ],
+            )
+        });
+    }
+    all.push(candidate(
+        "aeration",
+        &["aeration"],
+        vec![log("aeration_stroke", (2e-5, 3e-3)), held("aeration_force", (40.0, 1500.0), 0.8)],
+        grid(&[1e-4, 4e-4], &[120.0, 300.0])
+            .into_iter()
+            .chain([Start::moving(&[2e-4, 200.0], &[("series_stiffness", 1.4)])])
+            .collect(),
+    ));
+    for (side, stroke, top) in [(0.0, -1.0, s.top_compression), (1.0, 1.0, s.top_rebound)] {
+        for kept in [1.0, 0.0] {
+            all.push(Candidate {
+                form: match (side == 0.0, kept == 1.0) {
+                    (true, true) => "compression capped, gas pushes on",
+                    (true, false) => "compression capped, dead return",
+                    (false, true) => "rebound capped, force stays",
+                    (false, false) => "rebound capped, dead return",
+                },
+                fixed: vec![("cavitation_side", side), ("cavitation_return", kept)],
+                ..candidate(
+                    "cavitation",
+                    &["cavitation"],
+                    vec![log("cavitation_force", (100.0, 5000.0))],
+                    [0.98, 0.93, 0.85, 0.7]
+                        .map(|share| Start { unbend: Some(stroke), ..Start::at(&[share * top]) })
+                        .into_iter()
+                        .chain([Start::at(&[0.9 * top])])
+                        .collect(),
+                )
+            });
+        }
+    }
+    all.push(Candidate {
+        form: "foot valve does not refill",
+        fixed: vec![("cavitation_form", 1.0), ("cavitation_side", 1.0)],
+        ..candidate(
+            "cavitation",
+            &["cavitation"],
+            vec![log("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
+            grid(&[0.01, 0.025, 0.06, 0.15], &[0.1, 0.25, 0.5]),
+        )
+    });
+    if s.temperature_measured {
+        all.push(Candidate {
+            form: "measured temperature",
+            fixed: vec![("fade_source", 0.0), ("fade_reference", s.temperature)],
+            ..candidate(
+                "temperature_fade",
+                &["temperature_fade"],
+                vec![linear("fade_coefficient", (0.001, 0.05)), held("fade_laminar_force", (50.0, 1e6), 1.2)],
+                vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3])],
+            )
+        });
+    } else {
+        all.push(Candidate {
+            form: "heated by its own work",
+            fixed: vec![("fade_source", 1.0), ("fade_reference", 20.0), ("heat_capacity", 1000.0)],
+            ..candidate(
+                "temperature_fade",
+                &["temperature_fade"],
+                vec![
+                    linear("fade_coefficient", (0.001, 0.05)),
+                    Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2) },
+                    held("fade_laminar_force", (50.0, 1e6), 1.2),
+                ],
+                vec![
+                    Start::at(&[0.004, 2e-3, 1e4]),
+                    Start::at(&[0.004, 1e-2, 1e4]),
+                    Start::at(&[0.01, 2e-3, 1e3]),
+                    Start::at(&[0.01, 1e-2, 1e3]),
+                ],
+            )
+        });
+    }
+}

@@ -1,0 +1,58 @@
+//! The rig: mass on the load cell, late channels, zeros that are off or move.
+
+use super::{Candidate, Fresh, Start, candidate, linear};
+use crate::diagnosis::hypothesis::Free;
+use crate::diagnosis::measurement::Artefact;
+use crate::diagnosis::situation::Situation;
+
+/// Mass on the rig, and what the measurement adds.
+pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
+    for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
+        all.push(Candidate {
+            form,
+            sponge: true,
+            // Its force may lag no more than it must: at 25 Hz a tenth of a millisecond is 1.6 %.
+            fixed: vec![("moving_mass_place", place), ("moving_mass_time", 1e-4)],
+            ..candidate(
+                "moving_mass",
+                &["moving_mass"],
+                vec![linear("moving_mass", (0.2, 30.0))],
+                vec![
+                    Start::at(&[2.0]),
+                    // The base takes a mass up in its series stiffness, either way.
+                    Start::moving(&[4.0], &[("series_stiffness", 0.5)]),
+                    Start::moving(&[4.0], &[("series_stiffness", 2.0)]),
+                ],
+            )
+        });
+    }
+    let added = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
+        sponge: true,
+        ..candidate(
+            artefact.name(),
+            &[],
+            vec![Fresh { free: Free::Rig(artefact), plausible, deviation: None }],
+            values.iter().map(|v| Start::at(&[*v])).collect(),
+        )
+    };
+    all.push(added(Artefact::Delay, (-4.9e-3, 4.9e-3), &[3e-4, -3e-4]));
+    if !s.base.is_on("gas_preload") {
+        all.push(added(Artefact::Offset, (-200.0, 200.0), &[10.0]));
+    }
+    if s.clock_span > 1.0 {
+        for pause in &s.pauses {
+            all.push(Candidate {
+                form: "zero set anew during the campaign",
+                ..added(Artefact::Step(*pause), (-200.0, 200.0), &[10.0])
+            });
+        }
+        all.push(added(Artefact::Drift, (-0.2, 0.2), &[10.0 / s.clock_span]));
+        for share in [0.07, 0.15, 0.3, 0.6] {
+            let time = ((share * s.clock_span) as u32).max(1);
+            all.push(Candidate {
+                form: "settles as the rig warms up",
+                ..added(Artefact::WarmUp(time), (-200.0, 200.0), &[10.0])
+            });
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Stops at the ends of the stroke.
+
+use super::{Candidate, Start, candidate, held, linear, log};
+use crate::diagnosis::situation::Situation;
+
+/// Adds them.
+pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
+    let (low, high) = s.reach;
+    for (effect, elements, names, reach) in [
+        (
+            "bump_stop",
+            &["bump_stop"] as &'static [&'static str],
+            [
+                "bump_stop_clearance",
+                "bump_stop_stiffness",
+                "bump_stop_damping",
+                "bump_stop_progression",
+                "bump_stop_flow",
+            ],
+            -low,
+        ),
+        (
+            "rebound_stop",
+            &["rebound_stop"],
+            [
+                "rebound_stop_clearance",
+                "rebound_stop_stiffness",
+                "rebound_stop_damping",
+                "rebound_stop_progression",
+                "rebound_stop_flow",
+            ],
+            high,
+        ),
+    ] {
+        if reach <= 1e-3 {
+            continue;
+        }
+        let clearances = [0.5, 0.7, 0.85].map(|share| share * reach);
+        all.push(Candidate {
+            form: "rubber",
+            ..candidate(
+                effect,
+                elements,
+                vec![log(names[1], (500.0, 3e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
+                clearances.map(|c| Start::at(&[1e4, c, 0.02])).to_vec(),
+            )
+        });
+        for (orifice, form) in [(0.0, "hydraulic, gap"), (1.0, "hydraulic, orifice")] {
+            all.push(Candidate {
+                form,
+                fixed: vec![(names[1], 0.0), (names[4], orifice)],
+                ..candidate(
+                    effect,
+                    elements,
+                    vec![log(names[2], (100.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
+                    clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c, 0.02]))).collect(),
+                )
+            });
+        }
+    }
+}

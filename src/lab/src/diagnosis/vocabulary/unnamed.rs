@@ -1,0 +1,29 @@
+//! What a rig may add that the vocabulary has no name for.
+
+use super::{Candidate, Fresh, Start, candidate};
+use crate::diagnosis::hypothesis::Free;
+use crate::diagnosis::measurement::Artefact;
+
+/// What a rig may add that the vocabulary has no name for.
+pub(super) fn unnamed(all: &mut Vec<Candidate>) {
+    let fresh = |artefact: Artefact| Fresh {
+        free: Free::Rig(artefact),
+        plausible: (-artefact.limit(), artefact.limit()),
+        deviation: None,
+    };
+    all.push(Candidate {
+        unnamed: Some("friction that grows with the force, as a tilted cross-head or eye makes in the guides"),
+        ..candidate(
+            Artefact::Guide.name(),
+            &[],
+            vec![fresh(Artefact::Guide), fresh(Artefact::GuideAlong)],
+            vec![Start::at(&[0.03, 0.1])],
+        )
+    });
+    for width in [50, 150, 400] {
+        all.push(Candidate {
+            unnamed: Some("a loop over force whatever the speed, as a load cell with hysteresis draws"),
+            ..candidate(Artefact::Loop(width).name(), &[], vec![fresh(Artefact::Loop(width))], vec![Start::at(&[0.02])])
+        });
+    }
+}
