@@ -8,7 +8,6 @@ use crate::identification::segment::Segment;
 use crate::identification::sensitivity::{Accuracy, Run, forces};
 use crate::identification::unknowns::{Unknown, Unknowns};
 use dashpot_core::parameter::find;
-use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -120,8 +119,7 @@ impl Hypothesis {
     fn model(&self, theta: &[f64]) -> Option<Model> {
         let mut params = self.params(theta);
         self.take_heat_as_measured(&mut params);
-        let model = Model::new(&params).ok()?;
-        Some(model.with_integration(Integration::fixed(Method::Fourth, 1)))
+        Model::new(&params).ok()
     }
 
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
@@ -146,17 +144,23 @@ impl Hypothesis {
         all.split_off(test.segment.from)
     }
 
-    /// Computed forces at the scored samples of all tests; `None` where the numbers make no model.
+    /// Computed forces at the scored samples of all tests, as the model's own steps give them; `None` where the numbers make
+    /// no model.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let model = self.model(theta)?;
+        self.forces_by(&self.model(theta)?, tests, theta)
+    }
+
+    fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
-            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(&model, test, k, theta)).collect();
+            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, k, theta)).collect();
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
-    /// Weighted residuals of all tests.
+    /// Weighted residuals of all tests, with as few substeps as will do for a search.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
-        let all = self.forces(tests, theta)?;
+        let model = self.model(theta)?;
+        let model = model.with_integration(Accuracy::Single.integration(&self.base, &model));
+        let all = self.forces_by(&model, tests, theta)?;
         let list: Vec<f64> = tests
             .iter()
             .zip(&all)
