@@ -93,8 +93,10 @@ pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
 const FORM: f64 = 0.1;
 /// Least excess that a share is taken of, in σ².
 const LEAST: f64 = 0.06;
-/// Share of the excess that an effect must explain; the second for those that fit a little of everything.
+/// Share of the excess that an effect must explain; of what a name has left, a smaller one will do; those that fit a little
+/// of everything need more.
 const SHARE: f64 = 0.4;
+const LATER_SHARE: f64 = 0.25;
 const SPONGE_SHARE: f64 = 0.55;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
@@ -146,7 +148,11 @@ impl Evidence {
     /// Whether it may be named at all, however confident: it explains a fair share of the disagreement, is large enough to
     /// matter, and predicts tests better that it has not seen.
     pub fn is_admissible(&self) -> bool {
-        let share = if self.sponge { SPONGE_SHARE } else { SHARE };
+        let share = match (self.sponge, self.later) {
+            (true, _) => SPONGE_SHARE,
+            (false, true) => LATER_SHARE,
+            (false, false) => SHARE,
+        };
         // What fits a little of everything does so with numbers that no damper shows.
         // Of many numbers one may be far-fetched.
         let likely = if self.sponge { self.plausible >= 1.0 } else { self.numbers < MANY || self.plausible > 0.5 };

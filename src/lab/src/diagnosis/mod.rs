@@ -431,7 +431,7 @@ impl Answer<'_> {
             .iter()
             .filter(|t| t.candidate.unnamed.is_none())
             .take(3)
-            .filter(|t| t.evidence.bic_fall > 0.0)
+            .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > verdict::LISTED)
             .map(|t| next_test::Rival {
                 effect: t.candidate.effect,
                 hypothesis: &t.hypothesis,

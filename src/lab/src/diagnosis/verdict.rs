@@ -10,6 +10,8 @@ use super::search::Search;
 const FORM: f64 = 0.4;
 /// Share of the excess that a suspect must explain.
 const SUSPECT_SHARE: f64 = 0.5;
+/// Share of the excess below which an effect is no suspect and no rival.
+pub const LISTED: f64 = 0.2;
 /// Share of the remaining excess within which a rival explains as much as the best.
 const AS_WELL: f64 = 0.15;
 
@@ -145,7 +147,7 @@ fn named(round: &Round) -> impl Iterator<Item = &Tried> {
 fn suspects(round: &Round) -> Vec<Rival> {
     let Some(best) = named(round).next() else { return Vec::new() };
     named(round)
-        .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > best.evidence.share - AS_WELL)
+        .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > LISTED.max(best.evidence.share - AS_WELL))
         .take(4)
         .map(|t| rival(t, best))
         .collect()
