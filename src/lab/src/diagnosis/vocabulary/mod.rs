@@ -131,3 +131,30 @@ pub fn candidates(s: &Situation) -> Vec<Candidate> {
     });
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::EFFECTS;
+    use dashpot_core::Params;
+
+    #[test]
+    fn every_candidate_has_a_name_of_the_list_or_none_and_a_value_for_each_number() {
+        let mut base = Params::new();
+        base.enable("stribeck_friction", false).unwrap();
+        base.enable("gas_preload", false).unwrap();
+        let mut situation = Situation::new(&base, &[], &[]);
+        (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
+        let all = candidates(&situation);
+        for c in &all {
+            assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
+            assert!(!c.starts.is_empty() && c.starts.iter().all(|s| s.values.len() == c.fresh.len()), "{c:?}");
+        }
+        let missing: Vec<&&str> = EFFECTS.iter().filter(|e| all.iter().all(|c| c.effect != **e)).collect();
+        // What the base has on is no candidate, and what no rig can separate never is one.
+        assert!(
+            missing.iter().all(|e| base.is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
+            "{missing:?}"
+        );
+    }
+}
