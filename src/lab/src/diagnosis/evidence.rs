@@ -105,6 +105,8 @@ const SMALLEST: f64 = 0.2;
 const LEFT_OUT: f64 = -0.15;
 /// Numbers from which an effect has many.
 const MANY: usize = 4;
+/// Share of the excess that is nearly all of it.
+const NEARLY_ALL: f64 = 0.9;
 /// What a criterion is worth that needs numbers which no damper shows.
 const FAR_FETCHED: f64 = 0.9;
 
@@ -154,8 +156,12 @@ impl Evidence {
             (false, false) => SHARE,
         };
         // What fits a little of everything does so with numbers that no damper shows.
-        // Of many numbers one may be far-fetched.
-        let likely = if self.sponge { self.plausible >= 1.0 } else { self.numbers < MANY || self.plausible > 0.5 };
+        // Of many numbers one may be far-fetched, or more where nearly everything is explained.
+        let likely = if self.sponge {
+            self.plausible >= 1.0
+        } else {
+            self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
+        };
         likely
             && self.explained() >= share
             && self.size >= SMALLEST
