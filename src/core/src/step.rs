@@ -83,7 +83,9 @@ impl Integration {
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3), and further on
         // in proportion to them (0.1 % at 4 to 6 each, the less damping the less: tests/tests/bridge_accuracy.rs).
-        let stiffness = params.scalar("series_stiffness") * (1.0 + elements.bushing.share);
+        let bushing = &elements.bushing;
+        let added = bushing.share + bushing.slow_share + bushing.stop_share;
+        let stiffness = params.scalar("series_stiffness") * (1.0 + added);
         let mass = if elements.has_series() { elements.series_compliance.mass } else { params.scalar("internal_mass") };
         // A heavy mass on a stiff spring rings on where the curve, of a few kN s/m, cannot damp it: it wants more.
         let light = (libm::sqrt(stiffness * mass) / 3500.0).clamp(1.0, 2.5);

@@ -83,14 +83,15 @@ fn main() {
                         .take(4)
                         .map(|t| {
                             format!(
-                                "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3}",
+                                "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3} plausible {:.2}",
                                 t.effect,
                                 t.form,
                                 t.confidence,
                                 t.evidence.bic_fall,
                                 t.evidence.share,
                                 t.evidence.size,
-                                t.evidence.left_out_gain
+                                t.evidence.left_out_gain,
+                                t.evidence.plausible
                             )
                         })
                         .collect();

@@ -5,9 +5,13 @@ use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// F_s = φ (1 + (φ/(k_s d_h))²) + k_1 z with the straight series spring's force φ, and dz/dt = dd/dt − z/τ − |dd/dt| z/d_f:
-/// beside the hardening spring a branch of stiffness k_1 that gives way in time (Maxwell) and with deflection, as friction in
-/// the filler does (Berg, Veh. Syst. Dyn. 30, 1998).
+/// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the straight series spring's force φ.
+///
+/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is what the deflection d goes beyond the stop at L, which adds the stiffness k_e.
+///
+/// *Losses*: beside the spring a branch of stiffness k_1 that gives way in time (Maxwell) and with deflection, as friction in
+/// the filler does (Berg, Veh. Syst. Dyn. 30, 1998), dz/dt = dd/dt − z/τ − |dd/dt| z/d_f; and one of stiffness k_2 that gives
+/// way in a longer time, dy/dt = dd/dt − y/τ_2, since rubber relaxes over decades.
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
     /// 1/d_h.
@@ -18,6 +22,27 @@ pub struct Bushing {
     per_time: f64,
     /// 1/d_f.
     per_slip: f64,
+    /// L.
+    stop: f64,
+    /// k_e/k_s.
+    pub(crate) stop_share: f64,
+    /// k_2/k_s.
+    pub(crate) slow_share: f64,
+    /// 1/τ_2.
+    per_slow_time: f64,
+}
+
+/// What the branches that give way answer after an implicit stage: z and y, their slopes over the rate of the deflection, and
+/// over their known parts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Relaxed {
+    pub at: [f64; 2],
+    pub by_rate: [f64; 2],
+    pub by_known: [f64; 2],
+}
+
+impl Relaxed {
+    pub const NONE: Relaxed = Relaxed { at: [0.0; 2], by_rate: [0.0; 2], by_known: [0.0; 2] };
 }
 
 /// Rate of the deflection over which the friction sets in, m/s.
@@ -38,8 +63,8 @@ impl Describe for Bushing {
             "bushing_loss_stiffness",
             "-",
             &[0.3],
-            (0.0, 3.0),
-            "share of the series stiffness that fast motion adds, k_1/k_s",
+            (0.0, 30.0),
+            "share of the series stiffness that fast or small motion adds, k_1/k_s",
         ),
         Parameter::scalar("bushing_loss_time", "s", &[0.01], (1e-4, 1e3), "time in which that share gives way, tau"),
         Parameter::scalar(
@@ -49,11 +74,42 @@ impl Describe for Bushing {
             (1e-6, 1e3),
             "deflection in which that share gives way by friction, d_f; large: by time alone",
         ),
+        Parameter::scalar(
+            "bushing_stop",
+            "m",
+            &[1e-3],
+            (1e-5, 1.0),
+            "deflection at which the rubber meets a stop, to either side, L",
+        ),
+        Parameter::scalar(
+            "bushing_stop_stiffness",
+            "-",
+            &[0.0],
+            (0.0, 100.0),
+            "share of the series stiffness that the stop adds, k_e/k_s; 0: no stop",
+        ),
+        Parameter::scalar(
+            "bushing_slow_stiffness",
+            "-",
+            &[0.0],
+            (0.0, 3.0),
+            "share of the series stiffness that gives way slowly, k_2/k_s",
+        ),
+        Parameter::scalar("bushing_slow_time", "s", &[0.1], (1e-3, 1e3), "time in which that share gives way, tau_2"),
     ];
 }
 
 impl Prepare for Bushing {
-    const OFF: Self = Bushing { per_length: 0.0, share: 0.0, per_time: 1.0, per_slip: 0.0 };
+    const OFF: Self = Bushing {
+        per_length: 0.0,
+        share: 0.0,
+        per_time: 1.0,
+        per_slip: 0.0,
+        stop: 1.0,
+        stop_share: 0.0,
+        slow_share: 0.0,
+        per_slow_time: 1.0,
+    };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         Ok(Bushing {
@@ -61,6 +117,10 @@ impl Prepare for Bushing {
             share: p.number(1),
             per_time: 1.0 / p.number(2),
             per_slip: 1.0 / p.number(3),
+            stop: p.number(4),
+            stop_share: p.number(5),
+            slow_share: p.number(6),
+            per_slow_time: 1.0 / p.number(7),
         })
     }
 }
@@ -72,26 +132,53 @@ impl Bushing {
         (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
     }
 
-    /// dz/dt at a rate of the deflection.
+    /// dz/dt and dy/dt at a rate of the deflection.
     #[inline(always)]
-    pub(crate) fn rate<R: Real>(&self, rate: R, z: R) -> R {
-        rate - z * self.gives_way(rate)
+    pub(crate) fn rates<R: Real>(&self, rate: R, [z, y]: [R; 2]) -> [R; 2] {
+        [rate - z * self.gives_way(rate), rate - y * self.per_slow_time]
     }
 
-    /// z after an implicit stage that is `known` at its start, with its slopes over the rate and over that.
+    /// z and y after an implicit stage that are `known` at its start.
     #[inline(always)]
-    pub(crate) fn stage(&self, rate: f64, known: f64, g: f64) -> (f64, [f64; 2]) {
+    pub(crate) fn stage<const SLOW: bool>(&self, rate: f64, known: [f64; 2], g: f64) -> Relaxed {
         let gives_way = self.gives_way(Dual::<1>::along(rate, 0));
         let divide = 1.0 / (1.0 + g * gives_way.value);
-        let z = (known + rate * g) * divide;
-        (z, [g * divide * (1.0 - z * gives_way.slope(0)), divide])
+        let z = (known[0] + rate * g) * divide;
+        let mut relaxed = Relaxed {
+            at: [z, 0.0],
+            by_rate: [g * divide * (1.0 - z * gives_way.slope(0)), 0.0],
+            by_known: [divide, 0.0],
+        };
+        if SLOW {
+            let divide = 1.0 / (1.0 + g * self.per_slow_time);
+            relaxed.at[1] = (known[1] + rate * g) * divide;
+            relaxed.by_rate[1] = g * divide;
+            relaxed.by_known[1] = divide;
+        }
+        relaxed
+    }
+
+    /// (k_1 z + k_2 y)/k_s.
+    #[inline(always)]
+    pub(crate) fn relaxing<R: Real>(&self, [z, y]: [R; 2]) -> R {
+        z * self.share + y * self.slow_share
     }
 
     /// The hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
     #[inline(always)]
     pub(crate) fn hardened<R: Real>(&self, k: R, force: R, stiffness: R) -> (R, R) {
-        let depth = force * k.inverse() * self.per_length;
-        let square = depth * depth;
-        (force * square.plus(1.0), stiffness * (square * 3.0).plus(1.0))
+        let deflection = force * k.inverse();
+        let square = (deflection * self.per_length) * (deflection * self.per_length);
+        let (mut hard, mut factor) = (force * square.plus(1.0), (square * 3.0).plus(1.0));
+        if self.stop_share > 0.0 {
+            // (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼: nothing cancels.
+            let x = deflection * (1.0 / self.stop);
+            let cube = x * x * x.abs();
+            let root = (x.abs() * cube).plus(1.0).sqrt();
+            let r = root.sqrt();
+            hard = hard + k * x * cube * (r.plus(1.0) * root.plus(1.0)).inverse() * (self.stop * self.stop_share);
+            factor = factor + cube * (r * root).inverse() * self.stop_share;
+        }
+        (hard, stiffness * factor)
     }
 }

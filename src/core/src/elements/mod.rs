@@ -39,6 +39,8 @@ mod temperature_fade;
 mod valve_hysteresis;
 mod viscous_friction;
 
+pub(crate) use bushing::Relaxed;
+
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::parameter::{Group, Parameter, Params, View};
 use crate::paths::{self, Slots};
@@ -502,6 +504,12 @@ impl Elements {
     #[inline(always)]
     pub(crate) fn has_bushing(&self) -> bool {
         self.has(Place::bushing)
+    }
+
+    /// Whether a part of the bushing gives way slowly.
+    #[inline(always)]
+    pub(crate) fn has_slow_bushing(&self) -> bool {
+        self.has_bushing() && self.bushing.slow_share > 0.0
     }
 
     #[inline(always)]

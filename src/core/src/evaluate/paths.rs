@@ -59,10 +59,11 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     let mut force = inner + primary;
     if e.has_series() {
         let rate = around.v - u;
-        force = series::force(e, &frame, around.x - x, rate, states[place::BUSHING]);
+        let relaxing = [states[place::BUSHING], states[place::SLOW_BUSHING]];
+        force = series::force(e, &frame, around.x - x, rate, relaxing);
         rates[place::X] = u;
         rates[place::U] = (force - inner - primary) * frame.mass.inverse();
-        rates[place::BUSHING] = e.bushing.rate(rate, states[place::BUSHING]);
+        [rates[place::BUSHING], rates[place::SLOW_BUSHING]] = e.bushing.rates(rate, relaxing);
     }
     Instant { residual, rates, force, primary, inner }
 }

@@ -31,6 +31,8 @@ pub const GROOVE: u32 = 1 << 11;
 pub const PASSAGE: u32 = 1 << 12;
 /// A length of the oil column that depends on the place.
 pub const LENGTH: u32 = 1 << 13;
+/// A part of the bushing that gives way slowly.
+pub const SLOW_BUSHING: u32 = 1 << 14;
 /// Whatever the model says.
 pub const ANY: u32 = u32::MAX;
 
@@ -44,6 +46,7 @@ pub(crate) fn of(e: &Elements) -> u32 {
         (SERIES, e.has_series()),
         (FREE_PLAY, e.has_free_play()),
         (BUSHING, e.has_bushing()),
+        (SLOW_BUSHING, e.has_slow_bushing()),
         (COLUMN, e.has_column()),
         (AIR, e.has_aeration()),
         (LENGTH, e.has_length()),
@@ -80,6 +83,7 @@ pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
     let bit = match state {
         place::X | place::U => SERIES,
         place::BUSHING => BUSHING,
+        place::SLOW_BUSHING => SLOW_BUSHING,
         place::COLUMN => COLUMN,
         place::VOID => CAVITATION,
         place::SELECTIVE => SELECTIVE | PASSAGE,

@@ -2,7 +2,7 @@
 //! and the hydraulic path from there to the valves.
 //!
 //! ```text
-//! F_s = φ(x − x_m) + c_s χ (v − u) + k_1 z                           [series]
+//! F_s = φ(x − x_m) + c_s χ (v − u) + k_1 z + k_2 y                   [series]
 //! m du/dt = F_s − F_p(x_m) − F_h                                    (or x_m = x, u = v)
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
@@ -24,7 +24,7 @@ use crate::elements::{Elements, MAX_MEMORY};
 use crate::state::State;
 
 /// Number of states that act on each other.
-pub const STATES: usize = 8;
+pub const STATES: usize = 9;
 
 /// Places of the states among them.
 pub mod place {
@@ -32,18 +32,20 @@ pub mod place {
     pub const X: usize = 0;
     /// Its velocity.
     pub const U: usize = 1;
-    /// Deflection of the bushing's Maxwell spring, z.
+    /// Deflection of the bushing's spring that gives way, z.
     pub const BUSHING: usize = 2;
+    /// Of the one that does so slowly, y.
+    pub const SLOW_BUSHING: usize = 3;
     /// Deflection of the oil column, q.
-    pub const COLUMN: usize = 3;
+    pub const COLUMN: usize = 4;
     /// The void that cavitation left, e.
-    pub const VOID: usize = 4;
+    pub const VOID: usize = 5;
     /// Frequency-selective damping.
-    pub const SELECTIVE: usize = 5;
+    pub const SELECTIVE: usize = 6;
     /// Opening of the valve.
-    pub const VALVE: usize = 6;
+    pub const VALVE: usize = 7;
     /// Rise of the oil's temperature.
-    pub const HEAT: usize = 7;
+    pub const HEAT: usize = 8;
 }
 
 /// Where the private states among them are kept in [`State::memory`]: one after the other, those of elements that are
@@ -129,6 +131,7 @@ impl Slots {
 pub(crate) fn slots(e: &Elements) -> Slots {
     let mut on = [false; STATES];
     on[place::BUSHING] = e.has_bushing();
+    on[place::SLOW_BUSHING] = e.has_slow_bushing();
     on[place::COLUMN] = e.has_column();
     on[place::VOID] = e.has_cavitation();
     on[place::SELECTIVE] = e.has_frequency_selective() || e.has_passage();

@@ -38,13 +38,13 @@ fn elastic<const ON: u32, R: Real>(e: &Elements, stiffness: R, deflection: R) ->
     (force, slope, closed)
 }
 
-/// F_s at a deflection, its rate, and the Maxwell spring's deflection z.
+/// F_s at a deflection, its rate, and the deflections of what gives way in a bushing.
 #[inline(always)]
-pub fn force<R: Real>(e: &Elements, frame: &Frame<R>, deflection: R, rate: R, maxwell: R) -> R {
+pub fn force<R: Real>(e: &Elements, frame: &Frame<R>, deflection: R, rate: R, relaxing: [R; 2]) -> R {
     let (elastic, _, closed) = elastic::<ANY, _>(e, frame.stiffness, deflection);
     let mut force = elastic + frame.damping * closed * rate;
     if e.has_bushing() {
-        force = force + frame.stiffness * maxwell * e.bushing.share;
+        force = force + frame.stiffness * e.bushing.relaxing(relaxing);
     }
     force
 }
@@ -54,10 +54,10 @@ pub fn force<R: Real>(e: &Elements, frame: &Frame<R>, deflection: R, rate: R, ma
 pub(crate) struct Sloped {
     /// F_s.
     pub force: f64,
-    /// Over deflection, its rate, z, k_s and c_s.
+    /// Over deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s.
     pub by_deflection: f64,
     pub by_rate: f64,
-    pub by_maxwell: f64,
+    pub by_relaxing: f64,
     pub by_stiffness: f64,
     pub by_damping: f64,
 }
@@ -65,18 +65,18 @@ pub(crate) struct Sloped {
 impl Sloped {
     /// Where there is no series path.
     pub const NONE: Sloped =
-        Sloped { force: 0.0, by_deflection: 0.0, by_rate: 0.0, by_maxwell: 0.0, by_stiffness: 0.0, by_damping: 0.0 };
+        Sloped { force: 0.0, by_deflection: 0.0, by_rate: 0.0, by_relaxing: 0.0, by_stiffness: 0.0, by_damping: 0.0 };
 }
 
 /// As [`force`], in a stage.
 #[inline(always)]
-pub(crate) fn sloped<const ON: u32>(e: &Elements, deflection: f64, rate: f64, maxwell: f64) -> Sloped {
+pub(crate) fn sloped<const ON: u32>(e: &Elements, deflection: f64, rate: f64, relaxing: f64) -> Sloped {
     let (k, c) = (e.series_compliance.stiffness, e.series_compliance.damping);
     let mut s = Sloped {
         force: k * deflection + c * rate,
         by_deflection: k,
         by_rate: c,
-        by_maxwell: 0.0,
+        by_relaxing: 0.0,
         by_stiffness: deflection,
         by_damping: rate,
     };
@@ -89,9 +89,9 @@ pub(crate) fn sloped<const ON: u32>(e: &Elements, deflection: f64, rate: f64, ma
         s.by_damping = closed.value * rate;
     }
     if acts::<ON>(e, BUSHING) {
-        s.by_maxwell = k * e.bushing.share;
-        s.force += s.by_maxwell * maxwell;
-        s.by_stiffness += e.bushing.share * maxwell;
+        s.by_relaxing = k;
+        s.force += k * relaxing;
+        s.by_stiffness += relaxing;
     }
     s
 }

@@ -63,6 +63,19 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         ("free play", of(&["free_play"], &[])),
         ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
         ("bushing with friction", of(&["bushing"], &[("bushing_slip", 1e-4), ("bushing_loss_time", 1e3)])),
+        (
+            "bushing with a stop",
+            of(
+                &["bushing"],
+                &[
+                    ("series_stiffness", 5e5),
+                    ("bushing_stop", 7e-4),
+                    ("bushing_stop_stiffness", 3.0),
+                    ("bushing_slow_stiffness", 0.4),
+                    ("bushing_slow_time", 0.1),
+                ],
+            ),
+        ),
         ("both in series", of(&["free_play", "bushing"], &[])),
         ("oil", of(&["oil_compressibility"], &[])),
         ("oil alone", without_series(of(&["oil_compressibility"], &[]))),

@@ -2,9 +2,9 @@
 
 use super::{Balance, Known};
 use crate::dual::Dual;
-use crate::elements::{Elements, Motion, Response};
+use crate::elements::{Elements, Motion, Relaxed, Response};
 use crate::input::PathPoint;
-use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, acts};
+use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, acts};
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage, length_in_stage};
 use crate::paths::series;
@@ -97,9 +97,10 @@ struct Look {
     u_by_force: f64,
     x: f64,
     u: f64,
-    /// z, and its slopes over the rate of the deflection and Z.
-    maxwell: f64,
-    maxwell_by: [f64; 2],
+    /// What gives way in the bushing.
+    relaxed: Relaxed,
+    /// (k_1 z + k_2 y)/k_s over the rate of the deflection.
+    relaxing_by_rate: f64,
     law: series::Sloped,
     inner: Response,
     /// d(force on the mass)/du, held back.
@@ -163,7 +164,10 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         states[place::X] = at.x;
         states[place::U] = at.u;
         if acts::<ON>(e, BUSHING) {
-            states[place::BUSHING] = at.maxwell;
+            states[place::BUSHING] = at.relaxed.at[0];
+        }
+        if acts::<ON>(e, SLOW_BUSHING) {
+            states[place::SLOW_BUSHING] = at.relaxed.at[1];
         }
         if acts::<ON>(e, COLUMN) {
             states[place::COLUMN] = at.column[0];
@@ -225,8 +229,9 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             u_held += (per_g * e.cavitation.sign) * (by_v * seed.v + by_void * known[place::VOID]);
         }
         let law = &at.law;
-        let [maxwell_by_rate, gives_way] = at.maxwell_by;
-        let by_rate = law.by_rate + law.by_maxwell * maxwell_by_rate;
+        let by_rate = law.by_rate + law.by_relaxing * at.relaxing_by_rate;
+        let Relaxed { by_rate: relaxed_by_rate, by_known, .. } = at.relaxed;
+        let relaxing = [by_known[0] * known[place::BUSHING], by_known[1] * known[place::SLOW_BUSHING]];
         let residual = if has_series {
             let mut residual = at.resists * u_held + held + (at.inner.by_x + law.by_deflection) * known[place::X]
                 - (e.series_compliance.mass * per_g) * known[place::U]
@@ -234,7 +239,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
                 - by_rate * seed.v
                 + (seed.drag - seed.series);
             if acts::<ON>(e, BUSHING) {
-                residual -= law.by_maxwell * gives_way * known[place::BUSHING];
+                residual -= law.by_relaxing * e.bushing.relaxing(relaxing);
             }
             residual
         } else {
@@ -275,9 +280,9 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         states[place::U] = u;
         let mut force = law.by_deflection * (seed.x - x) + law.by_rate * (seed.v - u) + seed.series;
         if acts::<ON>(e, BUSHING) {
-            let maxwell = gives_way * known[place::BUSHING] + maxwell_by_rate * (seed.v - u);
-            states[place::BUSHING] = maxwell;
-            force += law.by_maxwell * maxwell;
+            let relaxed = [0, 1].map(|k| relaxing[k] + relaxed_by_rate[k] * (seed.v - u));
+            [states[place::BUSHING], states[place::SLOW_BUSHING]] = relaxed;
+            force += law.by_relaxing * e.bushing.relaxing(relaxed);
         }
         Derivative { states, force }
     }
@@ -328,9 +333,10 @@ impl Look {
         self.inner.force += (self.inner.by_v + g * self.inner.by_x) * u;
         self.law.force -= (self.law.by_deflection * g + self.law.by_rate) * u;
         if acts::<ON>(e, BUSHING) {
-            let maxwell = self.maxwell_by[0] * u;
-            self.maxwell -= maxwell;
-            self.law.force -= self.law.by_maxwell * maxwell;
+            for (at, by_rate) in self.relaxed.at.iter_mut().zip(self.relaxed.by_rate) {
+                *at -= by_rate * u;
+            }
+            self.law.force -= self.law.by_relaxing * self.relaxing_by_rate * u;
         }
     }
 
@@ -367,20 +373,26 @@ impl Look {
             u_by_force += oil_void_by[0] * per;
         }
         let inner = |x: f64, u: f64| e.inner(&Motion { displacement: x, velocity: u, side_force: 0.0, temperature });
-        let (mut maxwell, mut maxwell_by) = (0.0, [0.0; 2]);
+        let (mut relaxed, mut relaxing, mut relaxing_by_rate) = (Relaxed::NONE, 0.0, 0.0);
         let (residual, x, law, at, resists);
         if acts::<ON>(e, SERIES) {
             x = known[place::X] + u * g;
             let rate = path.v - u;
             if acts::<ON>(e, BUSHING) {
-                (maxwell, maxwell_by) = e.bushing.stage(rate, known[place::BUSHING], g);
+                let before = [known[place::BUSHING], known[place::SLOW_BUSHING]];
+                relaxed = if acts::<ON>(e, SLOW_BUSHING) {
+                    e.bushing.stage::<true>(rate, before, g)
+                } else {
+                    e.bushing.stage::<false>(rate, before, g)
+                };
+                (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
-            law = series::sloped::<ON>(e, path.x - x, rate, maxwell);
+            law = series::sloped::<ON>(e, path.x - x, rate, relaxing);
             at = inner(x, u);
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
-                held += law.by_maxwell * maxwell_by[0];
+                held += law.by_relaxing * relaxing_by_rate;
             }
             resists = held;
             let follows = 1.0 + resists * u_by_force;
@@ -410,8 +422,8 @@ impl Look {
             u_by_force,
             x,
             u,
-            maxwell,
-            maxwell_by,
+            relaxed,
+            relaxing_by_rate,
             law,
             inner: at,
             resists,

@@ -36,6 +36,46 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
+    let stop = [log("bushing_stop", (1e-4, 1.0)), linear("bushing_stop_stiffness", (0.0, 15.0))];
+    // The base has a stiffness between those before and after the stop.
+    let top = 0.5 * (s.top_rebound + s.top_compression) / s.base.scalar("series_stiffness");
+    let softer = |values: &dyn Fn(f64, f64) -> Vec<f64>| {
+        [0.12, 0.25, 0.5]
+            .iter()
+            .flat_map(|part| {
+                [0.3, 0.6].map(|k| {
+                    let stop = (part * top / k).clamp(5e-5, 2e-2);
+                    Start::moving(&values(stop, 0.7 / k), &[("series_stiffness", k)])
+                })
+            })
+            .collect()
+    };
+    for (form, fixed, losses, starts) in [
+        (
+            "relaxes over decades and meets a stop",
+            ("bushing_slip", 1e3),
+            vec![
+                linear("bushing_loss_stiffness", (0.0, 3.0)),
+                held("bushing_loss_time", (5e-4, 0.3), 0.7),
+                linear("bushing_slow_stiffness", (0.0, 3.0)),
+                held("bushing_slow_time", (2e-3, 10.0), 0.7),
+            ],
+            softer(&|stop, adds| vec![stop, adds, 0.3, 6e-3, 0.3, 0.07]),
+        ),
+        (
+            "friction in the rubber, and a stop",
+            ("bushing_loss_time", 1e3),
+            vec![linear("bushing_loss_stiffness", (0.0, 15.0)), held("bushing_slip", (5e-6, 2e-3), 1.0)],
+            softer(&|stop, adds| vec![stop, adds, 0.3, 1e-4]),
+        ),
+    ] {
+        all.push(Candidate {
+            form,
+            sponge: true,
+            fixed: vec![("bushing_hardening", 1.0), fixed],
+            ..candidate("bushing", &["bushing"], [&stop[..], &losses].concat(), starts)
+        });
+    }
     all.push(candidate(
         "free_play",
         &["free_play"],
