@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 4
+#define DASHPOT_ABI_VERSION 5
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -533,9 +533,13 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //
 // bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
 //   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]
-//   bushing_loss_stiffness       share of the series stiffness that fast motion adds, k_1/k_s [-, 0 to 3, default 0.3]
+//   bushing_loss_stiffness       share of the series stiffness that fast or small motion adds, k_1/k_s [-, 0 to 30, default 0.3]
 //   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 1000, default 0.01]
 //   bushing_slip                 deflection in which that share gives way by friction, d_f; large: by time alone [m, 1e-6 to 1000, default 1000]
+//   bushing_stop                 deflection at which the rubber meets a stop, to either side, L [m, 1e-5 to 1, default 0.001]
+//   bushing_stop_stiffness       share of the series stiffness that the stop adds, k_e/k_s; 0: no stop [-, 0 to 100, default 0]
+//   bushing_slow_stiffness       share of the series stiffness that gives way slowly, k_2/k_s [-, 0 to 3, default 0]
+//   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
 //   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
@@ -581,13 +585,14 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 1 to 1e5, default 20]
 //
 // valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises
-//   valve_hysteresis_share       share of the force that lateness adds, eta [-, 0 to 3, default 0.15]
+//   valve_hysteresis_share       opening form: share of the force that lateness adds, eta [-, 0 to 1, default 0.15]
 //   valve_opening_force          force at which the valve opens [N, 1 to 1e5, default 600]
-//   valve_closing_ratio          force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
-//   valve_time                   time in which it moves, tau [s, 1e-4 to 1, default 0.002]
+//   valve_closing_ratio          opening form: force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
+//   valve_time                   time in which it moves, tau; spool: over 2 pi that of its swing [s, 1e-4 to 1, default 0.002]
 //   valve_width                  force over which it opens, b [N, 10 to 1e5, default 100]
-//   valve_form                   one opening that comes and goes late, or a valve that lags at every opening [0 opening, 1 play]
+//   valve_form                   one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass [0 opening, 1 play, 2 spool]
 //   valve_play                   play form: force that the valve does not follow, P [N, 0 to 10000, default 0]
+//   valve_damping                spool form: damping ratio, zeta [-, 0.05 to 10, default 0.7]
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
 //   spring_linear                k_p of k_p x [N/m, 0 to 1e7, default 0]

@@ -7,7 +7,7 @@ use crate::parameter::{Parameter, View};
 
 /// F_d(v): a table with monotone cubic or linear interpolation, or the piecewise-linear form with knees.
 #[derive(Clone, Copy, Debug)]
-pub struct FvCurve(Curve);
+pub struct FvCurve(pub(crate) Curve);
 
 const FORM: usize = 0;
 const INTERPOLATION: usize = 1;

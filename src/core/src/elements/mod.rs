@@ -549,6 +549,12 @@ impl Elements {
         self.has(Place::valve_hysteresis)
     }
 
+    /// Whether the valve has mass.
+    #[inline(always)]
+    pub(crate) fn has_spool(&self) -> bool {
+        self.has_valve() && self.valve_hysteresis.is_spool()
+    }
+
     /// Whether there is an oil column that yields.
     #[inline(always)]
     pub(crate) fn has_column(&self) -> bool {

@@ -1,9 +1,11 @@
 //! Valve hysteresis: a blow-off valve that opens late and closes late.
 
-use crate::dual::Real;
+use crate::dual::{Dual, Real};
+use crate::elements::fv_curve::FvCurve;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
+use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
@@ -11,13 +13,22 @@ use crate::parameter::{Parameter, View};
 /// behind it makes the force larger while it opens, and smaller while it closes. It opens at F_0 + Δ and closes at
 /// F_0 − Δ however slow the motion.
 ///
-/// *Play*: the valve stands where a force p had it, F_h = F exp(η S((|F| − F_0)/b) (F − p) sgn(F) / (|F| + |p|)). p follows F
-/// with a play of P beyond which it takes the time τ: τ dp/dt = ⟨|F − p| − P |F|/(|F| + P)⟩ sgn(F − p). A valve so steep that
-/// a small change of its opening takes much flow has a large η.
+/// *Play* and *spool*: the valve stands where a force p had it, and passes oil there as an orifice does,
+///
+/// ```text
+/// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
+/// ```
+///
+/// All forces are counted from that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is what the whole passage conducts; below the opening force
+/// F_0 it is shut, over b it opens; one that is shut still lets a hundredth through. Forces against the stroke leave it shut. The pressure F_h moves it: with play, p follows
+/// by a play of P beyond which it takes the time τ, τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p); a spool has mass,
+/// τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis {
-    has_play: bool,
+    form: Form,
     play: f64,
+    /// ζ.
+    damping: f64,
     share: f64,
     middle: f64,
     half_width: f64,
@@ -25,10 +36,52 @@ pub struct ValveHysteresis {
     pub(crate) per_time: f64,
 }
 
+/// How it is late.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Opening,
+    Play,
+    Spool,
+}
+
+/// What it answers, as numbers that may be differentiated by.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Late<R> {
+    /// F_h.
+    pub force: R,
+    /// The opening y, or the force p.
+    pub stands: R,
+    /// The velocities W(h(F)) and W(h(p)).
+    pub read: [f64; 2],
+}
+
+/// What the passage conducts where the valve stands.
+#[derive(Clone, Copy)]
+struct Passage {
+    /// g(h(x)).
+    g: f64,
+    /// Its slopes over x and over the height of the FV curve at W.
+    by_x: f64,
+    by_raised: f64,
+    /// W.
+    read: f64,
+}
+
 /// Most rounds in which opening and what it feeds back on itself are brought together.
 const ROUNDS: usize = 4;
 /// P_0, N.
 const SOFT: f64 = 10.0;
+/// Substep over τ from which play is taken at once.
+const LONG: f64 = 1.0;
+/// Resistance beside the FV curve, N s/m, so that W is found where the curve is level.
+const LEVEL: f64 = 5.0;
+/// Share of the oil that finds its way through a valve that is shut: late valves make at most a hundred times the force.
+const LEAKS: f64 = 0.01;
+/// Most steps in which F_h is found, and the relative step that is the last: it leaves the square of it.
+const STEPS: usize = 60;
+const CLOSE: f64 = 1e-10;
+/// Force, N, below which the valve makes nothing late.
+const NOTHING: f64 = 1e-9;
 /// What a round may leave of the last so that three, and two, rounds do.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
@@ -39,8 +92,8 @@ impl Describe for ValveHysteresis {
             "valve_hysteresis_share",
             "-",
             &[0.15],
-            (0.0, 3.0),
-            "share of the force that lateness adds, eta",
+            (0.0, 1.0),
+            "opening form: share of the force that lateness adds, eta",
         ),
         Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
         Parameter::scalar(
@@ -48,23 +101,31 @@ impl Describe for ValveHysteresis {
             "-",
             &[0.85],
             (0.3, 1.0),
-            "force at which it closes over that at which it opens; 1: the time alone makes it late",
+            "opening form: force at which it closes over that at which it opens; 1: the time alone makes it late",
         ),
-        Parameter::scalar("valve_time", "s", &[2e-3], (1e-4, 1.0), "time in which it moves, tau"),
+        Parameter::scalar(
+            "valve_time",
+            "s",
+            &[2e-3],
+            (1e-4, 1.0),
+            "time in which it moves, tau; spool: over 2 pi that of its swing",
+        ),
         Parameter::scalar("valve_width", "N", &[100.0], (10.0, 1e5), "force over which it opens, b"),
         Parameter::choice(
             "valve_form",
-            &["opening", "play"],
-            "one opening that comes and goes late, or a valve that lags at every opening",
+            &["opening", "play", "spool"],
+            "one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass",
         ),
         Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e4), "play form: force that the valve does not follow, P"),
+        Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio, zeta"),
     ];
 }
 
 impl Prepare for ValveHysteresis {
     const OFF: Self = ValveHysteresis {
-        has_play: false,
+        form: Form::Opening,
         play: 0.0,
+        damping: 1.0,
         share: 0.0,
         middle: 0.0,
         half_width: 0.0,
@@ -73,11 +134,17 @@ impl Prepare for ValveHysteresis {
     };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        let has_play = p.number(5) == 1.0;
-        let (opens, closes) = (p.number(1), if has_play { p.number(1) } else { p.number(1) * p.number(2) });
+        let form = match p.number(5) {
+            1.0 => Form::Play,
+            2.0 => Form::Spool,
+            _ => Form::Opening,
+        };
+        let closing = if form == Form::Opening { p.number(2) } else { 1.0 };
+        let (opens, closes) = (p.number(1), p.number(1) * closing);
         Ok(ValveHysteresis {
-            has_play,
+            form,
             play: p.number(6),
+            damping: p.number(7),
             share: p.number(0),
             middle: 0.5 * (opens + closes),
             half_width: 0.5 * (opens - closes),
@@ -94,6 +161,42 @@ fn opening<R: Real>(x: R) -> R {
 }
 
 impl ValveHysteresis {
+    /// Whether it has mass, and with it a second state: its rate times τ, N.
+    #[inline(always)]
+    pub(crate) fn is_spool(&self) -> bool {
+        self.form == Form::Spool
+    }
+
+    /// Opening form: what the opening is drawn to.
+    #[inline(always)]
+    fn target<R: Real>(&self, force: R, y: R) -> R {
+        let pressed = force.abs() + y * (2.0 * self.half_width);
+        opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
+    }
+
+    /// Opening form: the opening at the end of an implicit stage that is `known` at its start; always inside 0 to 1.
+    #[inline(always)]
+    fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
+        let per = g * self.per_time;
+        let divide = 1.0 / (1.0 + per);
+        // The characteristic is nowhere steeper than ½.
+        let shrinks = self.half_width * self.per_width * per * divide;
+        let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
+        let rounds = if shrinks > 0.0 { ROUNDS - spared } else { 1 };
+        let mut y = known;
+        for _ in 0..rounds {
+            y = (known + self.target(force, y) * per) * divide;
+        }
+        y
+    }
+
+    /// Opening form: F_h at an opening.
+    #[inline(always)]
+    fn at_opening<R: Real>(&self, force: R, y: R) -> R {
+        let steady = opening(force.abs().plus(-self.middle) * self.per_width);
+        force * ((steady - y) * self.share).plus(1.0)
+    }
+
     /// Play form: ⟨y⟩ sgn(F − p) at the end of a stage that p begins at, y = |F − p| − P |F|/(|F| + P); `per` is g/τ, and
     /// ⟨y⟩ = y²/(y + P_0) sets in softly.
     #[inline(always)]
@@ -113,45 +216,222 @@ impl ValveHysteresis {
         if behind.value() < 0.0 { -moved } else { moved }
     }
 
-    /// What the opening `y`, or the force where the valve stands, is drawn to.
+    /// Whether a substep of length `h` takes the valve from its start to each stage at once: play remembers where the stages
+    /// of a long step, which go to and fro, have been.
     #[inline(always)]
-    pub(crate) fn target<R: Real>(&self, force: R, y: R) -> R {
-        if self.has_play {
-            return y + self.beyond(force, y, 0.0);
-        }
-        let pressed = force.abs() + y * (2.0 * self.half_width);
-        opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
+    pub(crate) fn jumps(&self, h: f64) -> bool {
+        self.form == Form::Play && h * self.per_time > LONG
     }
 
-    /// The opening at the end of an implicit stage that is `known` at its start; always inside 0 to 1. In the play form the
-    /// force where the valve stands.
+    /// The known part of a stage, from those of its states: a number that the force alone has to be added to.
     #[inline(always)]
-    pub(crate) fn stage<R: Real>(&self, force: R, known: R, g: f64) -> R {
+    pub(crate) fn known(&self, stands: f64, rate: f64, g: f64) -> f64 {
+        if !self.is_spool() {
+            return stands;
+        }
         let per = g * self.per_time;
-        let divide = 1.0 / (1.0 + per);
-        if self.has_play {
-            return known + self.beyond(force, known, per) * per;
-        }
-        // The characteristic is nowhere steeper than ½.
-        let shrinks = self.half_width * self.per_width * per * divide;
-        let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
-        let rounds = if shrinks > 0.0 { ROUNDS - spared } else { 1 };
-        let mut y = known;
-        for _ in 0..rounds {
-            y = (known + self.target(force, y) * per) * divide;
-        }
-        y
+        stands * (1.0 + 2.0 * self.damping * per) + per * rate
     }
 
-    /// F_h at an opening.
+    /// p at the end of an implicit stage at whose end the force is `force`.
     #[inline(always)]
-    pub(crate) fn force<R: Real>(&self, force: R, y: R) -> R {
-        let steady = opening(force.abs().plus(-self.middle) * self.per_width);
-        if self.has_play {
-            let size = force.abs();
-            let lag = if force.value() < 0.0 { y - force } else { force - y };
-            return force * (lag * (size + y.abs()).plus(1.0).inverse() * steady * self.share).exp();
+    fn follows<R: Real>(&self, force: R, known: R, g: f64) -> R {
+        let per = g * self.per_time;
+        if self.is_spool() {
+            let square = per * per;
+            return (known + force * square) * (1.0 / (1.0 + 2.0 * self.damping * per + square));
         }
-        force * ((steady - y) * self.share).plus(1.0)
+        known + self.beyond(force, known, per) * per
+    }
+
+    /// What the passage conducts where a force has the valve stand that is x along the stroke, which has the sign `stroke`.
+    #[inline(always)]
+    fn conducts(&self, curve: &FvCurve, x: f64, stroke: f64) -> Passage {
+        let beyond = x - self.middle;
+        let width = 1.0 / self.per_width;
+        let root = libm::sqrt(beyond * beyond + width * width);
+        let h = self.middle + 0.5 * (beyond + root);
+        let (w, read) = curve.solve::<4>(LEVEL, h * stroke + curve.at_zero());
+        let (per_h, w_by_force) = (1.0 / h, 1.0 / (LEVEL + read.slope));
+        // Never quite shut.
+        let g = (w * w + 1e-12) * per_h;
+        let by_w = 2.0 * w * per_h * w_by_force;
+        let by_h = by_w * stroke - g * per_h;
+        Passage { g, by_x: 0.5 * (1.0 + beyond / root) * by_h, by_raised: -by_w, read: w }
+    }
+
+    /// By how much a valve that stands at p raises F, with its slope over the ratio of what the passage conducts at F to what
+    /// it conducts at p.
+    #[inline(always)]
+    fn raises(&self, force: f64, p: f64, ratio: f64) -> (f64, f64) {
+        let opens = (force - p) * force > 0.0;
+        // Where the FV curve rises by more than the square no valve opens.
+        if (ratio > 1.0) != opens {
+            return (1.0, 0.0);
+        }
+        let divide = 1.0 / (1.0 + LEAKS * ratio);
+        (ratio * (1.0 + LEAKS) * divide, (1.0 + LEAKS) * divide * divide)
+    }
+
+    /// F_h, and where the valve stands, after an implicit stage. `raised` is F_h/F where it was solved last, and is solved
+    /// from there.
+    #[inline(always)]
+    pub(crate) fn stage(&self, curve: &FvCurve, force: f64, known: f64, g: f64, raised: &Cell<f64>) -> Late<Dual<4>> {
+        let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
+        if self.form == Form::Opening {
+            let stands = self.opened(before, from, g);
+            return Late { force: self.at_opening(before, stands), stands, read: [0.0; 2] };
+        }
+        if force.abs() < NOTHING {
+            return Late { force: before, stands: self.follows(before, from, g), read: [0.0; 2] };
+        }
+        let stroke = if force < 0.0 { -1.0 } else { 1.0 };
+        let steady = self.conducts(curve, force * stroke, stroke);
+        // F_h is F through the valve that F_h itself moves. The more it opens the less it makes, so there is one answer:
+        // Newton's steps in the logarithm of its size.
+        let mut found = force * raised.get();
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut left = STEPS;
+        loop {
+            let p = self.follows(Dual::<2>::along(found, 0), Dual::along(known, 1), g);
+            let now = self.conducts(curve, p.value * stroke, stroke);
+            let ratio = steady.g / now.g;
+            let (by, slope) = self.raises(force, p.value, ratio);
+            let late = force * by;
+            // ∂F_h over what the passage conducts at F, and at p.
+            let (by_steady, by_now) = (force * slope / now.g, -force * slope * ratio / now.g);
+            let by_p = by_now * now.by_x * stroke;
+            let steep = 1.0 - found * by_p * p.slope(0) / late;
+            let off = late / found;
+            let step = 2.0 * (off - 1.0) / ((off + 1.0) * if steep > 0.5 { steep } else { 0.5 });
+            left -= 1;
+            if step.abs() > CLOSE && left > 0 {
+                let size = found.abs();
+                (low, high) = if step > 0.0 { (size, high) } else { (low, size) };
+                let held = step.clamp(-1.0, 1.0);
+                let mut next = size * (2.0 + held) / (2.0 - held);
+                if next <= low || next >= high {
+                    // Beside the end of the play the slope is that of the other side.
+                    next = 0.5 * (low + high);
+                }
+                found = next * stroke;
+                continue;
+            }
+            // So close that the last step goes straight.
+            let on = found * step;
+            raised.set((found / force).clamp(0.1, 10.0));
+            let per = 1.0 / (1.0 - by_p * p.slope(0));
+            let slopes = [
+                (by + by_steady * steady.by_x * stroke) * per,
+                by_p * p.slope(1) * per,
+                by_steady * steady.by_raised * per,
+                by_now * now.by_raised * per,
+            ];
+            let stands = slopes.map(|s| p.slope(0) * s);
+            return Late {
+                force: Dual::new(found + on, slopes),
+                stands: Dual::new(p.value + p.slope(0) * on, [stands[0], stands[1] + p.slope(1), stands[2], stands[3]]),
+                read: [steady.read, now.read],
+            };
+        }
+    }
+
+    /// F_h at given states, and the rates of these: `stands` and, for a spool, its rate times τ.
+    #[inline(always)]
+    pub(crate) fn now<R: Real>(&self, curve: &FvCurve, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
+        let none = R::constant(0.0);
+        if self.form == Form::Opening {
+            let moved = self.target(force, stands) - stands;
+            return (self.at_opening(force, stands), [moved * self.per_time, none]);
+        }
+        let (f, p) = (force.value(), stands.value());
+        let stroke = if f < 0.0 { -1.0 } else { 1.0 };
+        let [steady, now] = [f, p].map(|x| self.conducts(curve, x * stroke, stroke));
+        let ratio = force.chain(steady.g, steady.by_x * stroke) * stands.chain(now.g, now.by_x * stroke).inverse();
+        let (by, slope) = self.raises(f, p, ratio.value());
+        let late = force * ratio.chain(by, slope);
+        if self.is_spool() {
+            let pushed = late - stands - rate * (2.0 * self.damping);
+            return (late, [rate * self.per_time, pushed * self.per_time]);
+        }
+        (late, [self.beyond(late, stands, 0.0) * self.per_time, none])
+    }
+
+    /// Where it comes to rest under a steady force, from where it stands.
+    #[inline(always)]
+    pub(crate) fn rests(&self, force: f64, stands: f64) -> f64 {
+        if self.form == Form::Opening { self.target(force, stands) } else { force }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{Curve, Interpolation};
+
+    fn valve(form: Form) -> ValveHysteresis {
+        ValveHysteresis {
+            form,
+            play: 80.0,
+            damping: 0.6,
+            share: 0.0,
+            middle: 400.0,
+            half_width: 0.0,
+            per_width: 1.0 / 60.0,
+            per_time: 1.0 / 2e-3,
+        }
+    }
+
+    fn curve() -> FvCurve {
+        let v = [-1.5, -0.5, -0.1, 0.0, 0.1, 0.5, 1.5];
+        let f = [-1500.0, -800.0, -400.0, 0.0, 700.0, 1300.0, 2200.0];
+        FvCurve(Curve::new(&v, &f, Interpolation::MonotoneCubic).unwrap())
+    }
+
+    #[test]
+    fn a_valve_that_stands_where_the_force_has_it_is_not_late() {
+        for form in [Form::Play, Form::Spool] {
+            for force in [-1800.0, -300.0, 20.0, 900.0, 3000.0] {
+                let (late, rates) = valve(form).now(&curve(), force, [force, 0.0]);
+                assert!((late - force).abs() < 1e-9 * force.abs());
+                assert!(rates.iter().all(|r| r.abs() < 1e-6), "{rates:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn oil_through_a_valve_that_stands_still_is_that_through_an_orifice() {
+        let (valve, curve) = (valve(Form::Spool), curve());
+        let at = |w: f64| valve.now(&curve, curve.at(w).value, [900.0, 0.0]).0;
+        let ratio = at(0.5) / at(0.25);
+        assert!((ratio - 4.0).abs() < 0.2, "four times the force for twice the flow: {ratio}");
+    }
+
+    #[test]
+    fn a_stage_answers_its_equations_with_their_slopes() {
+        let curve = curve();
+        for form in [Form::Play, Form::Spool] {
+            let valve = valve(form);
+            for (force, known) in [(900.0, 200.0), (1500.0, 1900.0), (-700.0, 300.0), (-1200.0, -500.0), (150.0, 100.0)]
+            {
+                let g = 4e-4;
+                let late = valve.stage(&curve, force, known, g, &Cell::new(1.0));
+                let p = valve.follows(late.force.value, known, g);
+                let again = valve.now(&curve, force, [p, 0.0]).0;
+                assert!((again - late.force.value).abs() < 1e-9 * force.abs(), "{form:?} {force}: {again}");
+                let h = 1e-3;
+                let of = |f: f64, k: f64| {
+                    let late = valve.stage(&curve, f, k, g, &Cell::new(1.0));
+                    [late.force.value, late.stands.value]
+                };
+                let ways = [(of(force + h, known), of(force - h, known)), (of(force, known + h), of(force, known - h))];
+                for (k, (plus, minus)) in ways.into_iter().enumerate() {
+                    for (exact, i) in [(late.force.slope(k), 0), (late.stands.slope(k), 1)] {
+                        let seen = (plus[i] - minus[i]) / (2.0 * h);
+                        assert!((exact - seen).abs() < 1e-5 * (1.0 + seen.abs()), "{form:?} {force}: {exact} {seen}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -48,7 +48,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     } else {
         (flow.selective_target - states[place::SELECTIVE]) * selective.per_time
     };
-    rates[place::VALVE] = (flow.valve_target - states[place::VALVE]) * e.valve_hysteresis.per_time;
+    [rates[place::VALVE], rates[place::VALVE_RATE]] = flow.valve_rates;
     let fade = &e.temperature_fade;
     if fade.heats_itself {
         rates[place::HEAT] = flow.force * through * fade.per_capacity - states[place::HEAT] * fade.cooling;
@@ -214,7 +214,7 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
         let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
         held[place::SELECTIVE] =
             if e.has_passage() { e.frequency_selective_damping.towards(flow.force) } else { flow.selective_target };
-        held[place::VALVE] = flow.valve_target;
+        held[place::VALVE] = e.valve_hysteresis.rests(flow.before_valve, states[place::VALVE]);
         let still = held == states && force == flow.force;
         force = flow.force;
         states = held;

@@ -33,6 +33,8 @@ pub const PASSAGE: u32 = 1 << 12;
 pub const LENGTH: u32 = 1 << 13;
 /// A part of the bushing that gives way slowly.
 pub const SLOW_BUSHING: u32 = 1 << 14;
+/// A valve with mass.
+pub const SPOOL: u32 = 1 << 15;
 /// Whatever the model says.
 pub const ANY: u32 = u32::MAX;
 
@@ -58,6 +60,7 @@ pub(crate) fn of(e: &Elements) -> u32 {
         (HEAT, e.temperature_fade.heats_itself),
         (SELECTIVE, e.has_frequency_selective()),
         (VALVE, e.has_valve()),
+        (SPOOL, e.has_spool()),
     ] {
         if on {
             acting |= bit;
@@ -88,6 +91,7 @@ pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
         place::VOID => CAVITATION,
         place::SELECTIVE => SELECTIVE | PASSAGE,
         place::VALVE => VALVE,
+        place::VALVE_RATE => SPOOL,
         _ => HEAT,
     };
     acts::<ON>(e, bit)

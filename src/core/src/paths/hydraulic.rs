@@ -5,6 +5,7 @@ use super::place;
 use super::{STATES, soft_gap::SoftGap};
 use crate::dual::{Dual, Real};
 use crate::elements::Elements;
+use core::cell::Cell;
 
 /// What surrounds the path at one instant.
 #[derive(Clone, Copy, Debug)]
@@ -24,8 +25,10 @@ pub struct Flow<R> {
     pub force: R,
     /// What the state of frequency-selective damping is drawn to.
     pub selective_target: R,
-    /// What the valve's opening is drawn to.
-    pub valve_target: R,
+    /// What is above the force at standstill if no valve is late.
+    pub before_valve: R,
+    /// Rates of where the valve stands, and of its own rate.
+    pub valve_rates: [R; 2],
 }
 
 /// Leakage beside the valves, N s/m, where an oil column is: so that a force finds its velocity even where the FV curve
@@ -43,12 +46,13 @@ pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<
     if e.has_fade() {
         above = e.temperature_fade.force(above, e.temperature_fade.factor(around.temperature, states[place::HEAT]));
     }
-    let mut force = above + standing;
-    let (mut valve_target, mut selective_target) = (states[place::VALVE], states[place::SELECTIVE]);
+    let before_valve = above;
+    let (mut valve_rates, mut selective_target) = ([R::constant(0.0); 2], states[place::SELECTIVE]);
     if e.has_valve() {
-        valve_target = e.valve_hysteresis.target(force, states[place::VALVE]);
-        force = e.valve_hysteresis.force(force, states[place::VALVE]);
+        let stands = [states[place::VALVE], states[place::VALVE_RATE]];
+        (above, valve_rates) = e.valve_hysteresis.now(&e.fv_curve, above, stands);
     }
+    let mut force = above + standing;
     if e.has_frequency_selective() {
         selective_target = e.frequency_selective_damping.target(force, w);
         force = e.frequency_selective_damping.force(force, w, states[place::SELECTIVE]);
@@ -56,7 +60,7 @@ pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<
     if e.has_column() {
         force = force + w * LEAKAGE;
     }
-    Flow { force, selective_target, valve_target }
+    Flow { force, selective_target, before_valve, valve_rates }
 }
 
 /// The factor s of a stage: it depends on nothing that the stage has to find.
@@ -90,7 +94,7 @@ impl Factors {
 pub(crate) struct Valves {
     /// F_h.
     pub force: f64,
-    /// The valve's opening after the stage.
+    /// Where the valve stands after the stage.
     pub valve: f64,
     /// State of frequency-selective damping after the stage.
     pub selective: f64,
@@ -99,9 +103,11 @@ pub(crate) struct Valves {
     pub by_w: f64,
     /// Of s F_d over F_d, displacement and rise of temperature.
     scaled_by: [f64; 3],
-    /// Of the force behind the late valve, and of its opening, over the force before and the known opening.
-    late_by: [f64; 2],
-    valve_by: [f64; 2],
+    /// Of the force behind the late valve, and of where that stands, over the force before, the known part of where it
+    /// stands, and the height of the FV curve at the two velocities `read` there.
+    late_by: [f64; 4],
+    valve_by: [f64; 4],
+    pub read: [f64; 2],
     /// Of the force behind frequency-selective damping, and of its state, over the force before, w and the known state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
@@ -115,23 +121,28 @@ pub(crate) struct Moves {
     pub w: f64,
     pub x: f64,
     pub rise: f64,
+    /// The known part of where the valve stands, and the height of the FV curve where that was read for it.
     pub valve: f64,
+    pub read: [f64; 2],
     pub selective: f64,
 }
 
 impl Moves {
-    pub const NONE: Moves = Moves { curve: 0.0, standing: 0.0, w: 0.0, x: 0.0, rise: 0.0, valve: 0.0, selective: 0.0 };
+    pub const NONE: Moves =
+        Moves { curve: 0.0, standing: 0.0, w: 0.0, x: 0.0, rise: 0.0, valve: 0.0, read: [0.0; 2], selective: 0.0 };
 }
 
 impl Valves {
-    /// From the `known` states and the force and velocity that the stage tries; `leaks` where there is an oil column.
+    /// From the `known` states and the force and velocity that the stage tries. `since` is the time over which a late valve is
+    /// taken, `raised` by how much it raised the force when it was solved last; `leaks` where there is an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
         e: &Elements,
         factors: &Factors,
         [curve, standing, w]: [f64; 3],
         known: &[f64; STATES],
-        g: f64,
+        [g, since]: [f64; 2],
+        raised: &Cell<f64>,
         leaks: bool,
     ) -> Valves {
         let above = curve - standing;
@@ -151,18 +162,20 @@ impl Valves {
             by_curve,
             by_w,
             scaled_by: [factor, above * by_x * faded_by, placed * laminar * by_rise],
-            late_by: [1.0, 0.0],
-            valve_by: [0.0, 1.0],
+            late_by: [1.0, 0.0, 0.0, 0.0],
+            valve_by: [0.0, 1.0, 0.0, 0.0],
+            read: [0.0; 2],
             selected_by: [1.0, 0.0, 0.0],
             selective_by: [0.0, 0.0, 1.0],
         };
         if acts::<ON>(e, VALVE) {
-            let before = Dual::<2>::along(force, 0);
-            let opening = e.valve_hysteresis.stage(before, Dual::along(valves.valve, 1), g);
-            let late = e.valve_hysteresis.force(before, opening);
-            (force, valves.late_by) = (late.value, late.slopes);
-            (valves.valve, valves.valve_by) = (opening.value, opening.slopes);
-            by_curve *= late.slope(0);
+            let element = &e.valve_hysteresis;
+            let stands = element.known(known[place::VALVE], known[place::VALVE_RATE], since);
+            let late = element.stage(&e.fv_curve, force - standing, stands, since, raised);
+            (force, valves.late_by) = (late.force.value + standing, late.force.slopes);
+            (valves.valve, valves.valve_by) = (late.stands.value, late.stands.slopes);
+            valves.read = late.read;
+            by_curve *= late.force.slope(0);
         }
         if acts::<ON>(e, SELECTIVE) {
             let element = &e.frequency_selective_damping;
@@ -184,7 +197,7 @@ impl Valves {
         valves
     }
 
-    /// What the force, the valve's opening and the state of frequency-selective damping become in a direction.
+    /// What the force, where the valve stands and the state of frequency-selective damping become in a direction.
     #[inline(always)]
     pub fn along<const ON: u32>(&self, e: &Elements, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
@@ -197,8 +210,12 @@ impl Valves {
         }
         let (mut valve, mut selective) = (0.0, 0.0);
         if acts::<ON>(e, VALVE) {
-            valve = self.valve_by[0] * force + self.valve_by[1] * by.valve;
-            force = self.late_by[0] * force + self.late_by[1] * by.valve;
+            let above = force - by.standing;
+            let all = |[by_force, by_valve, first, second]: [f64; 4]| {
+                by_force * above + by_valve * by.valve + first * by.read[0] + second * by.read[1]
+            };
+            valve = all(self.valve_by);
+            force = all(self.late_by) + by.standing;
         }
         if acts::<ON>(e, SELECTIVE) {
             let all = |[by_force, by_w, by_state]: [f64; 3]| by_force * force + by_w * by.w + by_state * by.selective;

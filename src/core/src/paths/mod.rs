@@ -24,7 +24,7 @@ use crate::elements::{Elements, MAX_MEMORY};
 use crate::state::State;
 
 /// Number of states that act on each other.
-pub const STATES: usize = 9;
+pub const STATES: usize = 10;
 
 /// Places of the states among them.
 pub mod place {
@@ -42,10 +42,12 @@ pub mod place {
     pub const VOID: usize = 5;
     /// Frequency-selective damping.
     pub const SELECTIVE: usize = 6;
-    /// Opening of the valve.
+    /// Opening of the valve, or the force at which it stands.
     pub const VALVE: usize = 7;
+    /// Rate of that, in its own unit.
+    pub const VALVE_RATE: usize = 8;
     /// Rise of the oil's temperature.
-    pub const HEAT: usize = 8;
+    pub const HEAT: usize = 9;
 }
 
 /// Where the private states among them are kept in [`State::memory`]: one after the other, those of elements that are
@@ -136,6 +138,7 @@ pub(crate) fn slots(e: &Elements) -> Slots {
     on[place::VOID] = e.has_cavitation();
     on[place::SELECTIVE] = e.has_frequency_selective() || e.has_passage();
     on[place::VALVE] = e.has_valve();
+    on[place::VALVE_RATE] = e.has_spool();
     on[place::HEAT] = e.temperature_fade.heats_itself;
     Slots::new(on)
 }

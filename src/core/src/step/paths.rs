@@ -36,6 +36,12 @@ struct Known<'a> {
     gamma: f64,
     row: &'a [f64],
     g: f64,
+    /// Time over which a stage takes a late valve: g, or all since the substep began.
+    since: f64,
+    /// Whether it is the latter.
+    valve_jumps: bool,
+    /// By how much the valve raised the force in the last stage.
+    raised: f64,
     states: [f64; STATES],
 }
 
@@ -88,6 +94,9 @@ impl Carried {
     #[inline(always)]
     pub fn over<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(elements, &self.states, stage.row, stage.gamma, &self.gains, stage.index);
+        if stage.valve_jumps {
+            seed.known[place::VALVE] = self.states[place::VALVE];
+        }
         let after = stage.along(&seed);
         if stage.last {
             self.states = after.states;
@@ -275,6 +284,8 @@ struct Now {
     oil_velocity: f64,
     /// Velocity of the driven end.
     driven: f64,
+    /// By how much a late valve raises the force.
+    raised: f64,
     force: f64,
     primary: f64,
     inner: f64,
@@ -287,6 +298,7 @@ impl Now {
         states: [0.0; STATES],
         oil_velocity: 0.0,
         driven: 0.0,
+        raised: 1.0,
         force: 0.0,
         primary: 0.0,
         inner: 0.0,
@@ -319,7 +331,9 @@ impl Substep<'_> {
     #[inline(always)]
     fn run<const ON: u32>(&self, method: &Table, from: &Now, follow: &mut impl FollowPaths) -> Now {
         let e = self.elements;
-        let g = method.gamma * self.path.length() * self.part;
+        let h = self.path.length() * self.part;
+        let g = method.gamma * h;
+        let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
         let mut now = *from;
         now.overshot = false;
@@ -327,16 +341,30 @@ impl Substep<'_> {
             let last = index + 1 == method.stages;
             let ends = last && self.ends_step;
             let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
-            let known = known_part::<ON>(e, &from.states, row, method.gamma, &gains, index);
+            let mut known = known_part::<ON>(e, &from.states, row, method.gamma, &gains, index);
+            if valve_jumps {
+                known[place::VALVE] = from.states[place::VALVE];
+            }
             now.overshot |= known[place::VOID] < 0.0;
             // The oil follows the driven end, but where a void takes up the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
-            let known = Known { index, last, gamma: method.gamma, row, g, states: known };
+            let since = if valve_jumps { place_of * h } else { g };
+            let known = Known {
+                index,
+                last,
+                gamma: method.gamma,
+                row,
+                g,
+                since,
+                valve_jumps,
+                raised: now.raised,
+                states: known,
+            };
             let stage = PathsStage::<ON>::solve(e, &known, point, self.temperature, guess);
             let balance = stage.balance();
             follow.paths_stage(e, &stage);
-            (now.oil_velocity, now.driven) = (stage.oil_velocity, point.v);
+            (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
                 now.states = balance.states;
                 if now.states[place::VOID] < SHUT {

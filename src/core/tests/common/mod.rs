@@ -58,7 +58,8 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     let groove = [("bypass_form", 1.0), ("bypass_half_width", 0.01)];
     let passage = [("fsd_form", 2.0)];
     let foot = [("cavitation_form", 1.0), ("cavitation_side", 1.0), ("cavitation_velocity", 0.1)];
-    let play = [("valve_form", 1.0), ("valve_play", 150.0), ("valve_hysteresis_share", 0.5)];
+    let play = [("valve_form", 1.0), ("valve_play", 150.0)];
+    let spool = [("valve_form", 2.0), ("valve_damping", 0.5)];
     vec![
         ("free play", of(&["free_play"], &[])),
         ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
@@ -116,6 +117,9 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         ("foot valve", of(&["cavitation"], &foot)),
         ("foot valve with oil", of(&["cavitation", "oil_compressibility"], &foot)),
         ("valve with play", of(&["valve_hysteresis"], &play)),
+        ("valve with mass", of(&["valve_hysteresis"], &spool)),
+        ("valve with mass alone", without_series(of(&["valve_hysteresis"], &spool))),
+        ("valve with mass and oil", of(&["valve_hysteresis", "oil_compressibility"], &spool)),
         (
             "flows past",
             of(

@@ -109,6 +109,7 @@ impl FollowPaths for PathsTangent<'_> {
         let [by_stiffness, by_damping, by_mass] = s.series_by_frame();
         let (first_weight, weights) = self.fv.at(s.oil_velocity);
         let (first_standing, standing) = self.fv.at(0.0);
+        let read = s.valve_read().map(|w| if w == 0.0 { (0, [0.0; 4]) } else { self.fv.at(w) });
         let springs = self.spring.map(|spring| spring.at(s.x_m));
         let of = |first: usize, weights: &[f64; 4], point: usize| {
             point.checked_sub(first).and_then(|k| weights.get(k)).copied().unwrap_or(0.0)
@@ -124,6 +125,7 @@ impl FollowPaths for PathsTangent<'_> {
                     let point = p - self.first_fv;
                     seed.curve = of(first_weight, &weights, point);
                     seed.standing = of(first_standing, &standing, point);
+                    seed.read = read.map(|(first, weights)| of(first, &weights, point) - seed.standing);
                 }
                 Direction::SpringPoint(_) => {
                     let point = p - self.first_spring;
@@ -508,18 +510,18 @@ mod tests {
     fn derivatives_agree_with_differences_whatever_is_on() {
         let together: &[&str] =
             &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
-        let mut cases: Vec<Vec<&str>> = dashpot_core::elements::names()
+        let mut cases: Vec<(Vec<&str>, Vec<(&str, f64)>)> = dashpot_core::elements::names()
             .filter(|name| !Params::new().is_on(name) && *name != "coulomb_friction")
-            .map(|name| vec![name])
+            .map(|name| (vec![name], Vec::new()))
             .collect();
-        cases.push(together.to_vec());
-        let mass_inside = cases.len();
-        cases.push(vec!["moving_mass"]);
+        cases.extend([
+            (together.to_vec(), Vec::new()),
+            (vec!["moving_mass"], vec![("moving_mass_place", 1.0)]),
+            (vec!["valve_hysteresis"], vec![("valve_form", 1.0), ("valve_play", 60.0), ("valve_time", 0.02)]),
+            (vec!["valve_hysteresis"], vec![("valve_form", 2.0)]),
+        ]);
         let mut missed = String::new();
-        for (place, case, series) in
-            cases.iter().enumerate().flat_map(|(place, case)| [(place, case, true), (place, case, false)])
-        {
-            let inside = place == mass_inside && series;
+        for ((case, settings), series) in cases.iter().flat_map(|case| [(case, true), (case, false)]) {
             let mut base = Params::new();
             base.set_list("spring_displacement", &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
             base.set_list("spring_force", &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
@@ -532,6 +534,9 @@ mod tests {
                 ("fade_source", 1.0),
                 ("heat_capacity", 60.0),
                 ("fsd_form", 1.0),
+                // At 0 a central difference would have one side only.
+                ("bushing_stop_stiffness", 2.0),
+                ("bushing_slow_stiffness", 0.4),
             ] {
                 base.set(name, value).unwrap();
             }
@@ -557,8 +562,10 @@ mod tests {
                     list.push(Unknown::Linear(row.parameter.name));
                 }
             }
-            if inside {
-                base.set("moving_mass_place", 1.0).unwrap();
+            for (name, value) in settings {
+                base.set(name, *value).unwrap();
+            }
+            if series && base.is_on("moving_mass") && base.scalar("moving_mass_place") == 1.0 {
                 list.retain(|u| *u != Unknown::Linear("moving_mass_time"));
             }
             if dashpot_core::Model::new(&base).is_err() {

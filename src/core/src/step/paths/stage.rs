@@ -4,12 +4,15 @@ use super::{Balance, Known};
 use crate::dual::Dual;
 use crate::elements::{Elements, Motion, Relaxed, Response};
 use crate::input::PathPoint;
-use crate::paths::acting::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, acts};
+use crate::paths::acting::{
+    BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL, acts,
+};
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage, length_in_stage};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Residual, oil_velocity};
 use crate::paths::{STATES, place};
+use core::cell::Cell;
 
 /// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
 const TOLERANCE: f64 = 1e-7;
@@ -36,6 +39,11 @@ pub struct PathsStage<'a, const ON: u32> {
     /// Velocity of the mass.
     pub u: f64,
     g: f64,
+    /// Time over which the late valve was taken, and whether that is all since the substep began.
+    since: f64,
+    pub(super) valve_jumps: bool,
+    /// By how much it raised the force.
+    pub(super) raised: f64,
     known: [f64; STATES],
     /// Slope of the FV curve.
     slope: f64,
@@ -57,6 +65,8 @@ pub struct Seed {
     pub curve: f64,
     /// Height of the FV curve at standstill.
     pub standing: f64,
+    /// Its height above that at the velocities that the late valve read it: see [`PathsStage::valve_read`].
+    pub read: [f64; 2],
     /// Force of the series path, all else held: see [`PathsStage::series_by_frame`].
     pub series: f64,
     /// Force of springs and inertia that holds the mass back, all else held.
@@ -65,8 +75,16 @@ pub struct Seed {
 
 impl Seed {
     /// Nothing moves.
-    pub const NONE: Seed =
-        Seed { known: [0.0; STATES], x: 0.0, v: 0.0, curve: 0.0, standing: 0.0, series: 0.0, drag: 0.0 };
+    pub const NONE: Seed = Seed {
+        known: [0.0; STATES],
+        x: 0.0,
+        v: 0.0,
+        curve: 0.0,
+        standing: 0.0,
+        read: [0.0; 2],
+        series: 0.0,
+        drag: 0.0,
+    };
 }
 
 /// The derivatives of a stage in one direction.
@@ -122,7 +140,17 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let factors = Factors::of::<ON>(e, path.x, temperature, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
-        let given = Given { path, temperature, states, g, per_g, standing, factors };
+        let given = Given {
+            path,
+            temperature,
+            states,
+            g,
+            since: known.since,
+            raised: Cell::new(known.raised),
+            per_g,
+            standing,
+            factors,
+        };
         let (w, step, curve, mut at) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE) {
             let least =
                 if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
@@ -148,6 +176,9 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             x_m: at.x,
             u: at.u,
             g,
+            since: known.since,
+            valve_jumps: known.valve_jumps,
+            raised: given.raised.get(),
             known: states,
             slope: curve.slope,
             at,
@@ -177,6 +208,10 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         }
         states[place::SELECTIVE] = if acts::<ON>(e, PASSAGE) { at.past.state } else { at.valves.selective };
         states[place::VALVE] = at.valves.valve;
+        if acts::<ON>(e, SPOOL) {
+            states[place::VALVE_RATE] =
+                (at.valves.valve - self.known[place::VALVE]) / (g * e.valve_hysteresis.per_time);
+        }
         if acts::<ON>(e, HEAT) {
             let fade = &e.temperature_fade;
             let flow = self.oil_velocity + at.past.flow;
@@ -194,6 +229,12 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         [self.at.law.by_stiffness, self.at.law.by_damping, (self.u - self.known[place::U]) / self.g]
     }
 
+    /// Velocities at which a late valve read the FV curve beside [`PathsStage::oil_velocity`]; 0 where none did.
+    #[inline(always)]
+    pub fn valve_read(&self) -> [f64; 2] {
+        self.at.valves.read
+    }
+
     /// The derivatives of the stage in one direction.
     #[inline(always)]
     pub fn along(&self, seed: &Seed) -> Derivative {
@@ -207,7 +248,8 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             w: 0.0,
             x: seed.x,
             rise: known[place::HEAT],
-            valve: known[place::VALVE],
+            valve: e.valve_hysteresis.known(known[place::VALVE], known[place::VALVE_RATE], self.since),
+            read: seed.read,
             selective: known[place::SELECTIVE],
         };
         // First with w held, then w as it follows.
@@ -262,6 +304,9 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             states[place::SELECTIVE] = by_force * primary + by_state * known[place::SELECTIVE];
         }
         states[place::VALVE] = valve;
+        if acts::<ON>(e, SPOOL) {
+            states[place::VALVE_RATE] = (valve - known[place::VALVE]) / (g * e.valve_hysteresis.per_time);
+        }
         if acts::<ON>(e, HEAT) {
             let fade = &e.temperature_fade;
             let [by_force, by_x, by_state] = at.past.flow_by;
@@ -294,6 +339,8 @@ struct Given {
     temperature: f64,
     states: [f64; STATES],
     g: f64,
+    since: f64,
+    raised: Cell<f64>,
     per_g: f64,
     standing: f64,
     factors: Factors,
@@ -342,10 +389,10 @@ impl Look {
 
     #[inline(always)]
     fn new<const ON: u32>(e: &Elements, given: &Given, w: f64, curve: f64) -> Look {
-        let Given { path, temperature, states: known, g, per_g, standing, factors } = given;
+        let Given { path, temperature, states: known, g, since, raised, per_g, standing, factors } = given;
         let (g, per_g, temperature) = (*g, *per_g, *temperature);
         let leaks = acts::<ON>(e, COLUMN);
-        let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, g, leaks);
+        let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
         let (mut column, mut length) = ([0.0; 2], [1.0, 0.0, 0.0]);
         if acts::<ON>(e, COLUMN) {

@@ -67,27 +67,33 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let knee = s.knee_force.max(50.0);
-    for (form, last, starts) in [
-        ("lag", log("valve_time", (2e-4, 0.03)), [1e-3, 4e-3]),
-        ("play", log("valve_play", (5.0, 1000.0)), [0.05 * knee, 0.2 * knee]),
+    let stands = [log("valve_opening_force", (20.0, 3000.0)), held("valve_width", (10.0, 1500.0), 0.8)];
+    for (form, place, lateness, starts) in [
+        (
+            "a valve with play",
+            1.0,
+            [log("valve_play", (5.0, 1000.0)), held("valve_time", (1e-4, 5e-3), 0.8)],
+            [0.05, 0.2].map(|play| [play * knee, 5e-4]),
+        ),
+        (
+            "a valve with mass",
+            2.0,
+            [log("valve_time", (1.5e-4, 0.02)), held("valve_damping", (0.1, 3.0), 0.6)],
+            [[7e-4, 0.7], [3e-3, 0.7]],
+        ),
     ] {
         all.push(Candidate {
             form,
             // A lag of its own at every force follows many loops.
             sponge: true,
-            fixed: vec![("valve_form", 1.0), ("valve_time", 5e-4), ("valve_play", 0.0)],
+            fixed: vec![("valve_form", place)],
             ..candidate(
                 "valve_hysteresis",
                 &["valve_hysteresis"],
-                vec![
-                    linear("valve_hysteresis_share", (0.02, 3.0)),
-                    log("valve_opening_force", (30.0, 3000.0)),
-                    last,
-                    held("valve_width", (10.0, 1500.0), 0.8),
-                ],
-                [0.3, 0.8, 1.5]
+                [lateness, stands.clone()].concat(),
+                [0.3, 0.8]
                     .iter()
-                    .flat_map(|f| starts.map(|t| Start::at(&[0.6, f * knee, t, 0.3 * f * knee])))
+                    .flat_map(|f| starts.map(|[a, b]| Start::at(&[a, b, f * knee, 0.2 * f * knee])))
                     .collect(),
             )
         });
