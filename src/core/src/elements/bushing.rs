@@ -92,7 +92,7 @@ impl Describe for Bushing {
             "bushing_slow_stiffness",
             "-",
             &[0.0],
-            (0.0, 3.0),
+            (0.0, 30.0),
             "share of the series stiffness that gives way slowly, k_2/k_s",
         ),
         Parameter::scalar("bushing_slow_time", "s", &[0.1], (1e-3, 1e3), "time in which that share gives way, tau_2"),

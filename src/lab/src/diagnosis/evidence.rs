@@ -18,8 +18,6 @@ pub struct Evidence {
     pub size: f64,
     /// Lead of its criterion over the best effect of another name, each as it counts.
     pub margin: f64,
-    /// Fall of the logarithm of χ².
-    pub log_fall: f64,
     /// Mean fall of the logarithm of a test's error when that test is left out of the refit.
     pub left_out_gain: f64,
     /// Share of the tests that are predicted better when left out.

@@ -427,9 +427,7 @@ impl Answer<'_> {
             return Vec::new();
         };
         let rivals: Vec<next_test::Rival> = round
-            .tried
-            .iter()
-            .filter(|t| t.candidate.unnamed.is_none())
+            .named()
             .take(3)
             .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > verdict::LISTED)
             .map(|t| next_test::Rival {

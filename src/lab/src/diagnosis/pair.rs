@@ -33,33 +33,28 @@ pub fn two_at_once(
     original: f64,
 ) -> Option<Pair> {
     let left = round.before - ground.floor;
-    let may_be_one = |t: &&Tried| {
-        t.candidate.unnamed.is_none()
-            && t.evidence.share >= SHARE
-            && t.evidence.plausible >= 1.0
-            && t.evidence.bic_fall > 10.0
-    };
-    round.tried.iter().filter(may_be_one).take(TRIED).find_map(|first| {
-        let ((hypothesis, refit), with_first) = with(first, &last.0, added, ground.tests)?;
-        let with_first = ((hypothesis, refit), with_first);
-        let beside_first = look(ground, &with_first.0, &with_first.1, &|_| ());
+    let may_be_one =
+        |t: &&Tried| t.evidence.share >= SHARE && t.evidence.plausible >= 1.0 && t.evidence.bic_fall > 10.0;
+    round.named().filter(may_be_one).take(TRIED).find_map(|first| {
+        let (one, with_first) = with(first, &last.0, added, ground.tests)?;
+        let beside_first = look(ground, &one, &with_first, &|_| ());
         let second = beside_first.tried.first().filter(|t| t.convinces())?;
         if round.before - second.refit.chi2 < TOGETHER * left {
             return None;
         }
-        let with_both = with(second, &with_first.0.0, &with_first.1, ground.tests)?;
-        let with_second = leave(&with_both.0, &with_both.1, added.len(), ground.tests)?;
+        let (both, with_both) = with(second, &one.0, &with_first, ground.tests)?;
+        let (other, with_second) = leave(&both, &with_both, added.len(), ground.tests)?;
         // The first, or whatever takes its place, must stand beside the second.
         let likely =
             |effect: &str| (ground.allowed)(effect) && round.tried.iter().any(|t| t.candidate.effect == effect);
-        let beside_second = look(&Ground { allowed: &likely, ..*ground }, &with_second.0, &with_second.1, &|_| ());
-        let other = beside_second.tried.first().filter(|t| t.convinces())?;
-        if !is_worth_a_later_name(other, beside_second.before - ground.floor, original) {
+        let beside_second = look(&Ground { allowed: &likely, ..*ground }, &other, &with_second, &|_| ());
+        let stands = beside_second.tried.first().filter(|t| t.convinces())?;
+        if !is_worth_a_later_name(stands, beside_second.before - ground.floor, original) {
             return None;
         }
-        let (last, mut both) = with(other, &with_second.0.0, &with_second.1, ground.tests)?;
+        let (last, mut added_both) = with(stands, &other.0, &with_second, ground.tests)?;
         // The one that explains more comes first.
-        both[added.len()..].sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-        Some(Pair { last, added: both, rounds: vec![beside_first, beside_second] })
+        added_both[added.len()..].sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
+        Some(Pair { last, added: added_both, rounds: vec![beside_first, beside_second] })
     })
 }

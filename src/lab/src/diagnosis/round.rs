@@ -64,6 +64,13 @@ pub struct Round {
     pub invisible: Vec<(&'static str, f64)>,
 }
 
+impl Round {
+    /// Those tried that have a name, likeliest first.
+    pub fn named(&self) -> impl Iterator<Item = &Tried> {
+        self.tried.iter().filter(|t| t.candidate.unnamed.is_none())
+    }
+}
+
 /// Effects that differ in their curvature only are no rivals: whichever fits better speaks for both.
 fn family(effect: &str) -> &str {
     match effect {
@@ -151,7 +158,6 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             share: chi2_fall / excess.max(QUIET * effective_count(tests)),
             size: (chi2_fall.max(0.0) / effective_count(tests)).sqrt(),
             margin: 0.0,
-            log_fall: (at.chi2 / refit.chi2.max(1e-9)).ln(),
             left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
             tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
             excess: (excess / effective_count(tests)).sqrt(),

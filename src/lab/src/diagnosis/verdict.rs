@@ -79,7 +79,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
         ));
     }
     let suspects = found.rounds.first().map_or(Vec::new(), suspects);
-    let best = found.rounds.first().and_then(|r| named(r).next());
+    let best = found.rounds.first().and_then(|r| r.named().next());
     let convincing = best.is_some_and(Tried::convinces);
     let looks_like = found.rounds.first().and_then(looks_like);
     if before < found.quiet || (before < FORM && !convincing) {
@@ -138,15 +138,11 @@ fn looks_like(round: &Round) -> Option<(&'static str, &Tried)> {
     best.candidate.unnamed.filter(|_| best.evidence.share >= SUSPECT_SHARE).map(|what| (what, best))
 }
 
-/// Those tried that have a name.
-fn named(round: &Round) -> impl Iterator<Item = &Tried> {
-    round.tried.iter().filter(|t| t.candidate.unnamed.is_none())
-}
-
 /// The effects that explain about as much as the best.
 fn suspects(round: &Round) -> Vec<Rival> {
-    let Some(best) = named(round).next() else { return Vec::new() };
-    named(round)
+    let Some(best) = round.named().next() else { return Vec::new() };
+    round
+        .named()
         .filter(|t| t.evidence.bic_fall > 0.0 && t.evidence.share > LISTED.max(best.evidence.share - AS_WELL))
         .take(4)
         .map(|t| rival(t, best))
@@ -155,8 +151,8 @@ fn suspects(round: &Round) -> Vec<Rival> {
 
 /// The names that lost a round.
 pub fn rivals(round: &Round) -> Vec<Rival> {
-    let Some(best) = named(round).next() else { return Vec::new() };
-    named(round).skip(1).take(4).map(|t| rival(t, best)).collect()
+    let Some(best) = round.named().next() else { return Vec::new() };
+    round.named().skip(1).take(4).map(|t| rival(t, best)).collect()
 }
 
 fn rival(t: &Tried, best: &Tried) -> Rival {

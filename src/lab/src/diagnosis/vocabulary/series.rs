@@ -55,9 +55,9 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             "relaxes over decades and meets a stop",
             ("bushing_slip", 1e3),
             vec![
-                linear("bushing_loss_stiffness", (0.0, 3.0)),
+                linear("bushing_loss_stiffness", (0.0, 15.0)),
                 held("bushing_loss_time", (5e-4, 0.3), 0.7),
-                linear("bushing_slow_stiffness", (0.0, 3.0)),
+                linear("bushing_slow_stiffness", (0.0, 15.0)),
                 held("bushing_slow_time", (2e-3, 10.0), 0.7),
             ],
             softer(&|stop, adds| vec![stop, adds, 0.3, 6e-3, 0.3, 0.07]),
