@@ -144,9 +144,8 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
                 // At its bound a number would go on: it stands for something else.
                 let (low, high) = number.bounds;
                 let margin = 1e-3 * (high - low).min(number.step);
-                // An amount of nothing is no far-fetched number.
-                let may_be_nothing = low == 0.0 && f.plausible.0 == 0.0;
-                let inside = (**value > low + margin || may_be_nothing) && **value < high - margin;
+                // What may be however small may be as small as it goes.
+                let inside = (**value > low + margin || f.plausible.0 == 0.0) && **value < high - margin;
                 let value = physical(&f.free, **value);
                 inside && (f.plausible.0..=f.plausible.1).contains(&value)
             })

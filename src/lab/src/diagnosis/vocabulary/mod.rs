@@ -25,7 +25,7 @@ use dashpot_core::elements;
 pub struct Fresh {
     /// What it is.
     pub free: Free,
-    /// Values that a damper or a rig shows; a finding outside is told.
+    /// Values that a damper or a rig shows; a finding outside is told. From 0: however small.
     pub plausible: (f64, f64),
     /// Standard deviation of what is expected of it, in its own scale, where it is weakly determined by nature.
     pub deviation: Option<f64>,

@@ -67,12 +67,13 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let knee = s.knee_force.max(50.0);
-    let stands = [log("valve_opening_force", (20.0, 3000.0)), held("valve_width", (10.0, 1500.0), 0.8)];
+    // A valve may give way from the first newton, and at once beyond its play.
+    let stands = [log("valve_opening_force", (0.0, 3000.0)), held("valve_width", (0.0, 1500.0), 0.8)];
     for (form, place, lateness, starts) in [
         (
             "a valve with play",
             1.0,
-            [log("valve_play", (5.0, 1000.0)), held("valve_time", (1e-4, 5e-3), 0.8)],
+            [log("valve_play", (5.0, 1000.0)), held("valve_time", (0.0, 5e-3), 0.8)],
             [0.05, 0.2].map(|play| [play * knee, 5e-4]),
         ),
         (
