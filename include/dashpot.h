@@ -538,7 +538,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bushing_slip                 deflection in which that share gives way by friction, d_f; large: by time alone [m, 1e-6 to 1000, default 1000]
 //   bushing_stop                 deflection at which the rubber meets a stop, to either side, L [m, 1e-5 to 1, default 0.001]
 //   bushing_stop_stiffness       share of the series stiffness that the stop adds, k_e/k_s; 0: no stop [-, 0 to 100, default 0]
-//   bushing_slow_stiffness       share of the series stiffness that gives way slowly, k_2/k_s [-, 0 to 3, default 0]
+//   bushing_slow_stiffness       share of the series stiffness that gives way slowly, k_2/k_s [-, 0 to 30, default 0]
 //   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
