@@ -150,8 +150,6 @@ impl Evidence {
     pub fn is_admissible(&self) -> bool {
         let share = match (self.sponge, self.later) {
             (true, _) => SPONGE_SHARE,
-            // What a right name has left is its form, which another would follow with numbers that no damper shows.
-            (false, true) if self.plausible < 1.0 => SPONGE_SHARE,
             (false, true) => LATER_SHARE,
             (false, false) => SHARE,
         };
