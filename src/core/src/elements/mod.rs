@@ -489,8 +489,11 @@ elements! {
 
 /// What the coupled paths ask for.
 impl Elements {
-    /// Gives one element what another one brings along: the internal mass, a mass inside.
+    /// Gives one element what another one brings along: the internal mass, a mass inside; a late valve, the FV curve.
     pub(crate) fn join(&mut self) {
+        if self.has_valve() {
+            self.valve_hysteresis.join(&self.fv_curve);
+        }
         if self.has_series() {
             self.moving_mass.join(&mut self.series_compliance.mass);
         }

@@ -1,10 +1,13 @@
 //! Valve hysteresis: a blow-off valve that opens late and closes late.
 
+mod conductance;
+
 use crate::dual::{Dual, Real};
 use crate::elements::fv_curve::FvCurve;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
+use conductance::Conductance;
 use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
@@ -34,6 +37,7 @@ pub struct ValveHysteresis {
     half_width: f64,
     per_width: f64,
     pub(crate) per_time: f64,
+    conductance: Conductance,
 }
 
 /// How it is late.
@@ -60,11 +64,10 @@ pub(crate) struct Late<R> {
 struct Passage {
     /// g(h(x)).
     g: f64,
-    /// Its slopes over x and over the height of the FV curve at W.
+    /// h.
+    h: f64,
+    /// Its slope over x.
     by_x: f64,
-    by_raised: f64,
-    /// W.
-    read: f64,
 }
 
 /// Most rounds in which opening and what it feeds back on itself are brought together.
@@ -73,13 +76,11 @@ const ROUNDS: usize = 4;
 const SOFT: f64 = 10.0;
 /// Substep over τ from which play is taken at once.
 const LONG: f64 = 1.0;
-/// Resistance beside the FV curve, N s/m, so that W is found where the curve is level.
-const LEVEL: f64 = 5.0;
 /// Share of the oil that finds its way through a valve that is shut: late valves make at most a hundred times the force.
 const LEAKS: f64 = 0.01;
 /// Most steps in which F_h is found, and the relative step that is the last: it leaves the square of it.
 const STEPS: usize = 60;
-const CLOSE: f64 = 1e-10;
+const CLOSE: f64 = 1e-7;
 /// Force, N, below which the valve makes nothing late.
 const NOTHING: f64 = 1e-9;
 /// What a round may leave of the last so that three, and two, rounds do.
@@ -131,6 +132,7 @@ impl Prepare for ValveHysteresis {
         half_width: 0.0,
         per_width: 1.0,
         per_time: 1.0,
+        conductance: Conductance::NONE,
     };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
@@ -150,6 +152,7 @@ impl Prepare for ValveHysteresis {
             half_width: 0.5 * (opens - closes),
             per_width: 1.0 / p.number(4),
             per_time: 1.0 / p.number(3),
+            conductance: Conductance::NONE,
         })
     }
 }
@@ -161,6 +164,13 @@ fn opening<R: Real>(x: R) -> R {
 }
 
 impl ValveHysteresis {
+    /// Reads what its passage conducts off the FV curve.
+    pub(crate) fn join(&mut self, curve: &FvCurve) {
+        if self.form != Form::Opening {
+            self.conductance = Conductance::new(curve, self.middle);
+        }
+    }
+
     /// Whether it has mass, and with it a second state: its rate times τ, N.
     #[inline(always)]
     pub(crate) fn is_spool(&self) -> bool {
@@ -251,13 +261,8 @@ impl ValveHysteresis {
         let width = 1.0 / self.per_width;
         let root = libm::sqrt(beyond * beyond + width * width);
         let h = self.middle + 0.5 * (beyond + root);
-        let (w, read) = curve.solve::<4>(LEVEL, h * stroke + curve.at_zero());
-        let (per_h, w_by_force) = (1.0 / h, 1.0 / (LEVEL + read.slope));
-        // Never quite shut.
-        let g = (w * w + 1e-12) * per_h;
-        let by_w = 2.0 * w * per_h * w_by_force;
-        let by_h = by_w * stroke - g * per_h;
-        Passage { g, by_x: 0.5 * (1.0 + beyond / root) * by_h, by_raised: -by_w, read: w }
+        let at = self.conductance.at(curve, h, stroke);
+        Passage { g: at.g, h, by_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
     /// By how much a valve that stands at p raises F, with its slope over the ratio of what the passage conducts at F to what
@@ -321,17 +326,19 @@ impl ValveHysteresis {
             let on = found * step;
             raised.set((found / force).clamp(0.1, 10.0));
             let per = 1.0 / (1.0 - by_p * p.slope(0));
+            let [(first, steady_by), (second, now_by)] =
+                [steady, now].map(|at| Conductance::by_raised(curve, at.g, at.h, stroke));
             let slopes = [
                 (by + by_steady * steady.by_x * stroke) * per,
                 by_p * p.slope(1) * per,
-                by_steady * steady.by_raised * per,
-                by_now * now.by_raised * per,
+                by_steady * steady_by * per,
+                by_now * now_by * per,
             ];
             let stands = slopes.map(|s| p.slope(0) * s);
             return Late {
                 force: Dual::new(found + on, slopes),
                 stands: Dual::new(p.value + p.slope(0) * on, [stands[0], stands[1] + p.slope(1), stands[2], stands[3]]),
-                read: [steady.read, now.read],
+                read: [first, second],
             };
         }
     }
@@ -370,7 +377,7 @@ mod tests {
     use crate::curve::{Curve, Interpolation};
 
     fn valve(form: Form) -> ValveHysteresis {
-        ValveHysteresis {
+        let mut valve = ValveHysteresis {
             form,
             play: 80.0,
             damping: 0.6,
@@ -379,7 +386,10 @@ mod tests {
             half_width: 0.0,
             per_width: 1.0 / 60.0,
             per_time: 1.0 / 2e-3,
-        }
+            conductance: Conductance::NONE,
+        };
+        valve.join(&curve());
+        valve
     }
 
     fn curve() -> FvCurve {

@@ -1,0 +1,159 @@
+//! What the passage of a late valve conducts: g(h) = W(h)²/h, read off the FV curve and kept as a table.
+
+use crate::elements::fv_curve::FvCurve;
+
+/// Resistance beside the FV curve, N s/m, so that W is found where the curve is level.
+const LEVEL: f64 = 5.0;
+/// Conductance, m²/(s² N) times N, that keeps g above zero where the FV curve stands still.
+const LEAST: f64 = 1e-12;
+/// Householder steps in which W is found: there is time when a model is prepared.
+const STEPS: usize = 8;
+/// Places to each power of two, and bits of a number behind those that count them.
+const PER_OCTAVE: usize = 16;
+const BEHIND: u32 = 48;
+/// Powers of two from the opening force on. Beyond them g is taken from the FV curve itself.
+const OCTAVES: usize = 12;
+const PLACES: usize = OCTAVES * PER_OCTAVE;
+
+/// g at one place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct At {
+    /// g.
+    pub g: f64,
+    /// dg/dh.
+    pub by_h: f64,
+}
+
+/// g over the force h, for both strokes: cubics between places that divide every power of two evenly, never beyond the
+/// values at either end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Conductance {
+    /// The leading bits of the first place.
+    first: u64,
+    strokes: [[At; PLACES + 1]; 2],
+}
+
+/// The velocity W at which the FV curve has the force h on a stroke.
+#[inline(always)]
+fn velocity(curve: &FvCurve, h: f64, stroke: f64) -> (f64, f64) {
+    let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
+    (w, read.slope)
+}
+
+/// g and its slope from the FV curve itself.
+fn exact(curve: &FvCurve, h: f64, stroke: f64) -> At {
+    let (w, slope) = velocity(curve, h, stroke);
+    let g = (w * w + LEAST) / h;
+    At { g, by_h: (2.0 * w * stroke / (LEVEL + slope) - g) / h }
+}
+
+impl Conductance {
+    /// Of no valve.
+    pub const NONE: Conductance = Conductance { first: 0, strokes: [[At { g: 1.0, by_h: 0.0 }; PLACES + 1]; 2] };
+
+    /// From the force `opens` on, which h never falls below.
+    pub fn new(curve: &FvCurve, opens: f64) -> Conductance {
+        let mut table = Conductance { first: opens.to_bits() >> BEHIND, ..Conductance::NONE };
+        for (stroke, places) in [-1.0, 1.0].into_iter().zip(&mut table.strokes) {
+            for (at, bits) in places.iter_mut().zip(table.first..) {
+                *at = exact(curve, f64::from_bits(bits << BEHIND), stroke);
+            }
+            // Slopes of at most three times what lies beside them keep a cubic between its ends (Fritsch & Carlson, SIAM J.
+            // Numer. Anal. 17, 1980).
+            let mut before = f64::INFINITY;
+            for (k, bits) in (0..PLACES).zip(table.first..) {
+                let (low, high) = (f64::from_bits(bits << BEHIND), f64::from_bits((bits + 1) << BEHIND));
+                let [Some(from), Some(to)] = [k, k + 1].map(|k| places.get(k).copied()) else { break };
+                let chord = 3.0 * (to.g - from.g) / (high - low);
+                let within = |slope: f64, chord: f64| {
+                    if slope * chord <= 0.0 { 0.0 } else { slope.abs().min(chord.abs()).copysign(slope) }
+                };
+                if let Some(at) = places.get_mut(k) {
+                    let slope = within(at.by_h, chord);
+                    at.by_h = if before.is_finite() { within(slope, before) } else { slope };
+                }
+                before = chord;
+            }
+            if let Some(last) = places.last_mut()
+                && last.by_h * before <= 0.0
+            {
+                last.by_h = 0.0;
+            }
+        }
+        table
+    }
+
+    /// g at a force along a stroke, which has the sign `stroke`.
+    #[inline(always)]
+    pub fn at(&self, curve: &FvCurve, h: f64, stroke: f64) -> At {
+        let bits = h.to_bits();
+        let place = (bits >> BEHIND).wrapping_sub(self.first) as usize;
+        let places = &self.strokes[usize::from(stroke > 0.0)];
+        let (Some(from), Some(to)) = (places.get(place), places.get(place + 1)) else {
+            return exact(curve, h, stroke);
+        };
+        // The bits behind the place are how far h is on the way to the next.
+        const ONE: u64 = 1.0_f64.to_bits();
+        let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
+        let octave = f64::from_bits(bits & !((1 << 52) - 1));
+        let width = octave * (1.0 / PER_OCTAVE as f64);
+        let (rise, m0, m1) = (to.g - from.g, from.by_h * width, to.by_h * width);
+        let (c2, c3) = (3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise);
+        At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
+    }
+
+    /// The velocity W where g was `g` at a force, and the slope of g over the height of the FV curve there.
+    #[inline(always)]
+    pub fn by_raised(curve: &FvCurve, g: f64, h: f64, stroke: f64) -> (f64, f64) {
+        let square = g * h - LEAST;
+        let w = libm::sqrt(if square > 0.0 { square } else { 0.0 }) * stroke;
+        (w, -2.0 * w / (h * (LEVEL + curve.at(w).slope)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{Curve, Interpolation};
+
+    fn curve(interpolation: Interpolation) -> FvCurve {
+        let v = [-1.5, -0.5, -0.3, -0.1, 0.0, 0.1, 0.5, 1.5];
+        let f = [-1480.0, -820.0, -820.0, -380.0, 20.0, 720.0, 1320.0, 2220.0];
+        FvCurve(Curve::new(&v, &f, interpolation).unwrap())
+    }
+
+    #[test]
+    fn the_table_is_the_curve_read_backwards() {
+        let curve = curve(Interpolation::MonotoneCubic);
+        let table = Conductance::new(&curve, 130.0);
+        for stroke in [-1.0, 1.0] {
+            for k in 0..2000 {
+                let h = 130.0 * 1.004_f64.powi(k);
+                let (w, slope) = velocity(&curve, h, stroke);
+                let g = table.at(&curve, h, stroke).g;
+                // Beside a level part the table rounds the corner.
+                let close = if slope > 1500.0 { 3e-3 } else { 0.4 };
+                assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
+            }
+        }
+    }
+
+    #[test]
+    fn it_rises_where_its_places_do_with_the_slope_that_it_says() {
+        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+            let curve = curve(interpolation);
+            let table = Conductance::new(&curve, 7.0);
+            for stroke in [-1.0, 1.0] {
+                for k in 0..4000 {
+                    let h = 7.001 * 1.002_f64.powi(k);
+                    let at = table.at(&curve, h, stroke);
+                    let d = 1e-6 * h;
+                    let [below, above] = [h - d, h + d].map(|h| table.at(&curve, h, stroke).g);
+                    let seen = (above - below) / (2.0 * d);
+                    assert!((seen - at.by_h).abs() < 1e-4 * (at.by_h.abs() + at.g / h), "{h}: {seen} {at:?}");
+                    assert!(at.g > 0.0 && at.by_h > -2.0 * at.g / h, "g h = W² never falls: {h} {at:?}");
+                }
+            }
+        }
+    }
+}
