@@ -32,6 +32,8 @@ pub struct Evidence {
     pub sponge: bool,
     /// Whether another effect was named before.
     pub later: bool,
+    /// Whether the measured force grows or falls from cycle to cycle all through the tests.
+    pub unsettled: bool,
 }
 
 /// What noise adds to the χ² of a test.
@@ -54,6 +56,15 @@ pub fn noise_chi2_deviation(tests: &[Test]) -> f64 {
 /// Independent samples of all tests.
 pub fn effective_count(tests: &[Test]) -> f64 {
     tests.iter().map(Test::independent_count).sum::<f64>().max(1.0)
+}
+
+/// Standard deviations, over all tests, of a growth from cycle to cycle that is no chance.
+const GROWS: f64 = 6.0;
+
+/// Whether the force grows or falls from cycle to cycle all through the tests: the damper remembers more than a cycle.
+pub fn is_unsettled(tests: &[Test]) -> bool {
+    let (sum, count) = tests.iter().filter(|t| t.growth != 0.0).fold((0.0, 0.0), |(s, n), t| (s + t.growth, n + 1.0));
+    f64::abs(sum) > GROWS * f64::sqrt(count)
 }
 
 /// Share of the full information that stays when a test is left out which alone determines a number.
@@ -96,6 +107,8 @@ const LEAST: f64 = 0.06;
 const SHARE: f64 = 0.4;
 const LATER_SHARE: f64 = 0.25;
 const SPONGE_SHARE: f64 = 0.55;
+/// The same where the force changes from cycle to cycle, which these effects do not: they then fit its mean.
+const UNSETTLED_SHARE: f64 = 0.85;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
@@ -107,6 +120,12 @@ const MANY: usize = 4;
 const NEARLY_ALL: f64 = 0.9;
 /// What a criterion is worth that needs numbers which no damper shows.
 const FAR_FETCHED: f64 = 0.9;
+/// What it loses by each number beyond a few: where the form of the curves is all that is left to explain, any further
+/// number explains some of it.
+const PER_NUMBER: f64 = 0.02;
+const FEW: usize = 2;
+/// Lead over all rivals that no sponge has.
+const FAR_AHEAD: f64 = 0.5;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
@@ -122,7 +141,8 @@ pub fn share_beyond_form(fall: f64, excess: f64) -> f64 {
 impl Evidence {
     /// Its criterion as it counts against rivals.
     pub fn standing(&self) -> f64 {
-        if self.plausible >= 1.0 { self.bic_fall } else { FAR_FETCHED * self.bic_fall }
+        let worth = if self.plausible >= 1.0 { self.bic_fall } else { FAR_FETCHED * self.bic_fall };
+        worth * (1.0 - PER_NUMBER * self.numbers.saturating_sub(FEW) as f64)
     }
 
     fn explained(&self) -> f64 {
@@ -130,9 +150,14 @@ impl Evidence {
         share_beyond_form(self.share * excess, excess).clamp(-1.0, 1.05)
     }
 
+    /// Its margin as a share of its own standing.
+    fn lead(&self) -> f64 {
+        self.margin / self.standing().abs().max(1.0)
+    }
+
     /// What the logistic sees.
     pub fn features(&self) -> [f64; FEATURES] {
-        let lead = self.margin / self.standing().abs().max(1.0);
+        let lead = self.lead();
         [
             1.0,
             (self.bic_fall / 10.0).asinh(),
@@ -149,18 +174,22 @@ impl Evidence {
     /// matter, and predicts tests better that it has not seen.
     pub fn is_admissible(&self) -> bool {
         let share = match (self.sponge, self.later) {
+            (true, _) if self.unsettled => UNSETTLED_SHARE,
             (true, _) => SPONGE_SHARE,
             (false, true) => LATER_SHARE,
             (false, false) => SHARE,
         };
-        // What fits a little of everything does so with numbers that no damper shows.
+        // What fits a little of everything does so with numbers that no damper shows, and others then fit it too.
         // Of many numbers one may be far-fetched, or more where nearly everything is explained.
         let likely = if self.sponge {
-            self.plausible >= 1.0
+            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= FAR_AHEAD)
         } else {
             self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
         };
+        // What is left beside another effect is the memory itself.
+        let settled = !(self.sponge && self.unsettled && self.later);
         likely
+            && settled
             && self.explained() >= share
             && self.size >= SMALLEST
             && self.left_out_gain > LEFT_OUT

@@ -63,13 +63,9 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
             }
             number
         }
-        Free::Rig(artefact) => Number {
-            free: fresh.free.clone(),
-            start: value,
-            step: value.abs(),
-            bounds: (-artefact.limit(), artefact.limit()),
-            prior: None,
-        },
+        Free::Rig(artefact) => {
+            Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds: artefact.bounds(), prior: None }
+        }
         Free::Cooling => {
             let start = value.ln();
             let prior = fresh.deviation.map(|d| (start, d));

@@ -178,7 +178,10 @@ impl Hypothesis {
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (mut unknowns, values, places) = self.unknowns(theta);
         self.take_heat_as_measured(&mut unknowns.base);
-        let delay = self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Rig(Artefact::Delay));
+        let late = self.numbers.iter().zip(theta).find_map(|(n, tau)| match n.free {
+            Free::Rig(artefact) if artefact.is_late() => Some((artefact, *tau)),
+            _ => None,
+        });
         let run = Run::new(&unknowns, &values, Accuracy::Single)?;
         let parts: Vec<DMatrix<f64>> = tests
             .par_iter()
@@ -186,10 +189,10 @@ impl Hypothesis {
             .map(|(place, test)| {
                 let (_, rows) = run.jacobian(&self.warmed(test, place, theta), &unknowns, &values);
                 let mut columns = rows.transpose();
-                if let Some((_, tau)) = delay {
+                if let Some((artefact, tau)) = late {
                     // A delayed force has delayed derivatives.
                     for mut column in columns.column_iter_mut() {
-                        Artefact::Delay.apply(*tau, test, column.as_mut_slice());
+                        artefact.apply(tau, test, column.as_mut_slice());
                     }
                 }
                 for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {

@@ -1,9 +1,10 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
+use super::far_fetched::deviations;
 use super::hypothesis::Free;
+use super::name_of;
 use super::outcome::Diagnosis;
 use super::search::{Search, physical};
-use super::{deviations, name_of};
 use crate::identification::unknowns::Unknown;
 use crate::identification::{Estimate, Fit, Standing};
 use crate::records::Record;

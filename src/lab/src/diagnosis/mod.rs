@@ -11,6 +11,7 @@
 //! | [`screening`] | which of them are worth a refit |
 //! | [`race`] | refits in heats |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
+//! | [`far_fetched`] | whether its numbers are such as dampers show |
 //! | [`round`] | one look at what is left |
 //! | [`pair`] | two effects that hide each other's share |
 //! | [`search`] | adding, looking again, taking out |
@@ -20,6 +21,7 @@
 
 mod evidence;
 mod extend;
+mod far_fetched;
 mod finer_curve;
 mod heating;
 mod hold_out;
@@ -51,6 +53,7 @@ use crate::records::Record;
 use dashpot_core::Params;
 use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::find;
+use far_fetched::deviations;
 use heating::Heating;
 use hypothesis::{Free, Hypothesis};
 use refit::Refit;
@@ -395,7 +398,7 @@ impl Answer<'_> {
     /// Scalars of the base that moved by more than three of their deviations.
     fn shifts(&self) -> Vec<Shift> {
         let (base, first) = &self.found.base;
-        let (_, end) = &self.found.last;
+        let (last, end) = &self.found.last;
         if self.found.added.is_empty() {
             return Vec::new();
         }
@@ -405,10 +408,11 @@ impl Answer<'_> {
             .enumerate()
             .filter_map(|(k, n)| {
                 let Free::Model(Unknown::Log(name) | Unknown::Linear(name)) = &n.free else { return None };
-                ((end.theta[k] - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
+                let after = end.theta[last.numbers.iter().position(|m| m.free == n.free)?];
+                ((after - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
                     parameter: name,
                     before: physical(&n.free, first.theta[k]),
-                    after: physical(&n.free, end.theta[k]),
+                    after: physical(&n.free, after),
                     unit: find(name).map_or("", |row| row.parameter.unit),
                 })
             })
@@ -438,25 +442,6 @@ impl Answer<'_> {
             })
             .collect();
         next_test::propose(&rivals, &next_test::Rig::of(self.fitted))
-    }
-}
-
-/// Standard deviations of the numbers of a refit, widened where more than noise is left.
-fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
-    let mut normal = refit.jacobian.tr_mul(&refit.jacobian);
-    let n = normal.nrows();
-    for (i, number) in hypothesis.numbers.iter().enumerate() {
-        normal[(i, i)] += 1e-12 / (number.step * number.step);
-        if let Some((_, deviation)) = number.prior {
-            normal[(i, i)] += 1.0 / (deviation * deviation);
-        }
-    }
-    let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt().max(1e-150)).collect();
-    let scaled = nalgebra::DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
-    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
-    match scaled.try_inverse() {
-        Some(inverse) => (0..n).map(|i| excess * inverse[(i, i)].max(0.0).sqrt() / scale[i]).collect(),
-        None => vec![f64::INFINITY; n],
     }
 }
 

@@ -81,6 +81,7 @@ fn sine(d: &Design) -> Test {
         allowed: vec![1.0; PER_CYCLE],
         mean_noise: 0.0,
         independence: 1.0,
+        growth: 0.0,
         noise_freedom: f64::INFINITY,
         frequency: d.frequency,
         clock: 0.0,

@@ -33,8 +33,10 @@ pub fn two_at_once(
     original: f64,
 ) -> Option<Pair> {
     let left = round.before - ground.floor;
-    let may_be_one =
-        |t: &&Tried| t.evidence.share >= SHARE && t.evidence.plausible >= 1.0 && t.evidence.bic_fall > 10.0;
+    let may_be_one = |t: &&Tried| {
+        let settled = !(t.evidence.sponge && t.evidence.unsettled);
+        settled && t.evidence.share >= SHARE && t.evidence.plausible >= 1.0 && t.evidence.bic_fall > 10.0
+    };
     round.named().filter(may_be_one).take(TRIED).find_map(|first| {
         let (one, with_first) = with(first, &last.0, added, ground.tests)?;
         let beside_first = look(ground, &one, &with_first, &|_| ());

@@ -1,12 +1,13 @@
 //! One look at what is left: which effects are likely, everything refitted with each, and how well each then stands.
 
-use super::evidence::{Evidence, effective_count, left_out};
+use super::evidence::{Evidence, effective_count, is_unsettled, left_out};
+use super::far_fetched::plausible;
 use super::hypothesis::Hypothesis;
 use super::race::{Started, race};
 use super::refit::Refit;
 use super::samples::Test;
 use super::screening::{Projection, Screened, screen};
-use super::search::{Added, QUIET, physical};
+use super::search::{Added, QUIET};
 use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
 use crate::records::Record;
@@ -122,6 +123,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         .collect();
     let excess = (at.chi2 - ground.floor).max(1e-9);
     let refits = race(started, &screened, &list, tests, at.cost, excess);
+    let unsettled = is_unsettled(tests) && !added.iter().any(|a| a.candidate.effect == "temperature_fade");
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
     let (mut tried, mut other_forms): (Vec<Tried>, Vec<Tried>) = (Vec::new(), Vec::new());
@@ -134,23 +136,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         let free = candidate.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum::<f64>();
         let predicted = left_out(tests, &refit);
         let gains: Vec<f64> = base_left_out.iter().zip(&predicted).map(|(a, b)| (a / b).ln()).collect();
-        let values = &refit.theta[refit.theta.len() - fresh..];
-        let plausible = candidate
-            .fresh
-            .iter()
-            .zip(values)
-            .zip(&s.hypothesis.numbers[hypothesis.numbers.len()..])
-            .filter(|((f, value), number)| {
-                // At its bound a number would go on: it stands for something else.
-                let (low, high) = number.bounds;
-                let margin = 1e-3 * (high - low).min(number.step);
-                // What may be however small may be as small as it goes.
-                let inside = (**value > low + margin || f.plausible.0 == 0.0) && **value < high - margin;
-                let value = physical(&f.free, **value);
-                inside && (f.plausible.0..=f.plausible.1).contains(&value)
-            })
-            .count() as f64
-            / fresh.max(1) as f64;
+        let plausible = plausible(candidate, &s.hypothesis, &refit);
         let evidence = Evidence {
             chi2_fall,
             bic_fall: chi2_fall - free * count,
@@ -164,6 +150,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             plausible,
             sponge: candidate.sponge,
             later: !added.is_empty(),
+            unsettled,
         };
         let entry =
             Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };

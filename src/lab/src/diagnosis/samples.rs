@@ -28,6 +28,9 @@ const MOST_STRETCHES: usize = 4;
 const FORM: f64 = 0.002;
 /// Share of the change from sample to sample that a small error of time or velocity makes.
 const TIMING: f64 = 0.05;
+/// Share of the cases in which such an error puts a sample on the other side of a jump between its neighbours: friction that
+/// turns over within a sample.
+const ACROSS: f64 = 0.1;
 
 /// One test, or one stretch of a long one.
 #[derive(Debug, Clone)]
@@ -42,6 +45,8 @@ pub struct Test {
     pub mean_noise: f64,
     /// Independent samples that one scored sample stands for: 1 for white noise.
     pub independence: f64,
+    /// Growth of the force from cycle to cycle, as a share of it, in standard deviations.
+    pub growth: f64,
     /// Independent deviations from which the noise was estimated.
     pub noise_freedom: f64,
     /// Frequency, Hz; 0 without cycles.
@@ -120,26 +125,52 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
         .sum()
 }
 
+/// Share of a sample within which a time counts as that of the sample.
+const AT_SAMPLE: f64 = 0.02;
+/// How many times steeper than beside it, and above the noise, the force must run between two samples to be a jump.
+const STEEPER: f64 = 3.0;
+
+/// Whether a time lies between two samples between which the force jumps: nothing can be interpolated there.
+fn across_a_jump(record: &Record, t: f64) -> bool {
+    let (time, force) = (&record.time, &record.force);
+    let right = time.partition_point(|x| *x <= t);
+    if right < 2 || right + 1 >= time.len() {
+        return false;
+    }
+    let left = right - 1;
+    let share = (t - time[left]) / (time[right] - time[left]);
+    if !(AT_SAMPLE..=1.0 - AT_SAMPLE).contains(&share) {
+        return false;
+    }
+    let rise = |k: usize| (force[k + 1] - force[k]).abs();
+    rise(left) > STEEPER * (0.5 * (rise(left - 1) + rise(right)) + record.noise.force_rms)
+}
+
 /// Fewest cycles whose differences tell the noise of their mean.
 const REPEATS: usize = 3;
-/// Share of the largest deviations that steep places make, not noise.
+/// Share of the largest deviations that steep places make, not noise, and the variance that normal noise keeps when those
+/// are cut.
 const STEEP: f64 = 0.02;
+const KEPT: f64 = 0.964;
 
-/// Noise of the mean cycle and share of independent samples, from how cycles differ from their mean at equal phase: whatever
-/// the colour of the noise.
-fn repeat(
-    bounds: &[(f64, f64)],
-    mean: impl Iterator<Item = f64> + Clone,
-    force: impl Fn(f64) -> f64,
-) -> Option<(f64, f64)> {
-    let count = mean.clone().count();
+/// What cycles tell by how they differ.
+struct Repeat {
+    /// Noise of their mean.
+    mean_noise: f64,
+    /// Share of independent samples.
+    independence: f64,
+    /// Growth of the force from cycle to cycle, as a share of it, in standard deviations.
+    growth: f64,
+}
+
+/// From how cycles differ from their mean at equal phase: whatever the colour of the noise.
+fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
+    let count = mean.len();
     if bounds.len() < REPEATS || count < 16 {
         return None;
     }
-    let deviations: Vec<Vec<f64>> = bounds
-        .iter()
-        .map(|(a, b)| mean.clone().enumerate().map(|(k, m)| force(a + (b - a) * k as f64 / count as f64) - m).collect())
-        .collect();
+    let deviations: Vec<Vec<f64>> =
+        bounds.iter().map(|(a, b)| mean.iter().map(|(phase, m)| force(a + (b - a) * phase) - m).collect()).collect();
     let mut sizes: Vec<f64> = deviations.iter().flatten().map(|d| d.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let limit = sizes[((1.0 - STEEP) * (sizes.len() - 1) as f64) as usize];
@@ -163,7 +194,31 @@ fn repeat(
     }
     let n = bounds.len() as f64;
     // The deviations are from the cycles' own mean, which takes its share of them.
-    Some(((variance / (n - 1.0)).sqrt(), 1.0 / stands_for))
+    Some(Repeat {
+        mean_noise: (variance / KEPT / (n - 1.0)).sqrt(),
+        independence: 1.0 / stands_for,
+        growth: growth(&deviations, mean, stands_for),
+    })
+}
+
+/// Growth of the force from cycle to cycle in standard deviations, from each cycle's own gain on the mean one.
+fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 {
+    let middle = mean.iter().map(|m| m.1).sum::<f64>() / mean.len() as f64;
+    let shape: Vec<f64> = mean.iter().map(|m| m.1 - middle).collect();
+    let square: f64 = shape.iter().map(|f| f * f).sum::<f64>().max(1e-300);
+    let gains: Vec<f64> =
+        deviations.iter().map(|d| d.iter().zip(&shape).map(|(d, f)| d * f).sum::<f64>() / square).collect();
+    let left: f64 = deviations
+        .iter()
+        .zip(&gains)
+        .flat_map(|(d, g)| d.iter().zip(&shape).map(move |(d, f)| (d - g * f).powi(2)))
+        .sum::<f64>();
+    let n = gains.len() as f64;
+    let of_gain = stands_for * left / ((n - 1.0) * mean.len() as f64 * square);
+    let place = |k: usize| k as f64 - 0.5 * (n - 1.0);
+    let places: f64 = (0..gains.len()).map(|k| place(k).powi(2)).sum();
+    let slope = gains.iter().enumerate().map(|(k, g)| place(k) * g).sum::<f64>() / places;
+    slope / (of_gain / places).sqrt().max(1e-300)
 }
 
 /// Variance of the mean of `count` neighbours in units of one sample's, for noise whose autocorrelation falls off
@@ -174,10 +229,23 @@ fn mean_variance(count: usize, lag1: f64) -> f64 {
     (n + 2.0 * sum) / (n * n)
 }
 
+/// Where in a cycle its mean is taken: at the samples of the middle one, as far as `count` of them. Where others are sampled
+/// alike nothing has to be interpolated, which across friction that turns over would give any force between.
+fn phases(time: &[f64], cycles: &[std::ops::Range<usize>], bounds: &[(f64, f64)], count: usize) -> Vec<f64> {
+    let middle = cycles.len() / 2;
+    let (range, (a, b)) = (&cycles[middle], bounds[middle]);
+    (0..count)
+        .map(|k| {
+            let index = range.start + (k * range.len()) / count;
+            ((time[index.min(time.len() - 1)] - a) / (b - a)).rem_euclid(1.0)
+        })
+        .collect()
+}
+
 fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops::Range<usize>]) -> Test {
     let time = &record.time;
     let last = time.len() - 1;
-    let in_cycle = cycles[0].len().max(1);
+    let in_cycle = cycles[cycles.len() / 2].len().max(1);
     let count = in_cycle.min(PER_CYCLE);
     let averaged = ((in_cycle as f64 * WINDOW) as usize / 2) * 2 + 1;
     let crossing = |index: usize| crossing(time, motion, record.mean_displacement, index.min(last));
@@ -191,52 +259,72 @@ fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[std::ops
             count => inside().map(|t| at(time, values, t)).sum::<f64>() / count as f64,
         }
     };
-    let step = 1.0 / count as f64;
+    let phases = phases(time, cycles, &bounds, count);
     let force_at = |phase: f64| {
         let half = (averaged / 2) as i64;
         let per = 1.0 / in_cycle as f64;
         (-half..=half).map(|k| mean(&record.force, phase + k as f64 * per)).sum::<f64>() / averaged as f64
     };
+    // Where another cycle's samples lie on either side of a jump, the sample of the middle one stands alone.
+    let middle = bounds[bounds.len() / 2];
+    let alone: Vec<bool> =
+        phases.iter().map(|phase| bounds.iter().any(|(a, b)| across_a_jump(record, a + phase * (b - a)))).collect();
     let side = |phase: f64| record.side_force.as_ref().map_or(0.0, |c| mean(c, phase));
     let temperature = |phase: f64| record.temperature.as_ref().map_or(20.0, |c| mean(c, phase));
-    let cycle: Vec<(Input, f64)> = (0..count)
-        .map(|k| {
-            let phase = k as f64 * step;
+    let cycle: Vec<(Input, f64)> = phases
+        .iter()
+        .zip(&alone)
+        .map(|(phase, alone)| {
+            let phase = *phase;
             let input = Input {
                 displacement: Some(mean(&motion.displacement, phase)),
                 velocity: mean(&motion.velocity, phase),
                 side_force: side(phase),
                 temperature: temperature(phase),
             };
-            (input, force_at(phase))
+            let own = middle.0 + phase * (middle.1 - middle.0);
+            (input, if *alone { at(time, &record.force, own) } else { force_at(phase) })
         })
         .collect();
     let (least, most) = LEAD_IN_CYCLES;
     let lead = (((LEAD_IN / period).clamp(least, most) * count as f64) as usize).max(2);
-    let (input, force) = (0..lead + count).map(|k| cycle[(k + 2 * count - lead % count) % count]).unzip();
-    let (mean_noise, independence) = repeat(&bounds, cycle.iter().map(|c| c.1), |t| {
+    let turned = |k: usize| (k + 2 * count - lead % count) % count;
+    let (input, force) = (0..lead + count).map(|k| cycle[turned(k)]).unzip();
+    let dt = (0..lead + count)
+        .map(|k| {
+            let (here, before) = (phases[turned(k)], phases[(turned(k) + count - 1) % count]);
+            period * (here - before).rem_euclid(1.0)
+        })
+        .collect();
+    let mean_of: Vec<(f64, f64)> = phases.iter().zip(&cycle).map(|(phase, c)| (*phase, c.1)).collect();
+    let Repeat { mean_noise, independence, growth } = repeat(&bounds, &mean_of, |t| {
         let half = (averaged / 2) as i64;
         let per = period / in_cycle as f64;
         (-half..=half).map(|k| at(time, &record.force, t + k as f64 * per)).sum::<f64>() / averaged as f64
     })
     .unwrap_or_else(|| {
         let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-        let apart = (in_cycle as f64 * step).max(1.0);
+        let apart = (in_cycle as f64 / count as f64).max(1.0);
         let mean_noise = record.noise.force_rms * (mean_variance(averaged, lag1) / bounds.len() as f64).sqrt();
-        (mean_noise, independence(lag1.powf(apart)))
+        Repeat { mean_noise, independence: independence(lag1.powf(apart)), growth: 0.0 }
     });
     let (begin, end) = (bounds[0].0, bounds[bounds.len() - 1].1);
+    let cycles = bounds.len() as f64;
+    let of_mean: Vec<f64> = alone.iter().map(|alone| if *alone { cycles } else { 1.0 }).collect();
+    let of_scored = (lead..lead + count).map(|k| of_mean[turned(k)]).collect::<Vec<f64>>();
     finish(
         Test {
             record: place,
-            segment: segment(record, vec![period * step; lead + count], input, force, lead),
+            segment: segment(record, dt, input, force, lead),
             allowed: Vec::new(),
             mean_noise,
             independence,
+            growth,
             noise_freedom: (bounds.len() as f64 - 1.0).max(1.0) * count as f64 * independence,
             frequency: 1.0 / period,
             clock: 0.5 * (begin + end),
         },
+        &of_scored,
         true,
     )
 }
@@ -267,10 +355,12 @@ fn road(place: usize, record: &Record, motion: &Motion) -> Test {
             allowed: Vec::new(),
             mean_noise: record.noise.force_rms,
             independence: independence(lag1.powi(stride as i32)),
+            growth: 0.0,
             noise_freedom: n as f64 * independence(lag1),
             frequency: 0.0,
             clock: 0.5 * (record.time[0] + record.time[n - 1]),
         },
+        &[],
         false,
     )
 }
@@ -295,21 +385,25 @@ fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, fr
     }
 }
 
-/// Sets the allowed errors.
-fn finish(mut test: Test, periodic: bool) -> Test {
-    let noise = test.mean_noise / test.independence.sqrt();
-    let base = noise * noise + (FORM * test.segment.top).powi(2);
+/// Sets the allowed errors; `variance` is that of each sample's noise in units of the mean's, 1 where there is none.
+fn finish(mut test: Test, variance: &[f64], periodic: bool) -> Test {
+    let noise = test.mean_noise.powi(2) / test.independence;
+    let form = (FORM * test.segment.top).powi(2);
+    let base = noise + form;
     let scored = test.forces();
     let n = scored.len();
     let allowed: Vec<f64> = (0..n)
         .map(|i| {
-            let (before, after) = if periodic {
-                (scored[(i + n - 1) % n], scored[(i + 1) % n])
-            } else {
-                (scored[i.saturating_sub(1)], scored[(i + 1).min(n - 1)])
+            let at = |k: usize| {
+                // Two before to two after.
+                let place = i + k;
+                if periodic { scored[(place + n - 2) % n] } else { scored[place.saturating_sub(2).min(n - 1)] }
             };
-            let change = TIMING * 0.5 * (after - before);
-            (base + change * change).sqrt().max(1e-6)
+            let half = 0.5 * (at(3) - at(1));
+            let beside = (at(1) - at(0)).abs() + (at(4) - at(3)).abs();
+            let jump = (half.abs() - 0.5 * beside - test.mean_noise).max(0.0);
+            let own = noise * variance.get(i).unwrap_or(&1.0) + form;
+            (own + (TIMING * half).powi(2) + ACROSS * jump * jump).sqrt().max(1e-6)
         })
         .collect();
     test.segment.scale = base.sqrt().max(1e-6);

@@ -1,7 +1,7 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
 use super::evidence::{Evidence, effective_count, noise_chi2, noise_chi2_deviation, share_beyond_form};
-use super::finer_curve::finer;
+use super::finer_curve::with_enough_points;
 use super::hypothesis::{Free, Hypothesis};
 use super::pair::two_at_once;
 use super::refit::{Effort, Refit, refit};
@@ -15,9 +15,11 @@ use crate::records::Record;
 pub const QUIET: f64 = 0.1;
 /// Standard deviations of the noise floor beyond that.
 const SURE: f64 = 2.0;
-/// Shares of the remaining and of the original excess that a later effect must explain: what is left after a right name is
+/// Shares of the remaining (of those that fit a little of everything: a larger one) and of the original excess that a later
+/// effect must explain: what is left after a right name is
 /// often only the form of that effect, which another name would soak up.
 const LATER_REMAINING: f64 = 0.25;
+const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
@@ -43,6 +45,8 @@ pub struct Search {
     pub last: (Hypothesis, Refit),
     /// What it has added.
     pub added: Vec<Added>,
+    /// Fall of χ² by further points on the FV curve once effects had been added: what was left was the curve's form.
+    pub by_points: f64,
     /// All rounds; the last one added nothing.
     pub rounds: Vec<Round>,
     /// Expected χ² of noise.
@@ -75,18 +79,22 @@ pub fn search(
     let base = base.starting_at(&first.theta);
     let floor = noise_chi2(tests);
     let quiet = QUIET + SURE * noise_chi2_deviation(tests) / effective_count(tests);
-    let (base, first) = with_enough_points(base, first, tests, floor);
+    let (base, first) = with_enough_points((base, first), tests, floor);
     let ground = Ground { records, tests, floor, allowed: limits.allowed };
     let mut found = Search {
         base: (base.clone(), first.clone()),
         last: (base, first),
         added: Vec::new(),
+        by_points: 0.0,
         rounds: Vec::new(),
         floor,
         quiet,
         taken_back: Vec::new(),
     };
     loop {
+        if !found.added.is_empty() {
+            found.refine_curve(tests);
+        }
         let left = (found.last.1.chi2 - floor) / effective_count(tests);
         let original = (found.base.1.chi2 - floor) / effective_count(tests);
         if !found.added.is_empty() && (left < quiet || left < LATER_ORIGINAL * original) {
@@ -97,7 +105,7 @@ pub fn search(
         let round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
         found.rounds.push(round);
         let round = &found.rounds[found.rounds.len() - 1];
-        if found.added.len() >= limits.effects {
+        if found.added.len() >= limits.effects || left < quiet {
             break;
         }
         let original = found.base.1.chi2 - floor;
@@ -111,7 +119,7 @@ pub fn search(
             take_out_what_is_not_needed(&mut found.last, &mut found.added, old, tests);
             continue;
         }
-        if found.added.len() + 2 > limits.effects || left < quiet {
+        if found.added.len() + 2 > limits.effects {
             break;
         }
         progress(done + 0.15, "looking for two effects at once");
@@ -127,7 +135,8 @@ pub fn search(
 /// Whether a later effect explains enough of what was left, and of what there was to begin with.
 pub fn is_worth_a_later_name(best: &Tried, left: f64, original: f64) -> bool {
     let fall = best.evidence.chi2_fall;
-    fall >= LATER_REMAINING * left && fall >= LATER_ORIGINAL * original.max(1e-9)
+    let remaining = if best.evidence.sponge { LATER_SPONGE } else { LATER_REMAINING };
+    fall >= remaining * left && fall >= LATER_ORIGINAL * original.max(1e-9)
 }
 
 /// An explanation with what was added to it.
@@ -146,38 +155,31 @@ pub fn with(best: &Tried, from: &Hypothesis, added: &[Added], tests: &[Test]) ->
     Some(((best.hypothesis.clone().starting_at(&fine.theta), fine), added))
 }
 
-/// Fall of χ² that a further point of the FV curve must bring, and share of the excess that all of them must.
-const PER_POINT: f64 = 4.0;
-const BY_POINTS: f64 = 0.15;
-
-/// With more points on the FV curve where they are worth it.
-fn with_enough_points(base: Hypothesis, first: Refit, tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
-    let excess = first.chi2 - floor;
-    let worth = |added: usize| (PER_POINT * added as f64).max(BY_POINTS * excess);
-    let count = |h: &Hypothesis| h.base.list("fv_velocity").len();
-    if excess < worth(count(&base)) {
-        return (base, first);
-    }
-    let Some(finer) = finer(&base, &first.theta) else { return (base, first) };
-    match refit(&finer, tests, &finer.start(), None, Effort::JUDGE) {
-        Some(refitted) if first.chi2 - refitted.chi2 > worth(count(&finer) - count(&base)) => {
-            (finer.starting_at(&refitted.theta), refitted)
-        }
-        _ => (base, first),
-    }
-}
-
 impl Search {
+    /// More points on the FV curve where what is left is of its form.
+    fn refine_curve(&mut self, tests: &[Test]) {
+        let (numbers, chi2) = (self.last.0.numbers.len(), self.last.1.chi2);
+        self.last = with_enough_points(self.last.clone(), tests, self.floor);
+        let more = self.last.0.numbers.len() - numbers;
+        self.by_points += chi2 - self.last.1.chi2;
+        for added in &mut self.added {
+            added.numbers = added.numbers.start + more..added.numbers.end + more;
+        }
+    }
+
     /// Share of the excess, beyond what the form of right names leaves, that all names together explain.
     pub fn together(&self, tests: &[Test]) -> f64 {
         let per = 1.0 / effective_count(tests);
-        share_beyond_form(per * (self.base.1.chi2 - self.last.1.chi2), per * (self.base.1.chi2 - self.floor))
+        share_beyond_form(
+            per * (self.base.1.chi2 - self.by_points - self.last.1.chi2),
+            per * (self.base.1.chi2 - self.floor),
+        )
     }
 
     /// Whether a single effect that does not stand does so in another form, which then takes its place.
     pub fn stands_in_another_form(&mut self, tests: &[Test], stands: &dyn Fn(&Search) -> bool) -> bool {
         let [only] = &self.added[..] else { return false };
-        let (last, added) = (self.last.clone(), self.added.clone());
+        let (last, added, by_points) = (self.last.clone(), self.added.clone(), self.by_points);
         let others: Vec<Tried> = self.rounds[0]
             .other_forms
             .iter()
@@ -187,12 +189,14 @@ impl Search {
         for other in &others {
             if let Some(explained) = with(other, &self.base.0, &[], tests) {
                 (self.last, self.added) = explained;
+                self.by_points = 0.0;
+                self.refine_curve(tests);
                 if stands(self) {
                     return true;
                 }
             }
         }
-        (self.last, self.added) = (last, added);
+        (self.last, self.added, self.by_points) = (last, added, by_points);
         false
     }
 

@@ -36,7 +36,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    let stop = [log("bushing_stop", (1e-4, 1.0)), linear("bushing_stop_stiffness", (0.0, 15.0))];
+    let stop = [log("bushing_stop", (1e-4, 1.0)), linear("bushing_stop_stiffness", (0.0, 60.0))];
     // The base has a stiffness between those before and after the stop.
     let top = 0.5 * (s.top_rebound + s.top_compression) / s.base.scalar("series_stiffness");
     let softer = |values: &dyn Fn(f64, f64) -> Vec<f64>| {
@@ -56,7 +56,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             ("bushing_slip", 1e3),
             vec![
                 linear("bushing_loss_stiffness", (0.0, 15.0)),
-                held("bushing_loss_time", (5e-4, 0.3), 0.7),
+                held("bushing_loss_time", (0.0, 0.3), 0.7),
                 linear("bushing_slow_stiffness", (0.0, 15.0)),
                 held("bushing_slow_time", (2e-3, 10.0), 0.7),
             ],

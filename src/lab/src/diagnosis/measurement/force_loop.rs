@@ -1,0 +1,37 @@
+//! A load cell that turns over within some force: a loop that knows no speed.
+
+/// Adds the share of the force, up while it rises and down while it falls; it turns over exponentially within `width`.
+pub(super) fn loop_over_force(share: f64, width: f64, forces: &mut [f64]) {
+    let (mut way, mut last) = (0.0, forces.first().copied().unwrap_or(0.0));
+    for force in forces {
+        let rise = *force - last;
+        last = *force;
+        let stays = (-rise.abs() / width).exp();
+        way = way * stays + rise.signum() * (1.0 - stays);
+        *force += share * force.abs() * way;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_over_force_does_not_know_the_speed_and_takes_energy_from_its_load() {
+        let run = |per_cycle: usize| {
+            let pure: Vec<f64> = (0..=2 * per_cycle)
+                .map(|i| 1000.0 * (std::f64::consts::TAU * i as f64 / per_cycle as f64).sin())
+                .collect();
+            let mut read = pure.clone();
+            loop_over_force(0.03, 100.0, &mut read);
+            pure.iter().zip(&read).map(|(p, r)| (*p, r - p)).collect::<Vec<_>>()
+        };
+        let (slow, fast) = (run(4000), run(400));
+        for (k, (_, added)) in fast.iter().enumerate().skip(400) {
+            assert!((added - slow[10 * k].1).abs() < 0.5, "{k}");
+        }
+        // More while the force rises.
+        let area: f64 = slow[4000..].windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum();
+        assert!(area > 0.5 * 0.03 * 2.0 * 1000.0 * 1000.0, "{area}");
+    }
+}
