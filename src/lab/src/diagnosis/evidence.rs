@@ -26,6 +26,8 @@ pub struct Evidence {
     pub excess: f64,
     /// How many fresh numbers it has.
     pub numbers: usize,
+    /// The same, those that are held near an expected value counted half.
+    pub free: f64,
     /// Share of them that are inside what dampers and rigs show.
     pub plausible: f64,
     /// Whether it is of a kind that fits a little of everything.
@@ -120,10 +122,10 @@ const MANY: usize = 4;
 const NEARLY_ALL: f64 = 0.9;
 /// What a criterion is worth that needs numbers which no damper shows.
 const FAR_FETCHED: f64 = 0.9;
-/// What it loses by each number beyond a few: where the form of the curves is all that is left to explain, any further
+/// What it loses by each free number beyond a few: where the form of the curves is all that is left to explain, any further
 /// number explains some of it.
-const PER_NUMBER: f64 = 0.02;
-const FEW: usize = 2;
+const PER_NUMBER: f64 = 0.03;
+const FEW: f64 = 3.0;
 /// Lead over all rivals that no sponge has.
 const FAR_AHEAD: f64 = 0.5;
 
@@ -142,7 +144,7 @@ impl Evidence {
     /// Its criterion as it counts against rivals.
     pub fn standing(&self) -> f64 {
         let worth = if self.plausible >= 1.0 { self.bic_fall } else { FAR_FETCHED * self.bic_fall };
-        worth * (1.0 - PER_NUMBER * self.numbers.saturating_sub(FEW) as f64)
+        worth * (1.0 - PER_NUMBER * (self.free - FEW).max(0.0))
     }
 
     fn explained(&self) -> f64 {

@@ -11,6 +11,12 @@ const DEMANDED: f64 = 2.0;
 
 /// Standard deviations of the numbers of a refit, widened where more than noise is left.
 pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
+    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
+    by_noise(hypothesis, refit).into_iter().map(|d| excess * d).collect()
+}
+
+/// Standard deviations by noise alone.
+fn by_noise(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
     let mut normal = refit.jacobian.tr_mul(&refit.jacobian);
     let n = normal.nrows();
     for (i, number) in hypothesis.numbers.iter().enumerate() {
@@ -21,9 +27,8 @@ pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
     }
     let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt().max(1e-150)).collect();
     let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
-    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
     match scaled.try_inverse() {
-        Some(inverse) => (0..n).map(|i| excess * inverse[(i, i)].max(0.0).sqrt() / scale[i]).collect(),
+        Some(inverse) => (0..n).map(|i| inverse[(i, i)].max(0.0).sqrt() / scale[i]).collect(),
         None => vec![f64::INFINITY; n],
     }
 }
@@ -32,7 +37,7 @@ pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
 /// open. Its numbers are the last of the explanation.
 pub fn plausible(candidate: &Candidate, hypothesis: &Hypothesis, refit: &Refit) -> f64 {
     let first = hypothesis.numbers.len() - candidate.fresh.len();
-    let deviations = deviations(hypothesis, refit);
+    let deviations = by_noise(hypothesis, refit);
     let fine = candidate
         .fresh
         .iter()

@@ -13,6 +13,7 @@
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
 //! | [`far_fetched`] | whether its numbers are such as dampers show |
 //! | [`round`] | one look at what is left |
+//! | [`tie`] | which of several that explain the same leads furthest |
 //! | [`pair`] | two effects that hide each other's share |
 //! | [`search`] | adding, looking again, taking out |
 //! | [`regions`] | where, in words and figures |
@@ -39,6 +40,7 @@ mod samples;
 mod screening;
 mod search;
 mod situation;
+mod tie;
 mod untestable;
 mod verdict;
 mod vocabulary;

@@ -147,6 +147,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
             excess: (excess / effective_count(tests)).sqrt(),
             numbers: fresh,
+            free,
             plausible,
             sponge: candidate.sponge,
             later: !added.is_empty(),

@@ -7,6 +7,7 @@ use super::pair::two_at_once;
 use super::refit::{Effort, Refit, refit};
 use super::round::{Ground, Round, Tried, look};
 use super::samples::Test;
+use super::tie::look_ahead;
 use super::vocabulary::Candidate;
 use crate::identification::unknowns::Unknown;
 use crate::records::Record;
@@ -102,7 +103,10 @@ pub fn search(
         }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
         progress(done, "screening effects");
-        let round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
+        let mut round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
+        if found.added.len() + 1 < limits.effects && left >= quiet {
+            look_ahead(&mut round, &ground, &found.last, &found.added);
+        }
         found.rounds.push(round);
         let round = &found.rounds[found.rounds.len() - 1];
         if found.added.len() >= limits.effects || left < quiet {

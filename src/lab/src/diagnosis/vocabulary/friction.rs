@@ -51,7 +51,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![
                     linear("presliding_force", (3.0, 200.0)),
                     log("presliding_length", (1.5e-5, 5e-3)),
-                    held("presliding_power", (1.0, 8.0), 0.7),
+                    held("presliding_power", (0.0, 8.0), 0.7),
                     held("presliding_creep", (1e-7, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]
