@@ -53,6 +53,10 @@ impl Case {
         self
     }
 
+    fn hides_side_force(&self) -> bool {
+        self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction"))
+    }
+
     fn at(&self, strengths: &[f64], more: &[TestPoint]) -> Result<HiddenCampaign, ProvingError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
         let case = HiddenCase { effects, plan: self.plan, options: self.options.clone() };
@@ -74,7 +78,7 @@ impl Case {
             return Ok(strengths);
         }
         let neutral = self.at(&strengths, &[])?;
-        let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent)?;
+        let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
         for (k, (name, wanted)) in self.effects.iter().enumerate() {
             let mut alone = vec![0.0; self.effects.len()];
             let found = ground.strength(name, *wanted, |strength| {
@@ -109,7 +113,7 @@ impl Case {
         let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
         let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
         let mut base = base_model(&seen)?;
-        if self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
+        if self.hides_side_force() {
             let _ = base.enable("side_force_friction", false);
         }
         if self.straight_curve {

@@ -30,13 +30,15 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 }
 
 impl Ground {
-    /// From the neutral damper's campaign.
+    /// From the neutral damper's campaign; `knows_side_force` where the model diagnosed has friction by side force.
     ///
     /// # Errors
     /// What reader or fit refuse.
-    pub fn new(neutral: &Campaign, percent: f64) -> Result<Ground, ProvingError> {
+    pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<Ground, ProvingError> {
         let clean = read(&without_noise(neutral))?;
-        let base = base_model(&seen(&clean))?;
+        let mut base = base_model(&seen(&clean))?;
+        // A name of the kernel's own list.
+        let _ = base.enable("side_force_friction", knows_side_force);
         let mut ground = Ground { base, percent, own: 0.0 };
         ground.own = ground.left(&clean);
         Ok(ground)
