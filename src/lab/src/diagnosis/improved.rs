@@ -1,6 +1,6 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
-use super::far_fetched::deviations;
+use super::deviations::deviations;
 use super::hypothesis::Free;
 use super::name_of;
 use super::outcome::Diagnosis;

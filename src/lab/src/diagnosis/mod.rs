@@ -20,6 +20,7 @@
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
 //! | [`outcome`] | the answer |
 
+mod deviations;
 mod evidence;
 mod extend;
 mod far_fetched;
@@ -55,7 +56,7 @@ use crate::records::Record;
 use dashpot_core::Params;
 use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::find;
-use far_fetched::deviations;
+use deviations::deviations;
 use heating::Heating;
 use hypothesis::{Free, Hypothesis};
 use refit::Refit;

@@ -16,9 +16,9 @@ use crate::records::Record;
 pub const QUIET: f64 = 0.1;
 /// Standard deviations of the noise floor beyond that.
 const SURE: f64 = 2.0;
-/// Shares of the remaining (of those that fit a little of everything: a larger one) and of the original excess that a later
-/// effect must explain: what is left after a right name is
-/// often only the form of that effect, which another name would soak up.
+/// Shares of the remaining excess (larger for those that fit a little of everything) and of the original one that a later
+/// effect must explain: what is left after a right name is often only the form of that effect, which another name would
+/// soak up.
 const LATER_REMAINING: f64 = 0.25;
 const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;

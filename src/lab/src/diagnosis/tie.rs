@@ -15,13 +15,10 @@ const FOLLOWED: usize = 3;
 
 /// Puts the effect first that leads furthest, where several of a round would be named and explain as much as each other.
 pub fn look_ahead(round: &mut Round, ground: &Ground, last: &(Hypothesis, Refit), added: &[Added]) {
-    let Some(best) = round.tried.first().filter(|t| t.convinces() && t.evidence.share < ENOUGH) else { return };
     // What fits a little of everything leads anywhere.
-    let as_much =
-        |t: &Tried| t.convinces() && !t.evidence.sponge && t.evidence.standing() >= AS_MUCH * best.evidence.standing();
-    if best.evidence.sponge {
-        return;
-    }
+    let may = |t: &Tried| t.convinces() && !t.evidence.sponge;
+    let Some(best) = round.tried.first().filter(|t| may(t) && t.evidence.share < ENOUGH) else { return };
+    let as_much = |t: &Tried| may(t) && t.evidence.standing() >= AS_MUCH * best.evidence.standing();
     let tied: Vec<usize> = (0..round.tried.len()).filter(|k| as_much(&round.tried[*k])).take(FOLLOWED).collect();
     if tied.len() < 2 {
         return;

@@ -577,8 +577,11 @@ mod tests {
             // The instant at which a void closes, or a lag changes its table, jumps from sample to sample.
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial");
             off(&unknowns, &theta, &segment(0.02, 4.0), if jumps { 6 } else { 0 }, |unknown, off, size| {
-                // A late valve's table runs a little beyond the points that were reached.
-                let least = if case.contains(&"valve_hysteresis") { 3e-4 } else { 1e-6 };
+                // The table of a late valve that stands where a force had it is a spline over all points of the curve:
+                // those beyond what was reached still move it a little.
+                let table =
+                    case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
+                let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
                 if off > if jumps { 6e-2 } else { 2e-2 } * size + least {
                     missed += &format!("{case:?}, series {series}, {unknown:?}: off {off:.2e} of {size:.2e}\n");
                 }

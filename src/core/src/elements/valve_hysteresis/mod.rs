@@ -22,9 +22,10 @@ use core::cell::Cell;
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
 /// ```
 ///
-/// All forces are counted from that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is what the whole passage conducts; below the opening force
-/// F_0 it is shut, over b it opens; one that is shut still lets a hundredth through. Forces against the stroke leave it shut. The pressure F_h moves it: with play, p follows
-/// by a play of P beyond which it takes the time τ, τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p); a spool has mass,
+/// All forces are counted from that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is what
+/// the whole passage conducts; below the opening force F_0 it is shut, over b it opens; one that is shut still lets a
+/// hundredth through. Forces against the stroke leave it shut. The pressure F_h moves it: with play, p follows by a play of P
+/// beyond which it takes the time τ, τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p); a spool has mass,
 /// τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis {
@@ -66,7 +67,7 @@ struct Passage {
     g: f64,
     /// h.
     h: f64,
-    /// Its slope over x.
+    /// Slope of g over x.
     by_x: f64,
 }
 

@@ -36,15 +36,15 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         )
     };
     // The base takes a late force for a soft mount.
-    let stiffer = |value: f64| Start::moving(&[value], &[("series_stiffness", 3.0)]);
-    let late = |artefact: Artefact, least: f64, mut starts: Vec<Start>| {
-        starts.push(stiffer(1e-3));
-        Candidate { starts, ..added(artefact, (least, 4.9e-3), &[]) }
-    };
-    all.push(late(Artefact::Delay, -4.9e-3, vec![Start::at(&[3e-4]), Start::at(&[-3e-4])]));
+    let stiffer = || Start::moving(&[1e-3], &[("series_stiffness", 3.0)]);
+    all.push(Candidate {
+        starts: vec![Start::at(&[3e-4]), Start::at(&[-3e-4]), stiffer()],
+        ..added(Artefact::Delay, (-4.9e-3, 4.9e-3), &[])
+    });
     all.push(Candidate {
         form: "low-pass filter of the force channel",
-        ..late(Artefact::LowPass, 1e-6, vec![Start::at(&[3e-4])])
+        starts: vec![Start::at(&[3e-4]), stiffer()],
+        ..added(Artefact::LowPass, (1e-6, 4.9e-3), &[])
     });
     if !s.base.is_on("gas_preload") {
         all.push(added(Artefact::Offset, (-200.0, 200.0), &[10.0]));

@@ -1,0 +1,29 @@
+//! How far the records leave the numbers of a refit open.
+
+use super::hypothesis::Hypothesis;
+use super::refit::Refit;
+use nalgebra::DMatrix;
+
+/// Standard deviations of the numbers of a refit, widened where more than noise is left.
+pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
+    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
+    by_noise(hypothesis, refit).into_iter().map(|d| excess * d).collect()
+}
+
+/// Standard deviations by noise alone.
+pub fn by_noise(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
+    let mut normal = refit.jacobian.tr_mul(&refit.jacobian);
+    let n = normal.nrows();
+    for (i, number) in hypothesis.numbers.iter().enumerate() {
+        normal[(i, i)] += 1e-12 / (number.step * number.step);
+        if let Some((_, deviation)) = number.prior {
+            normal[(i, i)] += 1.0 / (deviation * deviation);
+        }
+    }
+    let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt().max(1e-150)).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
+    match scaled.try_inverse() {
+        Some(inverse) => (0..n).map(|i| inverse[(i, i)].max(0.0).sqrt() / scale[i]).collect(),
+        None => vec![f64::INFINITY; n],
+    }
+}

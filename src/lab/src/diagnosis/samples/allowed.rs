@@ -1,0 +1,47 @@
+//! How far the model may miss a sample before that counts: noise, form of the FV curve, timing.
+
+use crate::identification::segment::Segment;
+
+/// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
+/// force.
+const FORM: f64 = 0.002;
+/// Share of the change from sample to sample that a small error of time or velocity makes.
+const TIMING: f64 = 0.05;
+/// Share of the cases in which such an error puts a sample on the other side of a jump between its neighbours: friction that
+/// turns over within a sample.
+const ACROSS: f64 = 0.02;
+
+/// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
+/// what a jump must exceed. Sets the typical one as the segment's scale.
+pub fn in_cycle(segment: &mut Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
+    let n = times.len();
+    allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
+}
+
+/// The same of a road signal.
+pub fn on_a_road(segment: &mut Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
+    let n = segment.force.len() - segment.from;
+    allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
+}
+
+/// `beside` is the place of the neighbour 0 to 4 of a sample: two before to two after.
+fn allowed(
+    segment: &mut Segment,
+    noise: f64,
+    mean_noise: f64,
+    times: impl Fn(usize) -> f64,
+    beside: impl Fn(usize, usize) -> usize,
+) -> Vec<f64> {
+    let form = (FORM * segment.top).powi(2);
+    segment.scale = (noise + form).sqrt().max(1e-6);
+    let scored = &segment.force[segment.from..];
+    (0..scored.len())
+        .map(|i| {
+            let at = |k: usize| scored[beside(i, k)];
+            let half = 0.5 * (at(3) - at(1));
+            let runs = (at(1) - at(0)).abs() + (at(4) - at(3)).abs();
+            let jump = (half.abs() - 0.5 * runs - mean_noise).max(0.0);
+            (noise * times(i) + form + (TIMING * half).powi(2) + ACROSS * jump * jump).sqrt().max(1e-6)
+        })
+        .collect()
+}
