@@ -42,6 +42,7 @@ mod screening;
 mod search;
 mod situation;
 mod tie;
+mod unbent;
 mod untestable;
 mod verdict;
 mod vocabulary;

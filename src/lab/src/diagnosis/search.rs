@@ -8,6 +8,7 @@ use super::refit::{Effort, Refit, refit};
 use super::round::{Ground, Round, Tried, look};
 use super::samples::Test;
 use super::tie::look_ahead;
+use super::unbent::unbent;
 use super::vocabulary::Candidate;
 use crate::identification::unknowns::Unknown;
 use crate::records::Record;
@@ -149,6 +150,7 @@ pub type Explained = ((Hypothesis, Refit), Vec<Added>);
 /// The explanation that an effect was tried in, refitted to the end, with the effect among the added.
 pub fn with(best: &Tried, from: &Hypothesis, added: &[Added], tests: &[Test]) -> Option<Explained> {
     let fine = refit(&best.hypothesis, tests, &best.refit.theta, Some(best.refit.jacobian.clone()), Effort::FINE)?;
+    let fine = unbent(&best.hypothesis, tests, fine);
     let mut added = added.to_vec();
     added.push(Added {
         candidate: best.candidate.clone(),

@@ -9,7 +9,7 @@ const FORM: f64 = 0.002;
 const TIMING: f64 = 0.05;
 /// Share of the cases in which such an error puts a sample on the other side of a jump between its neighbours: friction that
 /// turns over within a sample.
-const ACROSS: f64 = 0.02;
+const ACROSS: f64 = 0.1;
 
 /// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
 /// what a jump must exceed. Sets the typical one as the segment's scale.
