@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 5
+#define DASHPOT_ABI_VERSION 6
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -557,6 +557,8 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   cavitation_form              void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it [0 cap, 1 foot_valve]
 //   cavitation_velocity          foot valve: speed of that stroke beyond which the chamber is not refilled, v_f [m/s, 0 to 10, default 0.3]
 //   cavitation_unfilled          foot valve: share of the flow beyond that speed that is missing, a [-, 1e-4 to 1, default 0.05]
+//   cavitation_onset             cap: share of it at which the void opens, alpha; 1: at the cap itself [-, 0 to 1, default 1]
+//   cavitation_expansion         cap: void over which half of the rest is gained as its gas expands, e_1 [m, 1e-5 to 0.1, default 5e-4]
 //
 // position_dependent_damping (element, off by default): damping that is weaker (bypass) or firmer over a part of the stroke
 //   bypass_share                 share of the FV force that is missing in the zone, a; negative: a firmer zone [-, -4 to 0.95, default 0.3]
@@ -571,9 +573,10 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
 //   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
 //   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
-//   heat_capacity                heat capacity of oil and body, C [J/K, 50 to 1e5, default 1500]
+//   heat_capacity                heat capacity of oil and body, C_h [J/K, 50 to 1e5, default 1500]
 //   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
 //   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 10 to 1e9, default 1e9]
+//   fade_slackening              how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law [1/K, 0 to 0.03, default 0]
 //
 // frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
 //   fsd_form                     lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke [0 filter, 1 stroke, 2 bypass]

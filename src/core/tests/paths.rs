@@ -276,6 +276,53 @@ fn position_dependence_is_the_window() {
 }
 
 #[test]
+fn gas_in_a_void_gives_way_as_it_expands() {
+    let (cap, onset, length) = (1000.0, 0.6, 1e-3);
+    for (side, sign) in [(0.0, -1.0), (1.0, 1.0)] {
+        let changes = [
+            ("cavitation_force", cap),
+            ("cavitation_side", side),
+            ("cavitation_return", 1.0),
+            ("cavitation_onset", onset),
+            ("cavitation_expansion", length),
+        ];
+        let model = straight(&["cavitation"], &changes);
+        let dt = 1e-4;
+        let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), dt, 3200);
+        let (mut void, mut largest) = (0.0f64, 0.0f64);
+        for (_, v, output) in &points {
+            let pull = sign * output.force;
+            // What the valves do not pass at that force goes into the void or comes from it.
+            void = (void + (sign * v - pull / C) * dt).max(0.0);
+            largest = largest.max(void);
+            if void > 1e-4 {
+                let law = cap * (1.0 - (1.0 - onset) / (1.0 + void / length));
+                assert!((pull / law - 1.0).abs() < 0.02, "void {void}: {pull} for {law}");
+            }
+        }
+        assert!(largest > 5e-3);
+    }
+}
+
+#[test]
+fn viscosity_follows_vogel() {
+    let (reference, offset, slope) = (25.0, 95.0, 0.03f64);
+    let changes =
+        [("fade_reference", reference), ("fade_coefficient", slope), ("fade_slackening", 1.0 / (reference + offset))];
+    let model = straight(&["temperature_fade"], &changes);
+    let b = slope * (reference + offset) * (reference + offset);
+    for temperature in [0.0, 25.0, 60.0, 110.0] {
+        let at = Input { temperature, ..Input::motion(0.0, 0.5) };
+        let force = step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
+        let viscosity = (b / (temperature + offset) - b / (reference + offset)).exp();
+        assert!((force / (0.5 * C) / viscosity - 1.0).abs() < 1e-9);
+    }
+    // Far below the reference the law has no sense; the force stays finite.
+    let at = Input { temperature: -200.0, ..Input::motion(0.0, 0.5) };
+    assert!(step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force < 0.5 * C * 21.0);
+}
+
+#[test]
 fn fade_follows_the_temperature_given_and_the_heat_made() {
     let a = 0.004;
     let given = straight(&["temperature_fade"], &[("fade_coefficient", a)]);

@@ -1,7 +1,7 @@
 //! Cavitation: a void that one stroke leaves, because the gas pressure limits its force or because the foot valve does not
 //! refill the chamber, and that the other has to close again.
 
-use crate::dual::Real;
+use crate::dual::{Dual, Real};
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
@@ -17,7 +17,9 @@ use crate::parameter::{Parameter, View};
 ///
 /// R is a ramp and r a resistance so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
 /// void lasts the valves pass what the pressure T drives through them, so it closes by flow and by motion. κ = 1 is a void
-/// behind which the gas keeps pushing, κ = 0 one on whose return the rod moves freely.
+/// behind which the gas keeps pushing, κ = 0 one on whose return the rod moves freely. Gas in the void sets its pressure: it
+/// opens at a share α of the cap, and C and T are multiplied by 1 − (1 − α)/(1 + e/e_1) as it expands; α = 1 is a
+/// void of vapour alone.
 ///
 /// *Foot valve*: the force of the driven stroke is whole, but beyond the speed v_f the valve does not refill the chamber
 /// behind the piston; the return begins with a dead stroke.
@@ -41,6 +43,10 @@ pub struct Cavitation {
     rounding: f64,
     /// 1/r.
     per_resistance: f64,
+    /// 1 − α.
+    short_at_onset: f64,
+    /// 1/e_1.
+    per_expansion: f64,
 }
 
 /// r is C over so many metres per second.
@@ -62,6 +68,11 @@ const RETURN: usize = 2;
 const FORM: usize = 3;
 const FILLING: usize = 4;
 const UNFILLED: usize = 5;
+const ONSET: usize = 6;
+const EXPANSION: usize = 7;
+/// Most Newton steps for the void at the end of a stage, and the relative change that is the last.
+const STEPS: usize = 40;
+const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
     const MEANING: &'static str =
@@ -95,6 +106,20 @@ impl Describe for Cavitation {
             (1e-4, 1.0),
             "foot valve: share of the flow beyond that speed that is missing, a",
         ),
+        Parameter::scalar(
+            "cavitation_onset",
+            "-",
+            &[1.0],
+            (0.0, 1.0),
+            "cap: share of it at which the void opens, alpha; 1: at the cap itself",
+        ),
+        Parameter::scalar(
+            "cavitation_expansion",
+            "m",
+            &[5e-4],
+            (1e-5, 0.1),
+            "cap: void over which half of the rest is gained as its gas expands, e_1",
+        ),
     ];
 }
 
@@ -108,6 +133,8 @@ impl Prepare for Cavitation {
         lost: 0.0,
         rounding: 1.0,
         per_resistance: 0.0,
+        short_at_onset: 0.0,
+        per_expansion: 0.0,
     };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
@@ -123,6 +150,8 @@ impl Prepare for Cavitation {
             lost: 1.0 - p.number(RETURN),
             rounding: if is_foot_valve { ROUNDING } else { ROUNDING * cap },
             per_resistance: if is_foot_valve { 1.0 / FREE } else { SLACK / cap },
+            short_at_onset: if is_foot_valve { 0.0 } else { 1.0 - p.number(ONSET) },
+            per_expansion: 1.0 / p.number(EXPANSION),
         })
     }
 }
@@ -154,16 +183,26 @@ fn share_open<R: Real>(void: R) -> R {
 }
 
 impl Cavitation {
-    /// p − C and T − p: how far the force is beyond the cap, and short of what holds the void open; `velocity` is that
-    /// of the driven end.
+    /// What gas in the void leaves of C and T: 1 − (1 − α)/(1 + e/e_1).
     #[inline(always)]
-    fn beyond_and_short<R: Real>(&self, force: R, velocity: R) -> (R, R) {
+    fn expanded<R: Real>(&self, void: R) -> R {
+        if self.short_at_onset == 0.0 {
+            return R::constant(1.0);
+        }
+        (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
+    }
+
+    /// p − C and T − p: how far the force is beyond the cap, and short of what holds the void open; `velocity` is that
+    /// of the driven end, `expanded` what its gas leaves of both.
+    #[inline(always)]
+    fn beyond_and_short<R: Real>(&self, force: R, velocity: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
             return (R::constant(-1.0), -(force * self.sign));
         }
-        let beyond = (force * self.sign).plus(-self.cap);
-        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost * self.cap);
-        (beyond, -beyond - returning)
+        let force = force * self.sign;
+        let cap = expanded * self.cap;
+        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost);
+        (force - cap, cap - cap * returning - force)
     }
 
     /// R(x)/r, smooth.
@@ -185,14 +224,17 @@ impl Cavitation {
     /// What the oil makes of the void: de/dt less what lags behind, at a hydraulic force.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
-        let (beyond, short) = self.beyond_and_short(force, velocity);
+        let (beyond, short) = self.beyond_and_short(force, velocity, self.expanded(void));
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
     /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
-        let (beyond, short) = self.beyond_and_short(force, velocity);
+        if self.short_at_onset > 0.0 {
+            return self.stage_with_gas(force, velocity, known, g);
+        }
+        let (beyond, short) = self.beyond_and_short(force, velocity, R::constant(1.0));
         if beyond.value() >= 0.0 {
             return known + self.ramp(beyond) * g;
         }
@@ -204,5 +246,40 @@ impl Cavitation {
         let product = known * CLOSED;
         let root = (half * half + product).sqrt();
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
+    }
+
+    /// The same where the cap grows with the void: e − g de/dt grows with e, and Newton's steps are kept between bounds.
+    fn stage_with_gas<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
+        let missed = |void: Dual<1>| {
+            let rate = self.rate(Dual::constant(force.value()), Dual::constant(velocity.value()), void);
+            void - rate * g
+        };
+        let target = known.value();
+        let (mut low, mut high) = (target.min(0.0), f64::INFINITY);
+        let mut void = target;
+        let mut slope = 1.0;
+        for _ in 0..STEPS {
+            let there = missed(Dual::along(void, 0));
+            let over = there.value() - target;
+            slope = there.slope(0).max(1e-3);
+            if over > 0.0 {
+                high = void;
+            } else {
+                low = void;
+            }
+            let mut next = void - over / slope;
+            if !(low..=high).contains(&next) {
+                next = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(CLOSED) };
+            }
+            let moved = (next - void).abs();
+            void = next;
+            if moved <= CLOSE * (void.abs() + CLOSED) {
+                break;
+            }
+        }
+        // One more step, which knows how the end depends on what it started from.
+        let end = R::constant(void);
+        let missed = end - self.rate(force, velocity, end) * g - known;
+        end - missed * (1.0 / slope)
     }
 }

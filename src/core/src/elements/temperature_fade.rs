@@ -5,18 +5,21 @@ use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
-/// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by exp(−α (T − T_0)): what passes orifices and
-/// blow-off valves does not know the viscosity. T is the temperature that the host gives, or that of the surroundings it
-/// gives plus the rise ϑ by the damper's own heat, C dϑ/dt = F_h w − h ϑ.
+/// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by the viscosity over that at T_0,
+/// exp(−α (T − T_0)/(1 + κ (T − T_0))): what passes orifices and blow-off valves does not know it. κ = 0 is an exponential,
+/// κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), C about 95 °C for damper oils. T is the temperature that the host gives,
+/// or that of the surroundings it gives plus the rise ϑ by the damper's own heat, C_h dϑ/dt = F_h w − h ϑ.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
+    /// κ.
+    slackening: f64,
     reference: f64,
     /// 1/F_l.
     per_laminar: f64,
-    /// 1/C.
+    /// 1/C_h.
     pub(crate) per_capacity: f64,
-    /// h/C.
+    /// h/C_h.
     pub(crate) cooling: f64,
     pub(crate) heats_itself: bool,
 }
@@ -25,6 +28,8 @@ pub struct TemperatureFade {
 const ALL: f64 = 1e9;
 /// The exponent is kept inside ±3: a factor of twenty is beyond all dampers.
 const LARGEST: f64 = 3.0;
+/// 1 + κ (T − T_0) is kept above this: far below T_0 oil is a wax.
+const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
     const MEANING: &'static str = "damping that falls with the temperature of the oil, measured or by its own heat";
@@ -36,7 +41,7 @@ impl Describe for TemperatureFade {
         ),
         Parameter::scalar("fade_coefficient", "1/K", &[0.003], (-0.02, 0.2), "fall of the damping per kelvin, alpha"),
         Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
-        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C"),
+        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C_h"),
         Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h"),
         Parameter::scalar(
             "fade_laminar_force",
@@ -45,12 +50,20 @@ impl Describe for TemperatureFade {
             (10.0, ALL),
             "force at which half of it still is laminar and fades, F_l; large: all of it fades",
         ),
+        Parameter::scalar(
+            "fade_slackening",
+            "1/K",
+            &[0.0],
+            (0.0, 0.03),
+            "how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law",
+        ),
     ];
 }
 
 impl Prepare for TemperatureFade {
     const OFF: Self = TemperatureFade {
         coefficient: 0.0,
+        slackening: 0.0,
         reference: 0.0,
         per_laminar: 0.0,
         per_capacity: 0.0,
@@ -62,6 +75,7 @@ impl Prepare for TemperatureFade {
         let per_capacity = 1.0 / p.number(3);
         Ok(TemperatureFade {
             coefficient: p.number(1),
+            slackening: p.number(6),
             reference: p.number(2),
             per_laminar: if p.number(5) < ALL { 1.0 / p.number(5) } else { 0.0 },
             per_capacity,
@@ -87,7 +101,13 @@ impl TemperatureFade {
     /// The factor at a given temperature and rise above it.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, given: f64, rise: R) -> R {
-        let exponent = -(rise.plus(given - self.reference) * self.coefficient);
+        let above = rise.plus(given - self.reference);
+        let mut exponent = -(above * self.coefficient);
+        if self.slackening > 0.0 {
+            let slack = (above * self.slackening).plus(1.0);
+            let slack = if slack.value() > STIFFEST { slack } else { R::constant(STIFFEST) };
+            exponent = exponent * slack.inverse();
+        }
         let at = exponent.value();
         if at > LARGEST {
             R::constant(LARGEST).exp()

@@ -53,6 +53,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         p
     };
     let capped = [("cavitation_force", 900.0)];
+    let gassy = [("cavitation_force", 900.0), ("cavitation_onset", 0.6), ("cavitation_expansion", 5e-4)];
     let heats = [("fade_source", 1.0), ("heat_capacity", 300.0)];
     let stroke = [("fsd_form", 1.0)];
     let groove = [("bypass_form", 1.0), ("bypass_half_width", 0.01)];
@@ -89,6 +90,9 @@ pub fn paths() -> Vec<(&'static str, Params)> {
             of(&["cavitation"], &[("cavitation_side", 1.0), ("cavitation_return", 1.0)]),
         ),
         ("cavitation with oil", of(&["cavitation", "oil_compressibility"], &capped)),
+        ("void with gas", of(&["cavitation"], &gassy)),
+        ("void with gas alone", without_series(of(&["cavitation"], &gassy))),
+        ("void with gas and oil", of(&["cavitation", "oil_compressibility"], &gassy)),
         ("position", of(&["position_dependent_damping"], &[("bypass_half_width", 0.01)])),
         (
             "position, firmer in rebound",
@@ -100,6 +104,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
             of(&["temperature_fade"], &[("fade_reference", 60.0), ("fade_laminar_force", 800.0)]),
         ),
         ("self-heating", of(&["temperature_fade"], &heats)),
+        ("fade by Vogel", of(&["temperature_fade"], &[("fade_reference", 60.0), ("fade_slackening", 6e-3)])),
         ("filter", of(&["frequency_selective_damping"], &[])),
         ("stroke", of(&["frequency_selective_damping"], &stroke)),
         ("stroke alone", without_series(of(&["frequency_selective_damping"], &stroke))),

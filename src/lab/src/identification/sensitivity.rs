@@ -531,6 +531,8 @@ mod tests {
                 ("rebound_stop_clearance", 0.012),
                 ("cavitation_force", 700.0),
                 ("cavitation_return", 0.3),
+                ("cavitation_onset", 0.7),
+                ("fade_slackening", 5e-3),
                 ("fade_source", 1.0),
                 ("heat_capacity", 60.0),
                 ("fsd_form", 1.0),
@@ -574,9 +576,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // The instant at which a void closes, or a lag changes its table, jumps from sample to sample.
+            // The instant at which a void with gas opens or closes, or a lag changes its table, jumps from sample to sample.
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial");
-            off(&unknowns, &theta, &segment(0.02, 4.0), if jumps { 6 } else { 0 }, |unknown, off, size| {
+            off(&unknowns, &theta, &segment(0.02, 4.0), if jumps { 8 } else { 0 }, |unknown, off, size| {
                 // The table of a late valve that stands where a force had it is a spline over all points of the curve:
                 // those beyond what was reached still move it a little.
                 let table =

@@ -6,6 +6,8 @@ use crate::diagnosis::situation::Situation;
 
 /// One over the length of an oil column, 1/m.
 const COLUMN: f64 = 6.0;
+/// C of Vogel's law for damper oils, °C.
+const VOGEL: f64 = 95.0;
 
 /// Oil that yields, tears off or thins.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
@@ -62,6 +64,22 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         }
     }
     all.push(Candidate {
+        form: "compression capped, gas expands in the void",
+        fixed: vec![("cavitation_side", 0.0), ("cavitation_return", 1.0)],
+        ..candidate(
+            "cavitation",
+            &["cavitation"],
+            vec![
+                log("cavitation_force", (100.0, 5000.0)),
+                linear("cavitation_onset", (0.0, 1.0)),
+                held("cavitation_expansion", (3e-5, 0.02), 1.2),
+            ],
+            [1.05, 0.98, 0.93, 0.85, 0.7]
+                .map(|share| Start { unbend: Some(-1.0), ..Start::at(&[share * s.top_compression, 0.85, 5e-4]) })
+                .to_vec(),
+        )
+    });
+    all.push(Candidate {
         form: "foot valve does not refill",
         fixed: vec![("cavitation_form", 1.0), ("cavitation_side", 1.0)],
         ..candidate(
@@ -74,23 +92,32 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     if s.temperature_measured {
         all.push(Candidate {
             form: "measured temperature",
-            fixed: vec![("fade_source", 0.0), ("fade_reference", s.temperature)],
+            fixed: vec![
+                ("fade_source", 0.0),
+                ("fade_reference", s.temperature),
+                ("fade_slackening", 1.0 / (s.temperature + VOGEL)),
+            ],
             ..candidate(
                 "temperature_fade",
                 &["temperature_fade"],
-                vec![linear("fade_coefficient", (0.001, 0.05)), held("fade_laminar_force", (50.0, 1e6), 1.2)],
-                vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3])],
+                vec![linear("fade_coefficient", (0.001, 0.07)), held("fade_laminar_force", (50.0, 1e6), 1.2)],
+                vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
             )
         });
     } else {
         all.push(Candidate {
             form: "heated by its own work",
-            fixed: vec![("fade_source", 1.0), ("fade_reference", 20.0), ("heat_capacity", 1000.0)],
+            fixed: vec![
+                ("fade_source", 1.0),
+                ("fade_reference", 20.0),
+                ("fade_slackening", 1.0 / (20.0 + VOGEL)),
+                ("heat_capacity", 1000.0),
+            ],
             ..candidate(
                 "temperature_fade",
                 &["temperature_fade"],
                 vec![
-                    linear("fade_coefficient", (0.001, 0.05)),
+                    linear("fade_coefficient", (0.001, 0.07)),
                     Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2) },
                     held("fade_laminar_force", (50.0, 1e6), 1.2),
                 ],
