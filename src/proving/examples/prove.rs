@@ -30,7 +30,7 @@ fn main() {
     let outcomes: Vec<outcome::Outcome> = entries
         .par_iter()
         .filter_map(|entry| match outcome::run(entry.block, &entry.case) {
-            Ok((o, _, found)) => {
+            Ok((o, measured, found)) => {
                 eprintln!(
                     "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
                     o.block,
@@ -46,6 +46,7 @@ fn main() {
                     o.seconds
                 );
                 if what.contains("nothing") || args.iter().any(|a| a == "-v") {
+                    eprintln!("   hidden {:?} in {:?}", measured.truth.effects, measured.truth.damper);
                     for f in &found.findings {
                         eprintln!("   {} {:?}", f.effect, f.parameters);
                     }

@@ -14,6 +14,8 @@ pub struct Evidence {
     pub bic_fall: f64,
     /// Share of the excess over the noise floor that it explains.
     pub share: f64,
+    /// The same of the excess before any effect was named.
+    pub of_all: f64,
     /// Root mean square of what it explains, in units of the noise.
     pub size: f64,
     /// Lead of its criterion over the best effect of another name, each as it counts.

@@ -24,14 +24,8 @@ pub struct Pair {
 }
 
 /// Looks for two effects of which each is convincing once the other is in; `round` is the look at `last` in which none
-/// was, `original` the excess to begin with.
-pub fn two_at_once(
-    ground: &Ground,
-    last: &(Hypothesis, Refit),
-    added: &[Added],
-    round: &Round,
-    original: f64,
-) -> Option<Pair> {
+/// was.
+pub fn two_at_once(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], round: &Round) -> Option<Pair> {
     let left = round.before - ground.floor;
     let may_be_one = |t: &&Tried| {
         let settled = !(t.evidence.sponge && t.evidence.unsettled);
@@ -51,7 +45,7 @@ pub fn two_at_once(
             |effect: &str| (ground.allowed)(effect) && round.tried.iter().any(|t| t.candidate.effect == effect);
         let beside_second = look(&Ground { allowed: &likely, ..*ground }, &other, &with_second, &|_| ());
         let stands = beside_second.tried.first().filter(|t| t.convinces())?;
-        if !is_worth_a_later_name(stands, beside_second.before - ground.floor, original) {
+        if !is_worth_a_later_name(stands, beside_second.before - ground.floor) {
             return None;
         }
         let (last, mut added_both) = with(stands, &other.0, &with_second, ground.tests)?;

@@ -3,6 +3,7 @@
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
 use super::screening::Screened;
+use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -82,6 +83,14 @@ pub fn race(
     refits
         .into_par_iter()
         .zip(finals)
-        .map(|(one, is_final)| if is_final { go_on(one, Effort::JUDGE) } else { one })
+        .map(|(one, is_final)| {
+            if !is_final {
+                return one;
+            }
+            let (place, judged) = go_on(one, Effort::JUDGE);
+            let straight =
+                if is_bent(of(place), tests, &judged.theta) { unbent(of(place), tests, judged) } else { judged };
+            (place, straight)
+        })
         .collect()
 }

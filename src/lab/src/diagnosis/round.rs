@@ -27,6 +27,8 @@ pub struct Ground<'a> {
     pub tests: &'a [Test],
     /// Expected χ² of noise.
     pub floor: f64,
+    /// What χ² was above that before anything was added.
+    pub original: f64,
     /// Whether an effect may be tried.
     pub allowed: &'a (dyn Fn(&str) -> bool + Sync),
 }
@@ -141,6 +143,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             chi2_fall,
             bic_fall: chi2_fall - free * count,
             share: chi2_fall / excess.max(QUIET * effective_count(tests)),
+            of_all: chi2_fall / ground.original.max(QUIET * effective_count(tests)),
             size: (chi2_fall.max(0.0) / effective_count(tests)).sqrt(),
             margin: 0.0,
             left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,

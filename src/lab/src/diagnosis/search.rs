@@ -82,7 +82,7 @@ pub fn search(
     let floor = noise_chi2(tests);
     let quiet = QUIET + SURE * noise_chi2_deviation(tests) / effective_count(tests);
     let (base, first) = with_enough_points((base, first), tests, floor);
-    let ground = Ground { records, tests, floor, allowed: limits.allowed };
+    let ground = Ground { records, tests, floor, original: first.chi2 - floor, allowed: limits.allowed };
     let mut found = Search {
         base: (base.clone(), first.clone()),
         last: (base, first),
@@ -98,7 +98,7 @@ pub fn search(
             found.refine_curve(tests);
         }
         let left = (found.last.1.chi2 - floor) / effective_count(tests);
-        let original = (found.base.1.chi2 - floor) / effective_count(tests);
+        let original = ground.original / effective_count(tests);
         if !found.added.is_empty() && (left < quiet || left < LATER_ORIGINAL * original) {
             break;
         }
@@ -113,9 +113,8 @@ pub fn search(
         if found.added.len() >= limits.effects || left < quiet {
             break;
         }
-        let original = found.base.1.chi2 - floor;
         if let Some(best) = round.tried.first().filter(|best| best.convinces()) {
-            if !found.added.is_empty() && !is_worth_a_later_name(best, round.before - floor, original) {
+            if !found.added.is_empty() && !is_worth_a_later_name(best, round.before - floor) {
                 break;
             }
             (found.last, found.added) = with(best, &found.last.0, &found.added, tests)?;
@@ -128,7 +127,7 @@ pub fn search(
             break;
         }
         progress(done + 0.15, "looking for two effects at once");
-        let Some(pair) = two_at_once(&ground, &found.last, &found.added, round, original) else { break };
+        let Some(pair) = two_at_once(&ground, &found.last, &found.added, round) else { break };
         (found.last, found.added) = (pair.last, pair.added);
         found.rounds.extend(pair.rounds);
         let both = found.added.len();
@@ -138,10 +137,9 @@ pub fn search(
 }
 
 /// Whether a later effect explains enough of what was left, and of what there was to begin with.
-pub fn is_worth_a_later_name(best: &Tried, left: f64, original: f64) -> bool {
-    let fall = best.evidence.chi2_fall;
+pub fn is_worth_a_later_name(best: &Tried, left: f64) -> bool {
     let remaining = if best.evidence.sponge { LATER_SPONGE } else { LATER_REMAINING };
-    fall >= remaining * left && fall >= LATER_ORIGINAL * original.max(1e-9)
+    best.evidence.chi2_fall >= remaining * left && best.evidence.of_all >= LATER_ORIGINAL
 }
 
 /// An explanation with what was added to it.

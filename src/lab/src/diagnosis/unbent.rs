@@ -1,4 +1,4 @@
-//! A series stiffness that the base bent to take up what was missing, and that stays bent once the effect is there.
+//! A series element that the base bent to take up what was missing, and that stays bent once the effect is there.
 
 use super::evidence::{effective_count, noise_chi2};
 use super::hypothesis::{Free, Hypothesis};
@@ -9,14 +9,39 @@ use crate::identification::unknowns::Unknown;
 
 /// How many times stiffer and softer is tried.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
+/// Damping ratio of the internal mass on a series element as it is built.
+const RATIO: f64 = 0.2;
 /// Share of the excess that a few steps from there may lie above it to go on, and by which the end must lie below it.
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 
-/// The refit, or a better one from a series stiffness far off: between the two the fit gets worse first.
+/// Damping ratio beyond which the series element is no spring any more.
+const DAMPED: f64 = 3.0;
+/// Share of the largest amplitude by which it yields to the largest force at most.
+const YIELDS: f64 = 0.2;
+
+/// Whether the series element is such as no damper has: the damper beside its spring carries what the spring should, or it
+/// takes up a fair share of the stroke.
+pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
+    let model = hypothesis.params(theta);
+    if !model.is_on("series_compliance") {
+        return false;
+    }
+    let stiffness = model.scalar("series_stiffness");
+    let critical = 2.0 * (stiffness * model.scalar("internal_mass")).sqrt();
+    let most = |of: fn(&Test) -> f64| tests.iter().map(of).fold(0.0, f64::max);
+    let yields = most(|t| t.segment.top) / stiffness;
+    model.scalar("series_damping") > DAMPED * critical || yields > YIELDS * most(|t| t.segment.amplitude)
+}
+
+/// The refit, or a better one from a series element far off: between the two the fit gets worse first.
 pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
-    let place = hypothesis.numbers.iter().position(|n| n.free == Free::Model(Unknown::Log("series_stiffness")));
-    let Some(place) = place else { return refitted };
+    let place = |unknown| {
+        let free = Free::Model(unknown);
+        hypothesis.numbers.iter().position(|n| n.free == free)
+    };
+    let Some(stiffness) = place(Unknown::Log("series_stiffness")) else { return refitted };
+    let damping = place(Unknown::Linear("series_damping"));
     let mut best = refitted;
     for times in TIMES {
         let excess = best.chi2 - noise_chi2(tests);
@@ -24,7 +49,11 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
             break;
         }
         let mut start = best.theta.clone();
-        start[place] += f64::ln(times);
+        start[stiffness] += f64::ln(times);
+        if let Some(damping) = damping {
+            let mass = hypothesis.params(&best.theta).scalar("internal_mass");
+            start[damping] = 2.0 * RATIO * (start[stiffness].exp() * mass).sqrt();
+        }
         let end = refit(hypothesis, tests, &start, None, Effort::LOOK)
             .filter(|there| there.cost < best.cost + NEAR * excess)
             .and_then(|there| refit(hypothesis, tests, &there.theta, None, Effort::FINE))

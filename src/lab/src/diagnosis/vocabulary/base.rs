@@ -5,7 +5,7 @@ use crate::identification::unknowns::Unknown;
 use dashpot_core::Params;
 
 /// Masses of a rod with what moves with it, kg. A free internal mass would stand for any mass on the rig.
-const ROD: (f64, f64) = (0.02, 0.6);
+const ROD: (f64, f64) = (0.05, 0.6);
 
 fn rod_mass(base: &Params) -> Number {
     let mut base = *base;
