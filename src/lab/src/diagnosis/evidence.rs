@@ -32,6 +32,8 @@ pub struct Evidence {
     pub free: f64,
     /// Share of them that are inside what dampers and rigs show.
     pub plausible: f64,
+    /// Whether one that is not tells that it is another effect.
+    pub contrary: bool,
     /// Whether it is of a kind that fits a little of everything.
     pub sponge: bool,
     /// Whether another effect was named before.
@@ -128,8 +130,10 @@ const FAR_FETCHED: f64 = 0.9;
 /// number explains some of it.
 const PER_NUMBER: f64 = 0.03;
 const FEW: f64 = 3.0;
-/// Lead over all rivals that no sponge has.
+/// Lead over all rivals that no sponge has, and that of one which explains nearly everything.
 const FAR_AHEAD: f64 = 0.5;
+const AHEAD: f64 = 0.25;
+const MUCH: f64 = 0.8;
 
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
@@ -186,7 +190,8 @@ impl Evidence {
         // What fits a little of everything does so with numbers that no damper shows, and others then fit it too.
         // Of many numbers one may be far-fetched, or more where nearly everything is explained.
         let likely = if self.sponge {
-            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= FAR_AHEAD)
+            let lead = if self.explained() >= MUCH { AHEAD } else { FAR_AHEAD };
+            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= lead)
         } else {
             self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
         };
@@ -194,6 +199,7 @@ impl Evidence {
         let settled = !(self.sponge && self.unsettled && self.later);
         likely
             && settled
+            && !self.contrary
             && self.explained() >= share
             && self.size >= SMALLEST
             && self.left_out_gain > LEFT_OUT

@@ -9,37 +9,44 @@ use super::vocabulary::Candidate;
 /// Standard deviations by which the records must demand a number that no damper shows.
 const DEMANDED: f64 = 2.0;
 
-/// Share of an effect's numbers that are inside what dampers and rigs show, or would be if the records did not leave them
-/// open. Its numbers are the last of the explanation.
-pub fn plausible(candidate: &Candidate, hypothesis: &Hypothesis, refit: &Refit) -> f64 {
+/// What the numbers of an effect say for it.
+#[derive(Debug, Clone, Copy)]
+pub struct Plausibility {
+    /// Share of them that are inside what dampers and rigs show, or would be if the records did not leave them open.
+    pub share: f64,
+    /// Whether one of the others tells that it is another effect.
+    pub contrary: bool,
+}
+
+/// Looks at an effect's numbers, which are the last of the explanation.
+pub fn plausibility(candidate: &Candidate, hypothesis: &Hypothesis, refit: &Refit) -> Plausibility {
     let first = hypothesis.numbers.len() - candidate.fresh.len();
     let deviations = by_noise(hypothesis, refit);
-    let fine = candidate
-        .fresh
-        .iter()
-        .enumerate()
-        .filter(|(k, fresh)| {
-            let place = first + k;
-            let (number, value) = (&hypothesis.numbers[place], refit.theta[place]);
-            let (low, high) = number.bounds;
-            let margin = 1e-3 * (high - low).min(number.step);
-            let (least, most) = fresh.plausible;
-            let open = DEMANDED * deviations[place];
-            let at = |value: f64| physical(&fresh.free, value);
-            let shown = at(value + open) >= least && at(value - open) <= most;
-            // What may be however small may be as small as it goes; any other number would go on beyond its bound: it stands
-            // for something else, where the records press it there.
-            let outward = if value <= low + margin && least != 0.0 {
-                -1.0
-            } else if value >= high - margin {
-                1.0
-            } else {
-                0.0
-            };
-            let slope = outward * refit.jacobian.column(place).dot(&refit.residual);
-            let pressed = slope * deviations[place] > DEMANDED;
-            !pressed && shown
-        })
-        .count();
-    fine as f64 / candidate.fresh.len().max(1) as f64
+    let fine = |k: usize| {
+        let place = first + k;
+        let (number, value, fresh) = (&hypothesis.numbers[place], refit.theta[place], &candidate.fresh[k]);
+        let (low, high) = number.bounds;
+        let margin = 1e-3 * (high - low).min(number.step);
+        let (least, most) = fresh.plausible;
+        let open = DEMANDED * deviations[place];
+        let at = |value: f64| physical(&fresh.free, value);
+        let shown = at(value + open) >= least && at(value - open) <= most;
+        // What may be however small may be as small as it goes; any other number would go on beyond its bound: it stands
+        // for something else, where the records press it there.
+        let outward = if value <= low + margin && least != 0.0 {
+            -1.0
+        } else if value >= high - margin {
+            1.0
+        } else {
+            0.0
+        };
+        let slope = outward * refit.jacobian.column(place).dot(&refit.residual);
+        let pressed = slope * deviations[place] > DEMANDED;
+        !pressed && shown
+    };
+    let places = 0..candidate.fresh.len();
+    Plausibility {
+        share: places.clone().filter(|k| fine(*k)).count() as f64 / places.len().max(1) as f64,
+        contrary: places.into_iter().any(|k| candidate.fresh[k].telling && !fine(k)),
+    }
 }

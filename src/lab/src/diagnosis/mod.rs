@@ -159,6 +159,9 @@ const TOGETHER: f64 = 0.55;
 /// A smaller share will do where so much of the gap is closed on tests that no refit has seen.
 const LESS_TOGETHER: f64 = 0.4;
 const GAP_CLOSED: f64 = 0.2;
+/// Free numbers from which an effect fits much by itself, and the share that it must close on such tests then.
+const MANY: f64 = 3.0;
+const MANY_CLOSED: f64 = 0.35;
 /// Rise of the error on left-out tests at which names are taken back.
 const HARM: f64 = 1.03;
 
@@ -174,6 +177,9 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
         return false;
     }
     let closed = gap_closed(tests, &before, &after).unwrap_or(0.0);
+    if !left.is_empty() && closed < MANY_CLOSED && found.added.iter().any(|a| a.evidence.free >= MANY) {
+        return false;
+    }
     let together = found.together(fitted);
     together >= TOGETHER || (together >= LESS_TOGETHER && closed >= GAP_CLOSED)
 }

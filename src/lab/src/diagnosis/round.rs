@@ -1,7 +1,7 @@
 //! One look at what is left: which effects are likely, everything refitted with each, and how well each then stands.
 
 use super::evidence::{Evidence, effective_count, is_unsettled, left_out};
-use super::far_fetched::plausible;
+use super::far_fetched::{Plausibility, plausibility};
 use super::hypothesis::Hypothesis;
 use super::race::{Started, race};
 use super::refit::Refit;
@@ -138,7 +138,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         let free = candidate.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum::<f64>();
         let predicted = left_out(tests, &refit);
         let gains: Vec<f64> = base_left_out.iter().zip(&predicted).map(|(a, b)| (a / b).ln()).collect();
-        let plausible = plausible(candidate, &s.hypothesis, &refit);
+        let Plausibility { share: plausible, contrary } = plausibility(candidate, &s.hypothesis, &refit);
         let evidence = Evidence {
             chi2_fall,
             bic_fall: chi2_fall - free * count,
@@ -152,6 +152,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             numbers: fresh,
             free,
             plausible,
+            contrary,
             sponge: candidate.sponge,
             later: !added.is_empty(),
             unsettled,

@@ -1,6 +1,6 @@
 //! Friction of rod, piston and guides.
 
-use super::{Candidate, Start, candidate, held, linear, log};
+use super::{Candidate, Start, candidate, held, linear, log, telling};
 use crate::diagnosis::situation::Situation;
 
 /// Power of presliding friction from which it is refined.
@@ -50,9 +50,10 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                 &["presliding_friction"],
                 vec![
                     linear("presliding_force", (3.0, 200.0)),
-                    log("presliding_length", (1.5e-5, 5e-3)),
+                    log("presliding_length", (0.0, 5e-3)),
                     held("presliding_power", (0.0, 8.0), 0.7),
-                    held("presliding_creep", (1e-7, 5e-3), 1.5),
+                    // What creeps faster is no friction: its force grows with speed.
+                    telling("presliding_creep", (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]
                     .iter()

@@ -29,6 +29,8 @@ pub struct Fresh {
     pub plausible: (f64, f64),
     /// Standard deviation of what is expected of it, in its own scale, where it is weakly determined by nature.
     pub deviation: Option<f64>,
+    /// Whether a value that is not plausible tells that it is another effect.
+    pub telling: bool,
 }
 
 /// Where a search begins.
@@ -85,15 +87,20 @@ impl Candidate {
 }
 
 fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    Fresh { free: Free::Model(Unknown::Log(name)), plausible, deviation: None }
+    Fresh { free: Free::Model(Unknown::Log(name)), plausible, deviation: None, telling: false }
 }
 
 fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..log(name, plausible) }
 }
 
+/// The same where a value that is not plausible tells that it is another effect.
+fn telling(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { telling: true, ..held(name, plausible, deviation) }
+}
+
 fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None }
+    Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None, telling: false }
 }
 
 /// Near an expected value by nature: `deviation` in its own unit.

@@ -118,7 +118,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 &["temperature_fade"],
                 vec![
                     linear("fade_coefficient", (0.001, 0.07)),
-                    Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2) },
+                    Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2), telling: false },
                     held("fade_laminar_force", (50.0, 1e6), 1.2),
                 ],
                 vec![

@@ -31,7 +31,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         ..candidate(
             artefact.name(),
             &[],
-            vec![Fresh { free: Free::Rig(artefact), plausible, deviation: None }],
+            vec![Fresh { free: Free::Rig(artefact), plausible, deviation: None, telling: false }],
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };

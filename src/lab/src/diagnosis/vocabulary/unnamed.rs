@@ -6,7 +6,12 @@ use crate::diagnosis::measurement::Artefact;
 
 /// What a rig may add that the vocabulary has no name for.
 pub(super) fn unnamed(all: &mut Vec<Candidate>) {
-    let fresh = |artefact: Artefact| Fresh { free: Free::Rig(artefact), plausible: artefact.bounds(), deviation: None };
+    let fresh = |artefact: Artefact| Fresh {
+        free: Free::Rig(artefact),
+        plausible: artefact.bounds(),
+        deviation: None,
+        telling: false,
+    };
     all.push(Candidate {
         unnamed: Some("friction that grows with the force, as a tilted cross-head or eye makes in the guides"),
         ..candidate(
