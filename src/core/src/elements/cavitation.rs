@@ -192,17 +192,25 @@ impl Cavitation {
         (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
     }
 
-    /// p − C and T − p: how far the force is beyond the cap, and short of what holds the void open; `velocity` is that
-    /// of the driven end, `expanded` what its gas leaves of both.
+    /// T/C: what the return leaves of the cap; `velocity` is that of the driven end.
     #[inline(always)]
-    fn beyond_and_short<R: Real>(&self, force: R, velocity: R, expanded: R) -> (R, R) {
+    fn kept<R: Real>(&self, velocity: R) -> R {
         if self.is_foot_valve {
-            return (R::constant(-1.0), -(force * self.sign));
+            return R::constant(1.0);
         }
-        let force = force * self.sign;
+        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0);
+        (-(returning * (0.5 * self.lost))).plus(1.0)
+    }
+
+    /// p − C and T − p: how far the pressure is beyond the cap, and short of what holds the void open; `expanded` is what
+    /// its gas leaves of both.
+    #[inline(always)]
+    fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
+        if self.is_foot_valve {
+            return (R::constant(-1.0), -pressure);
+        }
         let cap = expanded * self.cap;
-        let returning = (-(velocity * (self.sign / TURNING)).tanh()).plus(1.0) * (0.5 * self.lost);
-        (force - cap, cap - cap * returning - force)
+        (pressure - cap, cap * kept - pressure)
     }
 
     /// R(x)/r, smooth.
@@ -224,17 +232,23 @@ impl Cavitation {
     /// What the oil makes of the void: de/dt less what lags behind, at a hydraulic force.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
-        let (beyond, short) = self.beyond_and_short(force, velocity, self.expanded(void));
+        self.rate_at(force * self.sign, self.kept(velocity), void)
+    }
+
+    #[inline(always)]
+    fn rate_at<R: Real>(&self, pressure: R, kept: R, void: R) -> R {
+        let (beyond, short) = self.beyond_and_short(pressure, kept, self.expanded(void));
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
     /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
+        let (pressure, kept) = (force * self.sign, self.kept(velocity));
         if self.short_at_onset > 0.0 {
-            return self.stage_with_gas(force, velocity, known, g);
+            return self.stage_with_gas(pressure, kept, known, g);
         }
-        let (beyond, short) = self.beyond_and_short(force, velocity, R::constant(1.0));
+        let (beyond, short) = self.beyond_and_short(pressure, kept, R::constant(1.0));
         if beyond.value() >= 0.0 {
             return known + self.ramp(beyond) * g;
         }
@@ -249,17 +263,14 @@ impl Cavitation {
     }
 
     /// The same where the cap grows with the void: e − g de/dt grows with e, and Newton's steps are kept between bounds.
-    fn stage_with_gas<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
-        let missed = |void: Dual<1>| {
-            let rate = self.rate(Dual::constant(force.value()), Dual::constant(velocity.value()), void);
-            void - rate * g
-        };
+    fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
+        let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
         let (mut low, mut high) = (target.min(0.0), f64::INFINITY);
-        let mut void = target;
-        let mut slope = 1.0;
+        let (mut void, mut slope) = (target, 1.0);
         for _ in 0..STEPS {
-            let there = missed(Dual::along(void, 0));
+            let at = Dual::along(void, 0);
+            let there = at - self.rate_at(p, k, at) * g;
             let over = there.value() - target;
             slope = there.slope(0).max(1e-3);
             if over > 0.0 {
@@ -279,7 +290,7 @@ impl Cavitation {
         }
         // One more step, which knows how the end depends on what it started from.
         let end = R::constant(void);
-        let missed = end - self.rate(force, velocity, end) * g - known;
+        let missed = end - self.rate_at(pressure, kept, end) * g - known;
         end - missed * (1.0 / slope)
     }
 }

@@ -135,11 +135,14 @@ const FAR_AHEAD: f64 = 0.5;
 const AHEAD: f64 = 0.25;
 const MUCH: f64 = 0.8;
 
+/// Share of the excess before any name that a later name is expected to explain: less is often the form of the first.
+const LATER_PART: f64 = 0.3;
+
 /// Weights of the logistic that turns evidence into confidence; fitted to dampers with hidden effects whose seeds are
 /// used for nothing else.
-const WEIGHTS: [f64; FEATURES] = [-7.047, 0.770, 1.760, -1.382, 1.736, 1.882, 0.274];
+const WEIGHTS: [f64; FEATURES] = [-11.142, 1.176, 2.697, -2.423, 1.774, 2.572, -4.502, 1.063];
 /// Number of features.
-pub const FEATURES: usize = 7;
+pub const FEATURES: usize = 8;
 
 /// Share of an excess, both in σ² per independent sample, beyond what the form of right names leaves.
 pub fn share_beyond_form(fall: f64, excess: f64) -> f64 {
@@ -166,6 +169,7 @@ impl Evidence {
     /// What the logistic sees.
     pub fn features(&self) -> [f64; FEATURES] {
         let lead = self.lead();
+        let repair = if self.later { (LATER_PART - self.of_all).max(0.0) / LATER_PART } else { 0.0 };
         [
             1.0,
             (self.bic_fall / 10.0).asinh(),
@@ -174,7 +178,8 @@ impl Evidence {
             // Of two that explain nearly the same, the form of the curves decides, not the effect.
             (4.0 * lead).clamp(-1.0, 1.0),
             (10.0 * lead).clamp(-1.0, 1.0),
-            self.tests_better,
+            repair,
+            self.explained(),
         ]
     }
 

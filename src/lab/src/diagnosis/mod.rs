@@ -165,10 +165,14 @@ const MANY_CLOSED: f64 = 0.35;
 /// Rise of the error on left-out tests at which names are taken back.
 const HARM: f64 = 1.03;
 
-/// Whether the names stand: together they explain enough, and left-out tests do not suffer.
+/// Whether the names stand: together they explain enough, left-out tests do not suffer, and nothing without a name does as
+/// well.
 fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) -> bool {
     if found.added.is_empty() {
         return true;
+    }
+    if found.may_have_no_name() {
+        return false;
     }
     let tests = if left.is_empty() { fitted } else { left };
     let of = |(h, r): &(Hypothesis, Refit)| errors(h, &r.theta, records, tests);

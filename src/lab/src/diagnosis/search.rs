@@ -5,7 +5,7 @@ use super::finer_curve::with_enough_points;
 use super::hypothesis::{Free, Hypothesis};
 use super::pair::two_at_once;
 use super::refit::{Effort, Refit, refit};
-use super::round::{Ground, Round, Tried, look};
+use super::round::{Ground, NAMED, Round, Tried, look};
 use super::samples::Test;
 use super::tie::look_ahead;
 use super::unbent::unbent;
@@ -23,6 +23,10 @@ const SURE: f64 = 2.0;
 const LATER_REMAINING: f64 = 0.25;
 const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
+/// Share of the original excess that something without a name must explain beside the names to put them in doubt, and how
+/// much of what the first of them explained it must explain alone.
+const BESIDE: f64 = 0.1;
+const AS_MUCH: f64 = 0.75;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
 
@@ -178,6 +182,20 @@ impl Search {
             per * (self.base.1.chi2 - self.by_points - self.last.1.chi2),
             per * (self.base.1.chi2 - self.floor),
         )
+    }
+
+    /// Whether something without a name explains a good part of what the names left, and at first explained nearly as much
+    /// as they: they may be a part of it.
+    pub fn may_have_no_name(&self) -> bool {
+        let [first, .., last] = &self.rounds[..] else { return false };
+        let (Some(left), Some(named)) = (last.tried.first(), self.added.first()) else { return false };
+        let as_much = |t: &Tried| {
+            t.candidate.effect == left.candidate.effect && t.evidence.share >= AS_MUCH * named.evidence.share
+        };
+        left.candidate.unnamed.is_some()
+            && left.confidence >= NAMED
+            && left.evidence.of_all >= BESIDE
+            && first.tried.iter().any(as_much)
     }
 
     /// Whether a single effect that does not stand does so in another form, which then takes its place.

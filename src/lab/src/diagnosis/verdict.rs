@@ -74,7 +74,8 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     }
     if !found.taken_back.is_empty() {
         notes.push(format!(
-            "{} would explain a part of it, but together too little, or at the cost of left-out tests: no name is given",
+            "{} would explain a part of it, but together too little, at the cost of left-out tests, or no better than \
+             something without a name: no name is given",
             found.taken_back.join(" and ")
         ));
     }
