@@ -5,11 +5,9 @@ use crate::identification::segment::Segment;
 /// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
 /// force.
 const FORM: f64 = 0.002;
-/// Share of the change from sample to sample that a small error of time or velocity makes.
+/// Small error of time as a share of a sample: of the change from sample to sample it makes that share, and in that share
+/// of cases it puts a sample on the other side of a jump, where friction turns over within a sample.
 const TIMING: f64 = 0.05;
-/// Share of the cases in which such an error puts a sample on the other side of a jump between its neighbours: friction that
-/// turns over within a sample.
-const ACROSS: f64 = 0.1;
 
 /// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
 /// what a jump must exceed. Sets the typical one as the segment's scale.
@@ -41,7 +39,7 @@ fn allowed(
             let half = 0.5 * (at(3) - at(1));
             let runs = (at(1) - at(0)).abs() + (at(4) - at(3)).abs();
             let jump = (half.abs() - 0.5 * runs - mean_noise).max(0.0);
-            (noise * times(i) + form + (TIMING * half).powi(2) + ACROSS * jump * jump).sqrt().max(1e-6)
+            (noise * times(i) + form + (TIMING * half).powi(2) + TIMING * jump * jump).sqrt().max(1e-6)
         })
         .collect()
 }
