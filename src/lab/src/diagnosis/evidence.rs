@@ -38,7 +38,7 @@ pub struct Evidence {
     pub sponge: bool,
     /// Whether another effect was named before.
     pub later: bool,
-    /// Whether the measured force grows or falls from cycle to cycle all through the tests.
+    /// Whether the measured force grows or falls from cycle to cycle all through the tests, which the effect does not make.
     pub unsettled: bool,
 }
 
@@ -113,8 +113,9 @@ const LEAST: f64 = 0.06;
 const SHARE: f64 = 0.4;
 const LATER_SHARE: f64 = 0.25;
 const SPONGE_SHARE: f64 = 0.55;
-/// The same where the force changes from cycle to cycle, which these effects do not: they then fit its mean.
-const UNSETTLED_SHARE: f64 = 0.85;
+/// The same where the force changes from cycle to cycle, which the effect does not: it then fits its mean.
+const UNSETTLED_SHARE: f64 = 0.7;
+const UNSETTLED_SPONGE_SHARE: f64 = 0.85;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
@@ -187,7 +188,8 @@ impl Evidence {
     /// matter, and predicts tests better that it has not seen.
     pub fn is_admissible(&self) -> bool {
         let share = match (self.sponge, self.later) {
-            (true, _) if self.unsettled => UNSETTLED_SHARE,
+            (true, _) if self.unsettled => UNSETTLED_SPONGE_SHARE,
+            (false, false) if self.unsettled => UNSETTLED_SHARE,
             (true, _) => SPONGE_SHARE,
             (false, true) => LATER_SHARE,
             (false, false) => SHARE,

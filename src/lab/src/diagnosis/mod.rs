@@ -10,8 +10,10 @@
 //! | [`vocabulary`] | the effects that can be named, with their starts |
 //! | [`screening`] | which of them are worth a refit |
 //! | [`race`] | refits in heats |
+//! | [`unbent`] | a series element that the base bent is tried straight |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
-//! | [`far_fetched`] | whether its numbers are such as dampers show |
+//! | [`deviations`] | how far the records leave numbers open |
+//! | [`far_fetched`] | whether the numbers of an effect are such as dampers show |
 //! | [`round`] | one look at what is left |
 //! | [`tie`] | which of several that explain the same leads furthest |
 //! | [`pair`] | two effects that hide each other's share |
