@@ -64,3 +64,71 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::vocabulary::base_numbers;
+    use crate::identification::segment::Segment;
+    use dashpot_core::{Input, Params};
+
+    /// Sines of so many metres and hertz, with the forces of an explanation.
+    fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
+        let test = |&(amplitude, frequency): &(f64, f64)| {
+            let (count, omega) = (160, std::f64::consts::TAU * frequency);
+            let dt = 1.0 / (80.0 * frequency);
+            let motion = |k: usize| {
+                let phase = omega * dt * k as f64;
+                Input::motion(amplitude * phase.sin(), amplitude * omega * phase.cos())
+            };
+            Test {
+                record: 0,
+                segment: Segment {
+                    name: String::new(),
+                    dt: vec![dt; count],
+                    input: (0..count).map(motion).collect(),
+                    force: vec![0.0; count],
+                    from: 80,
+                    scale: 5.0,
+                    top: 3000.0,
+                    peak_velocity: amplitude * omega,
+                    amplitude,
+                },
+                allowed: vec![5.0; 80],
+                mean_noise: 5.0,
+                independence: 1.0,
+                growth: 0.0,
+                noise_freedom: 1000.0,
+                frequency,
+                clock: 0.0,
+            }
+        };
+        let mut tests: Vec<Test> = sines.iter().map(test).collect();
+        let forces = of.forces(&tests, &of.start()).unwrap();
+        for (test, scored) in tests.iter_mut().zip(forces) {
+            let from = test.segment.from;
+            test.segment.force[from..].copy_from_slice(&scored);
+        }
+        tests
+    }
+
+    #[test]
+    fn a_series_element_that_took_the_shape_of_something_else_is_found_again() {
+        let base = Params::new();
+        let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
+        assert!(!is_bent(&truth, &tests, &truth.start()));
+        let place = |unknown: Unknown| {
+            let free = Free::Model(unknown);
+            truth.numbers.iter().position(|n| n.free == free).unwrap()
+        };
+        let (stiffness, damping) = (place(Unknown::Log("series_stiffness")), place(Unknown::Linear("series_damping")));
+        let mut bent = truth.start();
+        bent[stiffness] -= f64::ln(40.0);
+        bent[damping] = 2e4;
+        assert!(is_bent(&truth, &tests, &bent));
+        let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::LOOK }).unwrap();
+        let end = unbent(&truth, &tests, there);
+        assert!((end.theta[stiffness] - truth.start()[stiffness]).abs() < 0.02, "{}", end.theta[stiffness].exp());
+    }
+}
