@@ -198,7 +198,9 @@ impl Evidence {
         // Of many numbers one may be far-fetched, or more where nearly everything is explained.
         let likely = if self.sponge {
             let lead = if self.explained() >= MUCH { AHEAD } else { FAR_AHEAD };
-            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= lead)
+            // One number cannot fit a little of everything and nearly all of this: its value is extreme, not its name wrong.
+            let only = self.free <= 1.0 && self.explained() >= NEARLY_ALL;
+            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= lead) || (only && self.lead() >= FAR_AHEAD)
         } else {
             self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
         };
