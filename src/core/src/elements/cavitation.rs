@@ -61,6 +61,9 @@ const CLOSED: f64 = 1e-5;
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
+/// Most Newton steps for the void at the end of a stage, and the relative change that is the last.
+const STEPS: usize = 40;
+const CLOSE: f64 = 1e-9;
 
 const FORCE: usize = 0;
 const SIDE: usize = 1;
@@ -70,9 +73,6 @@ const FILLING: usize = 4;
 const UNFILLED: usize = 5;
 const ONSET: usize = 6;
 const EXPANSION: usize = 7;
-/// Most Newton steps for the void at the end of a stage, and the relative change that is the last.
-const STEPS: usize = 40;
-const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
     const MEANING: &'static str =

@@ -197,10 +197,11 @@ impl Evidence {
         // What fits a little of everything does so with numbers that no damper shows, and others then fit it too.
         // Of many numbers one may be far-fetched, or more where nearly everything is explained.
         let likely = if self.sponge {
-            let lead = if self.explained() >= MUCH { AHEAD } else { FAR_AHEAD };
+            let (lead, explained) = (self.lead(), self.explained());
+            let needed = if explained >= MUCH { AHEAD } else { FAR_AHEAD };
             // One number cannot fit a little of everything and nearly all of this: its value is extreme, not its name wrong.
-            let only = self.free <= 1.0 && self.explained() >= NEARLY_ALL;
-            self.plausible >= 1.0 || (self.plausible > 0.5 && self.lead() >= lead) || (only && self.lead() >= FAR_AHEAD)
+            let only = self.free <= 1.0 && explained >= NEARLY_ALL;
+            self.plausible >= 1.0 || (self.plausible > 0.5 && lead >= needed) || (only && lead >= FAR_AHEAD)
         } else {
             self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
         };

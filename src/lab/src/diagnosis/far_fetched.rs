@@ -44,9 +44,9 @@ pub fn plausibility(candidate: &Candidate, hypothesis: &Hypothesis, refit: &Refi
         let pressed = slope * deviations[place] > DEMANDED;
         !pressed && shown
     };
-    let places = 0..candidate.fresh.len();
+    let fine: Vec<bool> = (0..candidate.fresh.len()).map(fine).collect();
     Plausibility {
-        share: places.clone().filter(|k| fine(*k)).count() as f64 / places.len().max(1) as f64,
-        contrary: places.into_iter().any(|k| candidate.fresh[k].telling && !fine(k)),
+        share: fine.iter().filter(|fine| **fine).count() as f64 / fine.len().max(1) as f64,
+        contrary: candidate.fresh.iter().zip(&fine).any(|(fresh, fine)| fresh.telling && !fine),
     }
 }

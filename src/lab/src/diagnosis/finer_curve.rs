@@ -66,7 +66,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let zero = anchor(&velocity);
     let rise = |point: usize| {
         let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
-        all.numbers.iter().position(|n| n.free == of).map(|k| jacobian.column(k))
+        all.place_of(&of).map(|k| jacobian.column(k))
     };
     let here = Refit { jacobian: from.jacobian(tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);

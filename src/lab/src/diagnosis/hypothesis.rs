@@ -53,6 +53,11 @@ pub struct Hypothesis {
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
+    /// Where in its vector a number stands, if it is free.
+    pub fn place_of(&self, free: &Free) -> Option<usize> {
+        self.numbers.iter().position(|n| n.free == *free)
+    }
+
     /// The vector it starts from.
     pub fn start(&self) -> Vec<f64> {
         self.numbers.iter().map(|n| n.start).collect()

@@ -424,7 +424,7 @@ impl Answer<'_> {
             .enumerate()
             .filter_map(|(k, n)| {
                 let Free::Model(Unknown::Log(name) | Unknown::Linear(name)) = &n.free else { return None };
-                let after = end.theta[last.numbers.iter().position(|m| m.free == n.free)?];
+                let after = end.theta[last.place_of(&n.free)?];
                 ((after - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
                     parameter: name,
                     before: physical(&n.free, first.theta[k]),

@@ -82,11 +82,6 @@ fn family(effect: &str) -> &str {
     }
 }
 
-/// Whether an effect makes the force change from cycle to cycle.
-fn remembers(effect: &str) -> bool {
-    effect == "temperature_fade"
-}
-
 /// One round of screening, refitting and judging.
 pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progress: &dyn Fn(&str)) -> Round {
     let tests = ground.tests;
@@ -130,7 +125,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         .collect();
     let excess = (at.chi2 - ground.floor).max(1e-9);
     let refits = race(started, &screened, &list, tests, at.cost, excess);
-    let unsettled = is_unsettled(tests) && !added.iter().any(|a| remembers(a.candidate.effect));
+    let unsettled = is_unsettled(tests) && !added.iter().any(|a| a.candidate.remembers);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
     let (mut tried, mut other_forms): (Vec<Tried>, Vec<Tried>) = (Vec::new(), Vec::new());
@@ -160,7 +155,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             contrary,
             sponge: candidate.sponge,
             later: !added.is_empty(),
-            unsettled: unsettled && !remembers(candidate.effect),
+            unsettled: unsettled && !candidate.remembers,
         };
         let entry =
             Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };

@@ -102,16 +102,15 @@ pub fn search(
             found.refine_curve(tests);
         }
         let left = (found.last.1.chi2 - floor) / effective_count(tests);
-        let original = ground.original / effective_count(tests);
-        if !found.added.is_empty() && (left < quiet || left < LATER_ORIGINAL * original) {
+        let little = LATER_ORIGINAL * ground.original / effective_count(tests);
+        if !found.added.is_empty() && (left < quiet || left < little) {
             break;
         }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
         progress(done, "screening effects");
         let mut round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
-        if found.added.len() + 1 < limits.effects && left >= quiet {
-            look_ahead(&mut round, &ground, &found.last, &found.added);
-        }
+        let may_lead_on = found.added.len() + 1 < limits.effects && left >= quiet;
+        let ahead = may_lead_on.then(|| look_ahead(&mut round, &ground, &found.last, &found.added)).flatten();
         found.rounds.push(round);
         let round = &found.rounds[found.rounds.len() - 1];
         if found.added.len() >= limits.effects || left < quiet {
@@ -121,7 +120,7 @@ pub fn search(
             if !found.added.is_empty() && !is_worth_a_later_name(best, round.before - floor) {
                 break;
             }
-            (found.last, found.added) = with(best, &found.last.0, &found.added, tests)?;
+            (found.last, found.added) = ahead.or_else(|| with(best, &found.last.0, &found.added, tests))?;
             // The one just added is needed.
             let old = found.added.len() - 1;
             take_out_what_is_not_needed(&mut found.last, &mut found.added, old, tests);

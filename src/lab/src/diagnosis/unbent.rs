@@ -36,16 +36,14 @@ pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
 
 /// The refit, or a better one from a series element far off: between the two the fit gets worse first.
 pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
-    let place = |unknown| {
-        let free = Free::Model(unknown);
-        hypothesis.numbers.iter().position(|n| n.free == free)
-    };
+    let place = |unknown| hypothesis.place_of(&Free::Model(unknown));
     let Some(stiffness) = place(Unknown::Log("series_stiffness")) else { return refitted };
     let damping = place(Unknown::Linear("series_damping"));
+    let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
     let mut best = refitted;
     for times in TIMES {
-        let excess = best.chi2 - noise_chi2(tests);
-        if excess < QUIET * effective_count(tests) {
+        let excess = best.chi2 - floor;
+        if excess < quiet {
             break;
         }
         let mut start = best.theta.clone();
@@ -118,10 +116,7 @@ mod tests {
         let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None };
         let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
         assert!(!is_bent(&truth, &tests, &truth.start()));
-        let place = |unknown: Unknown| {
-            let free = Free::Model(unknown);
-            truth.numbers.iter().position(|n| n.free == free).unwrap()
-        };
+        let place = |unknown| truth.place_of(&Free::Model(unknown)).unwrap();
         let (stiffness, damping) = (place(Unknown::Log("series_stiffness")), place(Unknown::Linear("series_damping")));
         let mut bent = truth.start();
         bent[stiffness] -= f64::ln(40.0);

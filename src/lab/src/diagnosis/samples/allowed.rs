@@ -9,29 +9,33 @@ const FORM: f64 = 0.002;
 /// of cases it puts a sample on the other side of a jump, where friction turns over within a sample.
 const TIMING: f64 = 0.05;
 
+/// The typical one, N: of a sample beside which the force does not change.
+pub fn typical(noise: f64, top: f64) -> f64 {
+    (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
+}
+
 /// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
-/// what a jump must exceed. Sets the typical one as the segment's scale.
-pub fn in_cycle(segment: &mut Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
+/// what a jump must exceed.
+pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
 }
 
 /// The same of a road signal.
-pub fn on_a_road(segment: &mut Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
+pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     let n = segment.force.len() - segment.from;
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
 }
 
 /// `beside` is the place of the neighbour 0 to 4 of a sample: two before to two after.
 fn allowed(
-    segment: &mut Segment,
+    segment: &Segment,
     noise: f64,
     mean_noise: f64,
     times: impl Fn(usize) -> f64,
     beside: impl Fn(usize, usize) -> usize,
 ) -> Vec<f64> {
     let form = (FORM * segment.top).powi(2);
-    segment.scale = (noise + form).sqrt().max(1e-6);
     let scored = &segment.force[segment.from..];
     (0..scored.len())
         .map(|i| {

@@ -148,12 +148,12 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         Repeat { mean_noise, independence: independence(lag1.powf(apart)), growth: 0.0 }
     });
     let cycles = bounds.len() as f64;
-    let mut segment = segment(record, dt, input, force, lead);
-    let variance: Vec<f64> = alone.iter().map(|alone| if *alone { cycles } else { 1.0 }).collect();
     let noise = mean_noise.powi(2) / independence;
+    let segment = segment(record, dt, input, force, lead, noise);
+    let times: Vec<f64> = alone.iter().map(|alone| if *alone { cycles } else { 1.0 }).collect();
     Test {
         record: place,
-        allowed: allowed::in_cycle(&mut segment, noise, &variance, mean_noise),
+        allowed: allowed::in_cycle(&segment, noise, &times, mean_noise),
         segment,
         mean_noise,
         independence,

@@ -87,8 +87,8 @@ fn of_record(place: usize, record: &Record) -> Vec<Test> {
         .collect()
 }
 
-/// A segment of a record, which is scored from `from` on; its scale is set with the allowed errors.
-fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, from: usize) -> Segment {
+/// A segment of a record, which is scored from `from` on; `noise` is the variance of a sample.
+fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, from: usize, noise: f64) -> Segment {
     let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     Segment {
         name: record.name.clone(),
@@ -96,7 +96,7 @@ fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, fr
         input,
         force,
         from,
-        scale: 1.0,
+        scale: allowed::typical(noise, top),
         top,
         peak_velocity: record.peak_velocity,
         amplitude: record.amplitude,

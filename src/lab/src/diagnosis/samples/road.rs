@@ -28,12 +28,13 @@ pub fn road(place: usize, record: &Record, motion: &Motion) -> Test {
         })
         .unzip();
     let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-    let mut segment = segment(record, dt, input, force, lead);
     let mean_noise = record.noise.force_rms;
     let thinned = independence(lag1.powi(stride as i32));
+    let noise = mean_noise.powi(2) / thinned;
+    let segment = segment(record, dt, input, force, lead, noise);
     Test {
         record: place,
-        allowed: allowed::on_a_road(&mut segment, mean_noise.powi(2) / thinned, mean_noise),
+        allowed: allowed::on_a_road(&segment, noise, mean_noise),
         segment,
         mean_noise,
         independence: thinned,

@@ -74,6 +74,8 @@ pub struct Candidate {
     pub starts: Vec<Start>,
     /// Whether it fits a little of everything: it must then explain more than others to be named.
     pub sponge: bool,
+    /// Whether it makes the force change from cycle to cycle.
+    pub remembers: bool,
     /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
     /// what it explains better.
     pub unnamed: Option<&'static str>,
@@ -86,8 +88,12 @@ impl Candidate {
     }
 }
 
+fn fresh(free: Free, plausible: (f64, f64)) -> Fresh {
+    Fresh { free, plausible, deviation: None, telling: false }
+}
+
 fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    Fresh { free: Free::Model(Unknown::Log(name)), plausible, deviation: None, telling: false }
+    fresh(Free::Model(Unknown::Log(name)), plausible)
 }
 
 fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
@@ -100,7 +106,7 @@ fn telling(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
 }
 
 fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    Fresh { free: Free::Model(Unknown::Linear(name)), plausible, deviation: None, telling: false }
+    fresh(Free::Model(Unknown::Linear(name)), plausible)
 }
 
 /// Near an expected value by nature: `deviation` in its own unit.
@@ -114,7 +120,17 @@ fn candidate(
     fresh: Vec<Fresh>,
     starts: Vec<Start>,
 ) -> Candidate {
-    Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, sponge: false, unnamed: None }
+    Candidate {
+        effect,
+        form: "",
+        elements,
+        fixed: Vec::new(),
+        fresh,
+        starts,
+        sponge: false,
+        remembers: false,
+        unnamed: None,
+    }
 }
 
 fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {

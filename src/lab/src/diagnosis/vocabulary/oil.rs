@@ -1,6 +1,6 @@
 //! The oil column: compressibility, air, voids, temperature.
 
-use super::{Candidate, Fresh, Start, candidate, grid, held, linear, log, near};
+use super::{Candidate, Fresh, Start, candidate, fresh, grid, held, linear, log, near};
 use crate::diagnosis::hypothesis::Free;
 use crate::diagnosis::situation::Situation;
 
@@ -92,6 +92,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     if s.temperature_measured {
         all.push(Candidate {
             form: "measured temperature",
+            remembers: true,
             fixed: vec![
                 ("fade_source", 0.0),
                 ("fade_reference", s.temperature),
@@ -107,6 +108,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     } else {
         all.push(Candidate {
             form: "heated by its own work",
+            remembers: true,
             fixed: vec![
                 ("fade_source", 1.0),
                 ("fade_reference", 20.0),
@@ -118,7 +120,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 &["temperature_fade"],
                 vec![
                     linear("fade_coefficient", (0.001, 0.07)),
-                    Fresh { free: Free::Cooling, plausible: (5e-4, 3e-2), deviation: Some(1.2), telling: false },
+                    Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 3e-2)) },
                     held("fade_laminar_force", (50.0, 1e6), 1.2),
                 ],
                 vec![

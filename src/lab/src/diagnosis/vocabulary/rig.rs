@@ -1,6 +1,6 @@
 //! The rig: mass on the load cell, late channels, zeros that are off or move.
 
-use super::{Candidate, Fresh, Start, candidate, linear};
+use super::{Candidate, Start, candidate, fresh, linear};
 use crate::diagnosis::hypothesis::Free;
 use crate::diagnosis::measurement::Artefact;
 use crate::diagnosis::situation::Situation;
@@ -31,7 +31,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         ..candidate(
             artefact.name(),
             &[],
-            vec![Fresh { free: Free::Rig(artefact), plausible, deviation: None, telling: false }],
+            vec![fresh(Free::Rig(artefact), plausible)],
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };

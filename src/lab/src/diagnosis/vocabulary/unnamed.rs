@@ -1,17 +1,12 @@
 //! What a rig may add that the vocabulary has no name for.
 
-use super::{Candidate, Fresh, Start, candidate};
+use super::{Candidate, Start, candidate, fresh};
 use crate::diagnosis::hypothesis::Free;
 use crate::diagnosis::measurement::Artefact;
 
 /// What a rig may add that the vocabulary has no name for.
 pub(super) fn unnamed(all: &mut Vec<Candidate>) {
-    let fresh = |artefact: Artefact| Fresh {
-        free: Free::Rig(artefact),
-        plausible: artefact.bounds(),
-        deviation: None,
-        telling: false,
-    };
+    let fresh = |artefact: Artefact| fresh(Free::Rig(artefact), artefact.bounds());
     all.push(Candidate {
         unnamed: Some("friction that grows with the force, as a tilted cross-head or eye makes in the guides"),
         ..candidate(
