@@ -1,7 +1,7 @@
 //! How far the records leave the numbers of a refit open.
 
 use super::hypothesis::Hypothesis;
-use super::refit::Refit;
+use super::refit::{Refit, gram};
 use nalgebra::DMatrix;
 
 /// Standard deviations of the numbers of a refit, widened where more than noise is left.
@@ -12,7 +12,7 @@ pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
 
 /// Standard deviations by noise alone.
 pub fn by_noise(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
-    let mut normal = refit.jacobian.tr_mul(&refit.jacobian);
+    let mut normal = gram(&refit.jacobian);
     let n = normal.nrows();
     for (i, number) in hypothesis.numbers.iter().enumerate() {
         normal[(i, i)] += 1e-12 / (number.step * number.step);

@@ -1,6 +1,6 @@
 //! How strongly the records speak for one effect, and what confidence that deserves.
 
-use super::refit::Refit;
+use super::refit::{Refit, gram};
 use super::samples::Test;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -80,16 +80,20 @@ const RIDGE: f64 = 1e-3;
 /// *Residuals and Influence in Regression*, 1982).
 pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
     let n = refit.jacobian.ncols();
-    let hessian = refit.jacobian.tr_mul(&refit.jacobian);
-    let mut row = 0;
+    let ends = tests.iter().scan(0, |row, test| Some(std::mem::replace(row, *row + test.count())));
+    let first: Vec<usize> = ends.collect();
+    let of_test: Vec<DMatrix<f64>> =
+        tests.iter().zip(&first).map(|(t, row)| gram(&refit.jacobian.rows(*row, t.count()))).collect();
+    let hessian = of_test.iter().fold(DMatrix::zeros(n, n), |sum, part| sum + part);
     tests
         .iter()
-        .map(|test| {
+        .zip(first)
+        .zip(of_test)
+        .map(|((test, row), of_test)| {
             let count = test.count();
             let rows = refit.jacobian.rows(row, count);
             let residual: DVector<f64> = refit.residual.rows(row, count).into_owned();
-            row += count;
-            let mut others: DMatrix<f64> = &hessian - rows.tr_mul(&rows);
+            let mut others: DMatrix<f64> = &hessian - of_test;
             for i in 0..n {
                 others[(i, i)] += RIDGE * hessian[(i, i)] + 1e-300;
             }

@@ -163,8 +163,13 @@ impl Hypothesis {
 
     /// Weighted residuals of all tests, with as few substeps as will do for a search.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
+        self.residual_by(Accuracy::Single, tests, theta)
+    }
+
+    /// The same by an integration of one's choice.
+    pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         let model = self.model(theta)?;
-        let model = model.with_integration(Accuracy::Single.integration(&self.base, &model));
+        let model = model.with_integration(accuracy.integration(&self.base, &model));
         let all = self.forces_by(&model, tests, theta)?;
         let list: Vec<f64> = tests
             .iter()
@@ -216,14 +221,21 @@ impl Hypothesis {
         if places.len() < self.numbers.len() {
             let at = self.residual(tests, theta)?;
             for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
-                matrix.set_column(place, &self.column(tests, theta, &at, place)?);
+                matrix.set_column(place, &self.column(Accuracy::Single, tests, theta, &at, place)?);
             }
         }
         Some(matrix)
     }
 
-    /// Derivative of the weighted forces over one number, by a difference.
-    pub fn column(&self, tests: &[Test], theta: &[f64], at: &Residual, place: usize) -> Option<DVector<f64>> {
+    /// Derivative of the weighted forces over one number, by a difference from the residuals there by the same integration.
+    pub fn column(
+        &self,
+        accuracy: Accuracy,
+        tests: &[Test],
+        theta: &[f64],
+        at: &Residual,
+        place: usize,
+    ) -> Option<DVector<f64>> {
         let number = &self.numbers[place];
         let (low, high) = number.bounds;
         let mut step = 1e-3 * number.step;
@@ -234,7 +246,7 @@ impl Hypothesis {
             step = -step;
         }
         moved[place] += step;
-        let there = self.residual(tests, &moved)?;
+        let there = self.residual_by(accuracy, tests, &moved)?;
         Some((at - there) / step)
     }
 }

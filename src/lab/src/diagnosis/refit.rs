@@ -6,7 +6,7 @@
 
 use super::hypothesis::{Hypothesis, Residual};
 use super::samples::Test;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, Matrix, Storage};
 
 /// Weighted residual beyond which a sample counts linearly.
 pub const HUBER: f64 = 4.0;
@@ -179,6 +179,12 @@ pub fn refit(
     Some(Refit { theta, residual, jacobian, chi2: chi, cost })
 }
 
+/// Products of all columns of a matrix with each other.
+pub fn gram<S: Storage<f64, Dyn, Dyn>>(columns: &Matrix<f64, Dyn, Dyn, S>) -> DMatrix<f64> {
+    // A product of matrices is computed in blocks; `tr_mul` goes by columns and takes several times as long.
+    columns.transpose() * columns
+}
+
 /// Normal equations under Huber's weights.
 fn normal(jacobian: &DMatrix<f64>, residual: &Residual) -> (DMatrix<f64>, DVector<f64>) {
     let weights: Vec<f64> =
@@ -190,5 +196,5 @@ fn normal(jacobian: &DMatrix<f64>, residual: &Residual) -> (DMatrix<f64>, DVecto
         }
     }
     let right = DVector::from_fn(residual.len(), |i, _| residual[i] * weights[i]);
-    (weighted.tr_mul(&weighted), weighted.tr_mul(&right))
+    (gram(&weighted), weighted.tr_mul(&right))
 }

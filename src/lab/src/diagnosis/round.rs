@@ -10,6 +10,7 @@ use super::screening::{Projection, Screened, screen};
 use super::search::{Added, QUIET};
 use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
+use crate::identification::sensitivity::Accuracy;
 use crate::records::Record;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -117,8 +118,9 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             }
             let mut jacobian = DMatrix::zeros(residual.len(), start.len());
             jacobian.columns_mut(0, first).copy_from(&at.jacobian);
+            let cheap = s.hypothesis.residual_by(Accuracy::Cheap, tests, &start)?;
             for k in first..start.len() {
-                jacobian.set_column(k, &s.hypothesis.column(tests, &start, &residual, k)?);
+                jacobian.set_column(k, &s.hypothesis.column(Accuracy::Cheap, tests, &start, &cheap, k)?);
             }
             Some(Started { place: *place, start, jacobian })
         })
@@ -128,8 +130,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     let unsettled = is_unsettled(tests) && !added.iter().any(|a| a.candidate.remembers);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
-    let (mut tried, mut other_forms): (Vec<Tried>, Vec<Tried>) = (Vec::new(), Vec::new());
-    for (place, refit) in refits {
+    let judged = |(place, refit): (usize, Refit)| {
         let s = &screened[place];
         let candidate = &list[s.candidate];
         let fresh = candidate.fresh.len();
@@ -157,9 +158,12 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             later: !added.is_empty(),
             unsettled: unsettled && !candidate.remembers,
         };
-        let entry =
-            Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 };
-        match tried.iter_mut().find(|t| t.candidate.effect == candidate.effect) {
+        Tried { candidate: candidate.clone(), hypothesis: s.hypothesis.clone(), refit, evidence, confidence: 0.0 }
+    };
+    let judged: Vec<Tried> = refits.into_par_iter().map(judged).collect();
+    let (mut tried, mut other_forms): (Vec<Tried>, Vec<Tried>) = (Vec::new(), Vec::new());
+    for entry in judged {
+        match tried.iter_mut().find(|t| t.candidate.effect == entry.candidate.effect) {
             Some(other) if other.evidence.bic_fall >= entry.evidence.bic_fall => other_forms.push(entry),
             Some(other) => other_forms.push(std::mem::replace(other, entry)),
             None => tried.push(entry),
@@ -192,6 +196,9 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
 
 /// Starts of each form that moved the base: what they answer to a step says little of where they end.
 const MOVED: usize = 2;
+/// Forms of an effect, and the share of the best start's gain from which a second one of the same form is tried as well.
+const FORMS: usize = 2;
+const NEARLY: f64 = 0.7;
 
 /// The starts worth a refit: the best of the likeliest effects, and of the starts that moved the base the best of each
 /// form.
@@ -213,12 +220,21 @@ fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
             }
             continue;
         }
-        let forms = chosen.iter().filter(|c| {
+        let of_effect = |c: &&usize| {
             let other = &screened[**c];
             !other.moved && list[other.candidate].effect == candidate.effect
-        });
-        let same_form = forms.clone().any(|c| screened[*c].candidate == s.candidate);
-        if same_form || forms.count() >= 2 {
+        };
+        let of_form = |c: &&usize| screened[**c].candidate == s.candidate;
+        let mut forms: Vec<usize> = chosen.iter().filter(of_effect).map(|c| screened[*c].candidate).collect();
+        forms.sort_unstable();
+        forms.dedup();
+        let same_form: Vec<&usize> = chosen.iter().filter(of_effect).filter(of_form).collect();
+        let is_worth = match same_form[..] {
+            [] => forms.len() < FORMS,
+            [best] => s.gain > NEARLY * screened[*best].gain,
+            _ => false,
+        };
+        if !is_worth {
             continue;
         }
         if !effects.contains(&candidate.effect) {

@@ -8,6 +8,7 @@ use super::hypothesis::{Free, Hypothesis, Residual};
 use super::refit::{HUBER, Refit};
 use super::samples::Test;
 use super::vocabulary::{Candidate, Fresh, Start};
+use crate::identification::sensitivity::Accuracy;
 use crate::identification::unknowns::Unknown;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
@@ -96,6 +97,8 @@ pub fn screen(
     candidates: &[Candidate],
     tests: &[Test],
 ) -> Vec<Screened> {
+    // Only differences between two models count here, which the cheap integration gives well enough.
+    let Some(cheap) = hypothesis.residual_by(Accuracy::Cheap, tests, &at.theta) else { return Vec::new() };
     let left = projection.rest(&at.residual);
     let base_left = left.norm_squared();
     let jobs: Vec<(usize, &Candidate, &Start)> =
@@ -107,7 +110,7 @@ pub fn screen(
             let first = hypothesis.numbers.len();
             let there = match added(candidate, theta[first], tests) {
                 Some(added) => &at.residual - added,
-                None => extended.residual(tests, &theta)?,
+                None => &at.residual - (&cheap - extended.residual_by(Accuracy::Cheap, tests, &theta)?),
             };
             // What the candidate changes, as a change of the computed forces.
             let response = projection.rest(&(&at.residual - &there));

@@ -15,6 +15,10 @@ const WINDOW: f64 = 1.0 / 400.0;
 const LEAD_IN: f64 = 0.15;
 /// The same as shares of a cycle, at least and at most.
 const LEAD_IN_CYCLES: (f64, f64) = (0.12, 1.5);
+/// Share of a cycle before the scored samples in which it takes every sample, and of how many one before that: an error there
+/// has died out.
+const LEAD_IN_FINE: f64 = 0.25;
+const COARSER: usize = 2;
 
 /// When the displacement rises through its mean near a sample: cycles are cut at samples, and a mean cycle needs better.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
@@ -130,13 +134,15 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     let lead = (((LEAD_IN / period).clamp(least, most) * count as f64) as usize).max(2);
     // Scored is one turn from the first phase on; the motion before it is the end of the same turn.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
-    let (input, force) = (0..lead + count).map(|k| cycle[turned(k)]).unzip();
-    let dt = (0..lead + count)
-        .map(|k| {
-            let (here, before) = (phases[turned(k)], phases[(turned(k) + count - 1) % count]);
-            period * (here - before).rem_euclid(1.0)
-        })
+    let near = ((LEAD_IN_FINE * count as f64) as usize).min(lead);
+    let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
+    let places: Vec<usize> = (0..lead + count).filter(is_taken).collect();
+    let (input, force) = places.iter().map(|k| cycle[turned(*k)]).unzip();
+    let apart = |before: usize, here: usize| period * (phases[turned(here)] - phases[turned(before)]).rem_euclid(1.0);
+    let dt: Vec<f64> = std::iter::once(apart(places[0] + count - 1, places[0]))
+        .chain(places.windows(2).map(|pair| apart(pair[0], pair[1])))
         .collect();
+    let lead = places.len() - count;
     let mean_of: Vec<(f64, f64)> = phases.iter().zip(&cycle).map(|(phase, c)| (*phase, c.1)).collect();
     let Repeat { mean_noise, independence, growth } = repeat(&bounds, &mean_of, |t| {
         window(averaged, period / in_cycle as f64, |beside| at(time, &record.force, t + beside))
