@@ -4,12 +4,18 @@
 
 mod delay;
 mod force_loop;
+mod guide;
 mod low_pass;
+mod resonance;
+mod second_order;
 
 use super::samples::Test;
 use delay::delay;
 use force_loop::loop_over_force;
+pub use guide::Load;
+use guide::guide;
 use low_pass::low_pass;
+use resonance::resonance;
 
 /// An artefact of the measurement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,12 +33,15 @@ pub enum Artefact {
     /// It settles while the rig warms up, within this time on the campaign's clock, s: the whole way, N.
     WarmUp(u32),
     /// Friction as a share of the force, as of a tilted cross-head that loads the guides.
-    Guide,
+    Guide(Load),
     /// The growth of that share with displacement, 1/m.
-    GuideAlong,
+    GuideAlong(Load),
     /// A loop over force, whatever the speed, as a share of the force: that of a load cell which turns over within so much
     /// force, N.
     Loop(u32),
+    /// A resonance at this frequency, Hz, in phase with the force and across, as shares of it.
+    Ring(u32),
+    RingAcross(u32),
 }
 
 impl Artefact {
@@ -42,8 +51,9 @@ impl Artefact {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
             Artefact::Offset | Artefact::Step(_) => "force_offset",
             Artefact::Drift | Artefact::WarmUp(_) => "force_drift",
-            Artefact::Guide | Artefact::GuideAlong => "load_dependent_friction",
+            Artefact::Guide(_) | Artefact::GuideAlong(_) => "load_dependent_friction",
             Artefact::Loop(_) => "load_cell_hysteresis",
+            Artefact::Ring(_) | Artefact::RingAcross(_) => "resonance",
         }
     }
 
@@ -54,8 +64,9 @@ impl Artefact {
             Artefact::Offset | Artefact::Step(_) => "offset",
             Artefact::Drift => "drift",
             Artefact::WarmUp(_) => "whole_drift",
-            Artefact::Guide | Artefact::Loop(_) => "share",
-            Artefact::GuideAlong => "share_growth",
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) => "share",
+            Artefact::RingAcross(_) => "share_across",
+            Artefact::GuideAlong(_) => "share_growth",
         }
     }
 
@@ -65,8 +76,8 @@ impl Artefact {
             Artefact::Delay | Artefact::LowPass => "s",
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => "N",
             Artefact::Drift => "N/s",
-            Artefact::Guide | Artefact::Loop(_) => "-",
-            Artefact::GuideAlong => "1/m",
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => "-",
+            Artefact::GuideAlong(_) => "1/m",
         }
     }
 
@@ -76,8 +87,8 @@ impl Artefact {
             Artefact::Delay | Artefact::LowPass => 5e-3,
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => 500.0,
             Artefact::Drift => 1.0,
-            Artefact::Guide | Artefact::Loop(_) => 0.5,
-            Artefact::GuideAlong => 10.0,
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => 0.5,
+            Artefact::GuideAlong(_) => 10.0,
         };
         (if self == Artefact::LowPass { 0.0 } else { -most }, most)
     }
@@ -92,12 +103,10 @@ impl Artefact {
         match self {
             Artefact::Delay => delay(value, &test.segment.dt, forces),
             Artefact::LowPass => low_pass(value, &test.segment.dt, forces),
-            Artefact::Guide | Artefact::GuideAlong => {
-                for (force, input) in forces.iter_mut().zip(&test.segment.input) {
-                    let along = if self == Artefact::Guide { 1.0 } else { input.displacement.unwrap_or(0.0) };
-                    *force += value * along * force.abs() * (input.velocity / TURNS).tanh();
-                }
-            }
+            Artefact::Guide(load) => guide(value, false, load, &test.segment.input, forces),
+            Artefact::GuideAlong(load) => guide(value, true, load, &test.segment.input, forces),
+            Artefact::Ring(hz) => resonance(value, f64::from(hz), false, &test.segment.dt, forces),
+            Artefact::RingAcross(hz) => resonance(value, f64::from(hz), true, &test.segment.dt, forces),
             Artefact::Loop(width) => loop_over_force(value, f64::from(width), forces),
             Artefact::Offset | Artefact::Step(_) | Artefact::Drift | Artefact::WarmUp(_) => {
                 let added = value * self.per_value(test).unwrap_or(0.0);
@@ -109,7 +118,13 @@ impl Artefact {
     /// Force that one unit of its number adds all through a test; `None` where it is no constant.
     pub fn per_value(self, test: &Test) -> Option<f64> {
         match self {
-            Artefact::Delay | Artefact::LowPass | Artefact::Guide | Artefact::GuideAlong | Artefact::Loop(_) => None,
+            Artefact::Delay
+            | Artefact::LowPass
+            | Artefact::Guide(_)
+            | Artefact::GuideAlong(_)
+            | Artefact::Loop(_)
+            | Artefact::Ring(_)
+            | Artefact::RingAcross(_) => None,
             Artefact::Offset => Some(1.0),
             Artefact::Step(after) => Some(f64::from(u8::from(test.clock > f64::from(after)))),
             Artefact::Drift => Some(test.clock),
@@ -117,6 +132,3 @@ impl Artefact {
         }
     }
 }
-
-/// Speed within which friction in the guides turns over, m/s.
-const TURNS: f64 = 2e-3;
