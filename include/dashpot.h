@@ -542,7 +542,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
-//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1e5 to 1e9, default 3e6]
+//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 20000 to 1e9, default 3e6]
 //   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
 //   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
 //

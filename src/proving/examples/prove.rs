@@ -1,4 +1,6 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
+//!
+//! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have.
 
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
@@ -27,7 +29,10 @@ fn main() {
                 .collect()
         }
     };
-    let outcomes: Vec<outcome::Outcome> = entries
+    let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
+    let is_wanted = |e: &&Entry| only.is_none_or(|blocks| blocks.split(',').any(|block| block == e.block));
+    let wanted: Vec<&Entry> = entries.iter().filter(is_wanted).collect();
+    let outcomes: Vec<outcome::Outcome> = wanted
         .par_iter()
         .filter_map(|entry| match outcome::run(entry.block, &entry.case) {
             Ok((o, measured, found)) => {

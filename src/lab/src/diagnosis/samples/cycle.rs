@@ -11,14 +11,14 @@ use std::ops::Range;
 const PER_CYCLE: usize = 120;
 /// Share of a cycle over which the force is averaged at most: a wider window would blur the knee.
 const WINDOW: f64 = 1.0 / 400.0;
-/// Time that the motion runs ahead of the scored samples, s, so that what the damper remembers is its own.
+/// Time that the motion runs ahead of the scored samples, s, and the same in cycles at least and at most: what the damper
+/// remembers is then its own, and what remembers longer begins at rest in the middle of the stroke, as it does on a rig.
 const LEAD_IN: f64 = 0.15;
-/// The same as shares of a cycle, at least and at most.
-const LEAD_IN_CYCLES: (f64, f64) = (0.12, 1.5);
-/// Share of a cycle before the scored samples in which it takes every sample, and of how many one before that: an error there
-/// has died out.
+const LEAD_IN_CYCLES: (f64, f64) = (1.5, 3.5);
+/// Share of a cycle just before the scored samples in which it takes every sample, and of how many one before that: an error
+/// there has died out.
 const LEAD_IN_FINE: f64 = 0.25;
-const COARSER: usize = 2;
+const COARSER: usize = 4;
 
 /// When the displacement rises through its mean near a sample: cycles are cut at samples, and a mean cycle needs better.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
@@ -131,7 +131,8 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         })
         .collect();
     let (least, most) = LEAD_IN_CYCLES;
-    let lead = (((LEAD_IN / period).clamp(least, most) * count as f64) as usize).max(2);
+    let half_cycles = (2.0 * (LEAD_IN / period).clamp(least, most)).round();
+    let lead = ((0.5 * half_cycles * count as f64) as usize).max(2);
     // Scored is one turn from the first phase on; the motion before it is the end of the same turn.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
     let near = ((LEAD_IN_FINE * count as f64) as usize).min(lead);

@@ -27,6 +27,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                     Start::at(&[7e5, COLUMN]),
                     Start::moving(&[2.0 * stiffness, COLUMN], &[("series_stiffness", 2.0)]),
                     Start::moving(&[1.3 * stiffness, COLUMN], &[("series_stiffness", 4.0)]),
+                    // Soft oil passes for a soft mount altogether.
+                    Start::moving(&[1.1 * stiffness, COLUMN], &[("series_stiffness", 12.0)]),
                 ],
             )
         });
