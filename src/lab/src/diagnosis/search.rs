@@ -5,7 +5,7 @@ use super::finer_curve::with_enough_points;
 use super::hypothesis::{Free, Hypothesis};
 use super::pair::two_at_once;
 use super::refit::{Effort, Refit, refit};
-use super::round::{Ground, NAMED, Round, Tried, look};
+use super::round::{Ground, Round, Tried, look};
 use super::samples::Test;
 use super::tie::look_ahead;
 use super::unbent::unbent;
@@ -23,10 +23,11 @@ const SURE: f64 = 2.0;
 const LATER_REMAINING: f64 = 0.25;
 const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
-/// Share of the original excess that something without a name must explain beside the names to put them in doubt, and how
-/// much of what the first of them explained it must explain alone.
-const BESIDE: f64 = 0.1;
-const AS_MUCH: f64 = 0.75;
+/// Shares of the original excess, and of what the names left of it, that something without a name must explain beside the
+/// names to put them in doubt, and how much of what the first of them explained it must explain alone.
+const BESIDE: f64 = 0.08;
+const BESIDE_LEFT: f64 = 0.3;
+const ALONE: f64 = 0.4;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
 
@@ -183,17 +184,17 @@ impl Search {
         )
     }
 
-    /// Whether something without a name explains a good part of what the names left, and at first explained nearly as much
-    /// as they: they may be a part of it.
+    /// Whether something without a name explains more than any effect of what the names left, and at first explained about
+    /// half as much as they: they may be a part of it.
     pub fn may_have_no_name(&self) -> bool {
         let [first, .., last] = &self.rounds[..] else { return false };
         let (Some(left), Some(named)) = (last.tried.first(), self.added.first()) else { return false };
         let as_much = |t: &Tried| {
-            t.candidate.effect == left.candidate.effect && t.evidence.share >= AS_MUCH * named.evidence.share
+            t.candidate.effect == left.candidate.effect && t.evidence.share >= ALONE * named.evidence.share
         };
         left.candidate.unnamed.is_some()
-            && left.confidence >= NAMED
             && left.evidence.of_all >= BESIDE
+            && left.evidence.share >= BESIDE_LEFT
             && first.tried.iter().any(as_much)
     }
 
