@@ -114,6 +114,21 @@ fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }
 
+/// It remembers longer than a cycle: compared with a mean cycle it must begin where it did on the rig.
+#[test]
+fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
+    let mut truth = base();
+    truth.enable("gas_spring", true).unwrap();
+    for (name, value) in [("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)] {
+        truth.set(name, value).unwrap();
+    }
+    let found = diagnosed(&truth, &base(), 12);
+    println!("{}", told(&found));
+    assert_eq!(found.findings.len(), 1, "{}", told(&found));
+    assert_eq!(found.findings[0].effect, "gas_spring", "{}", told(&found));
+    assert!(found.gap_closed.unwrap() > 0.95, "{:?}", found.gap_closed);
+}
+
 #[test]
 fn a_mass_between_load_cell_and_damper_is_named() {
     names("moving_mass", &[("moving_mass", 2.0)]);
