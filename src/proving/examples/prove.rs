@@ -11,7 +11,7 @@ fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let what = args.first().map_or("short", String::as_str);
     let seed: u64 = args.get(1).and_then(|s| s.parse().ok()).unwrap_or(1000);
-    let entries: Vec<Entry> = match what {
+    let mut entries: Vec<Entry> = match what {
         "full" => suite(Size::FULL, seed),
         "medium" => suite(Size::MEDIUM, seed),
         "short" => suite(Size::SHORT, seed),
@@ -30,9 +30,8 @@ fn main() {
         }
     };
     let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
-    let is_wanted = |e: &&Entry| only.is_none_or(|blocks| blocks.split(',').any(|block| block == e.block));
-    let wanted: Vec<&Entry> = entries.iter().filter(is_wanted).collect();
-    let outcomes: Vec<outcome::Outcome> = wanted
+    entries.retain(|e| only.is_none_or(|blocks| blocks.split(',').any(|block| block == e.block)));
+    let outcomes: Vec<outcome::Outcome> = entries
         .par_iter()
         .filter_map(|entry| match outcome::run(entry.block, &entry.case) {
             Ok((o, measured, found)) => {

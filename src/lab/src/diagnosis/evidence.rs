@@ -80,19 +80,20 @@ const RIDGE: f64 = 1e-3;
 /// *Residuals and Influence in Regression*, 1982).
 pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
     let n = refit.jacobian.ncols();
-    let ends = tests.iter().scan(0, |row, test| Some(std::mem::replace(row, *row + test.count())));
-    let first: Vec<usize> = ends.collect();
-    let of_test: Vec<DMatrix<f64>> =
-        tests.iter().zip(&first).map(|(t, row)| gram(&refit.jacobian.rows(*row, t.count()))).collect();
-    let hessian = of_test.iter().fold(DMatrix::zeros(n, n), |sum, part| sum + part);
-    tests
+    let mut row = 0;
+    let parts: Vec<_> = tests
         .iter()
-        .zip(first)
-        .zip(of_test)
-        .map(|((test, row), of_test)| {
-            let count = test.count();
-            let rows = refit.jacobian.rows(row, count);
-            let residual: DVector<f64> = refit.residual.rows(row, count).into_owned();
+        .map(|test| {
+            let rows = refit.jacobian.rows(row, test.count());
+            let residual: DVector<f64> = refit.residual.rows(row, test.count()).into_owned();
+            row += test.count();
+            (gram(&rows), rows, residual)
+        })
+        .collect();
+    let hessian = parts.iter().fold(DMatrix::zeros(n, n), |sum, (of_test, ..)| sum + of_test);
+    parts
+        .into_iter()
+        .map(|(of_test, rows, residual)| {
             let mut others: DMatrix<f64> = &hessian - of_test;
             for i in 0..n {
                 others[(i, i)] += RIDGE * hessian[(i, i)] + 1e-300;
@@ -103,7 +104,7 @@ pub fn left_out(tests: &[Test], refit: &Refit) -> Vec<f64> {
                 None => residual,
             };
             // No test can be predicted better than to a part of its allowed error.
-            predicted.norm_squared() / count.max(1) as f64 + 0.05
+            predicted.norm_squared() / predicted.len().max(1) as f64 + 0.05
         })
         .collect()
 }

@@ -185,10 +185,14 @@ pub fn gram<S: Storage<f64, Dyn, Dyn>>(columns: &Matrix<f64, Dyn, Dyn, S>) -> DM
     columns.transpose() * columns
 }
 
+/// Square roots of Huber's weights.
+pub fn weights(residual: &Residual) -> Vec<f64> {
+    residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect()
+}
+
 /// Normal equations under Huber's weights.
 fn normal(jacobian: &DMatrix<f64>, residual: &Residual) -> (DMatrix<f64>, DVector<f64>) {
-    let weights: Vec<f64> =
-        residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
+    let weights = weights(residual);
     let mut weighted = jacobian.clone();
     for mut column in weighted.column_iter_mut() {
         for (value, w) in column.iter_mut().zip(&weights) {

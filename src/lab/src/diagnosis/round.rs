@@ -14,6 +14,7 @@ use crate::identification::sensitivity::Accuracy;
 use crate::records::Record;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Effects whose best start is refitted in full.
 const REFITTED: usize = 7;
@@ -107,16 +108,16 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         .filter_map(|place| {
             let s = &screened[*place];
             let first = hypothesis.numbers.len();
-            let (mut start, mut residual) = (s.start.clone(), s.hypothesis.residual(tests, &s.start)?);
-            if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
+            let mut start = s.start.clone();
+            if !s.moved {
                 // The base gave way to first order, which may be further than it goes: then it had better stay.
-                let still = s.hypothesis.start();
-                let there = s.hypothesis.residual(tests, &still)?;
-                if there.norm_squared() < residual.norm_squared() {
-                    (start, residual) = (still, there);
+                let off = |theta: &[f64]| s.hypothesis.residual(tests, theta).map(|r| r.norm_squared());
+                let (there, still) = (off(&start)?, s.hypothesis.start());
+                if there > at.residual.norm_squared() && off(&still)? < there {
+                    start = still;
                 }
             }
-            let mut jacobian = DMatrix::zeros(residual.len(), start.len());
+            let mut jacobian = DMatrix::zeros(at.residual.len(), start.len());
             jacobian.columns_mut(0, first).copy_from(&at.jacobian);
             let cheap = s.hypothesis.residual_by(Accuracy::Cheap, tests, &start)?;
             for k in first..start.len() {
@@ -225,9 +226,7 @@ fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
             !other.moved && list[other.candidate].effect == candidate.effect
         };
         let of_form = |c: &&usize| screened[**c].candidate == s.candidate;
-        let mut forms: Vec<usize> = chosen.iter().filter(of_effect).map(|c| screened[*c].candidate).collect();
-        forms.sort_unstable();
-        forms.dedup();
+        let forms: BTreeSet<usize> = chosen.iter().filter(of_effect).map(|c| screened[*c].candidate).collect();
         let same_form: Vec<&usize> = chosen.iter().filter(of_effect).filter(of_form).collect();
         let is_worth = match same_form[..] {
             [] => forms.len() < FORMS,

@@ -5,7 +5,7 @@
 
 use super::extend::extend;
 use super::hypothesis::{Free, Hypothesis, Residual};
-use super::refit::{HUBER, Refit};
+use super::refit::{Refit, gram, weights};
 use super::samples::Test;
 use super::vocabulary::{Candidate, Fresh, Start};
 use crate::identification::sensitivity::Accuracy;
@@ -23,8 +23,7 @@ pub struct Projection {
 impl Projection {
     /// At a refitted explanation.
     pub fn new(hypothesis: &Hypothesis, refit: &Refit) -> Projection {
-        let weights: Vec<f64> =
-            refit.residual.iter().map(|r| if r.abs() <= HUBER { 1.0 } else { (HUBER / r.abs()).sqrt() }).collect();
+        let weights = weights(&refit.residual);
         let mut jacobian = refit.jacobian.clone();
         for ((mut column, number), value) in jacobian.column_iter_mut().zip(&hypothesis.numbers).zip(&refit.theta) {
             // A number at its bound has given way as far as it may.
@@ -34,7 +33,7 @@ impl Projection {
                 *value *= if free { *w } else { 0.0 };
             }
         }
-        let mut normal = jacobian.tr_mul(&jacobian);
+        let mut normal = gram(&jacobian);
         for (i, number) in hypothesis.numbers.iter().enumerate() {
             normal[(i, i)] *= 1.0 + 1e-9;
             normal[(i, i)] += 1e-9 / (number.step * number.step);

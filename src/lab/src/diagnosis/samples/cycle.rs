@@ -132,17 +132,15 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         .collect();
     let (least, most) = LEAD_IN_CYCLES;
     let half_cycles = (2.0 * (LEAD_IN / period).clamp(least, most)).round();
-    let lead = ((0.5 * half_cycles * count as f64) as usize).max(2);
+    let lead = (0.5 * half_cycles * count as f64) as usize;
     // Scored is one turn from the first phase on; the motion before it is the end of the same turn.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
-    let near = ((LEAD_IN_FINE * count as f64) as usize).min(lead);
+    let near = (LEAD_IN_FINE * count as f64) as usize;
     let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
     let places: Vec<usize> = (0..lead + count).filter(is_taken).collect();
     let (input, force) = places.iter().map(|k| cycle[turned(*k)]).unzip();
     let apart = |before: usize, here: usize| period * (phases[turned(here)] - phases[turned(before)]).rem_euclid(1.0);
-    let dt: Vec<f64> = std::iter::once(apart(places[0] + count - 1, places[0]))
-        .chain(places.windows(2).map(|pair| apart(pair[0], pair[1])))
-        .collect();
+    let dt = std::iter::once(0.0).chain(places.windows(2).map(|pair| apart(pair[0], pair[1]))).collect();
     let lead = places.len() - count;
     let mean_of: Vec<(f64, f64)> = phases.iter().zip(&cycle).map(|(phase, c)| (*phase, c.1)).collect();
     let Repeat { mean_noise, independence, growth } = repeat(&bounds, &mean_of, |t| {
