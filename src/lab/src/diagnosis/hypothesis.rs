@@ -221,20 +221,19 @@ impl Hypothesis {
         if places.len() < self.numbers.len() {
             let at = self.residual(tests, theta)?;
             for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
-                matrix.set_column(place, &self.column(Accuracy::Single, tests, theta, &at, place)?);
+                matrix.set_column(place, &self.column(theta, &at, place, |moved| self.residual(tests, moved))?);
             }
         }
         Some(matrix)
     }
 
-    /// Derivative of the weighted forces over one number, by a difference from the residuals there by the same integration.
+    /// Derivative of the weighted forces over one number, by a difference from the residuals there, of the same function.
     pub fn column(
         &self,
-        accuracy: Accuracy,
-        tests: &[Test],
         theta: &[f64],
         at: &Residual,
         place: usize,
+        residual: impl Fn(&[f64]) -> Option<Residual>,
     ) -> Option<DVector<f64>> {
         let number = &self.numbers[place];
         let (low, high) = number.bounds;
@@ -246,8 +245,7 @@ impl Hypothesis {
             step = -step;
         }
         moved[place] += step;
-        let there = self.residual_by(accuracy, tests, &moved)?;
-        Some((at - there) / step)
+        Some((at - residual(&moved)?) / step)
     }
 }
 

@@ -32,6 +32,7 @@ mod hold_out;
 mod hypothesis;
 mod improved;
 mod measurement;
+mod nearby;
 mod next_test;
 mod outcome;
 mod pair;

@@ -33,7 +33,7 @@ pub fn two_at_once(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added],
     };
     round.named().filter(may_be_one).take(TRIED).find_map(|first| {
         let (one, with_first) = with(first, &last.0, added, ground.tests)?;
-        let beside_first = look(ground, &one, &with_first, &|_| ());
+        let beside_first = look(ground, &one, &with_first, &|_| ())?;
         let second = beside_first.tried.first().filter(|t| t.convinces())?;
         if round.before - second.refit.chi2 < TOGETHER * left {
             return None;
@@ -43,7 +43,7 @@ pub fn two_at_once(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added],
         // The first, or whatever takes its place, must stand beside the second.
         let likely =
             |effect: &str| (ground.allowed)(effect) && round.tried.iter().any(|t| t.candidate.effect == effect);
-        let beside_second = look(&Ground { allowed: &likely, ..*ground }, &other, &with_second, &|_| ());
+        let beside_second = look(&Ground { allowed: &likely, ..*ground }, &other, &with_second, &|_| ())?;
         let stands = beside_second.tried.first().filter(|t| t.convinces())?;
         if !is_worth_a_later_name(stands, beside_second.before - ground.floor) {
             return None;

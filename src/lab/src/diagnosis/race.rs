@@ -1,6 +1,7 @@
 //! Refits in heats, so that the unlikely cost little.
 
-use super::refit::{Effort, Refit, refit};
+use super::nearby::Nearby;
+use super::refit::{Effort, Refit, refit, refit_by};
 use super::samples::Test;
 use super::screening::Screened;
 use super::unbent::{is_bent, unbent};
@@ -30,7 +31,7 @@ pub struct Started {
     pub jacobian: DMatrix<f64>,
 }
 
-/// Refits in three heats: a few steps for all, more for the better half, and a Jacobian of their own for the best forms of
+/// Refits in three heats: a few steps by the cheap integration for all, more for the better half, and a Jacobian of their own for the best forms of
 /// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them,
 /// `excess` what of it is no noise.
 pub fn race(
@@ -38,13 +39,18 @@ pub fn race(
     screened: &[Screened],
     list: &[Candidate],
     tests: &[Test],
+    nearby: &Nearby,
     before: f64,
     excess: f64,
 ) -> Vec<(usize, Refit)> {
     let of = |place: usize| &screened[place].hypothesis;
     let mut refits: Vec<(usize, Refit)> = started
         .into_par_iter()
-        .filter_map(|s| Some((s.place, refit(of(s.place), tests, &s.start, Some(s.jacobian), Effort::LOOK)?)))
+        .filter_map(|s| {
+            let residual = |theta: &[f64]| nearby.residual(of(s.place), tests, theta);
+            let looked = refit_by(of(s.place), tests, &s.start, Some(s.jacobian), Effort::LOOK, &residual)?;
+            Some((s.place, looked))
+        })
         .collect();
     let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
 

@@ -79,10 +79,22 @@ pub fn refit(
     jacobian: Option<DMatrix<f64>>,
     effort: Effort,
 ) -> Option<Refit> {
+    refit_by(hypothesis, tests, start, jacobian, effort, &|theta| hypothesis.residual(tests, theta))
+}
+
+/// The same with residuals of one's choice.
+pub fn refit_by(
+    hypothesis: &Hypothesis,
+    tests: &[Test],
+    start: &[f64],
+    jacobian: Option<DMatrix<f64>>,
+    effort: Effort,
+    residual_at: &dyn Fn(&[f64]) -> Option<Residual>,
+) -> Option<Refit> {
     let n = start.len();
     let bounds: Vec<(f64, f64)> = hypothesis.numbers.iter().map(|n| n.bounds).collect();
     let mut theta: Vec<f64> = start.iter().zip(&bounds).map(|(t, (low, high))| t.clamp(*low, *high)).collect();
-    let mut residual = hypothesis.residual(tests, &theta)?;
+    let mut residual = residual_at(&theta)?;
     let mut chi = chi2(&residual);
     let mut cost = chi + prior_cost(hypothesis, &theta);
     let mut fresh = jacobian.is_none();
@@ -125,7 +137,7 @@ pub fn refit(
             let (low, high) = bounds[*i];
             tried[*i] = (theta[*i] + step[a] / root[a]).clamp(low, high);
         }
-        let found = hypothesis.residual(tests, &tried);
+        let found = residual_at(&tried);
         let moved = DVector::from_fn(n, |i, _| (tried[i] - theta[i]) / hypothesis.numbers[i].step);
         if let Some(there) = &found {
             // Broyden's update, in units of typical steps: the Jacobian agrees with what was just seen.

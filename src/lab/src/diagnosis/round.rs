@@ -3,6 +3,7 @@
 use super::evidence::{Evidence, effective_count, is_unsettled, left_out};
 use super::far_fetched::{Plausibility, plausibility};
 use super::hypothesis::Hypothesis;
+use super::nearby::Nearby;
 use super::race::{Started, race};
 use super::refit::Refit;
 use super::samples::Test;
@@ -10,7 +11,6 @@ use super::screening::{Projection, Screened, screen};
 use super::search::{Added, QUIET};
 use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
-use crate::identification::sensitivity::Accuracy;
 use crate::records::Record;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -84,8 +84,8 @@ fn family(effect: &str) -> &str {
     }
 }
 
-/// One round of screening, refitting and judging.
-pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progress: &dyn Fn(&str)) -> Round {
+/// One round of screening, refitting and judging; `None` where the explanation makes no finite force.
+pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progress: &dyn Fn(&str)) -> Option<Round> {
     let tests = ground.tests;
     let (hypothesis, at) = last;
     let at = match hypothesis.jacobian(tests, &at.theta) {
@@ -100,7 +100,8 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             (c.unnamed.is_some() || (ground.allowed)(c.effect)) && !added.iter().any(|a| a.candidate.effect == c.effect)
         })
         .collect();
-    let screened = screen(hypothesis, &at, &projection, &list, tests);
+    let nearby = Nearby::new(hypothesis, &at, tests)?;
+    let screened = screen(hypothesis, &at, &projection, &list, tests, &nearby);
     progress("refitting everything with each likely effect");
     let chosen = choose(&screened, &list);
     let started: Vec<Started> = chosen
@@ -108,26 +109,25 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         .filter_map(|place| {
             let s = &screened[*place];
             let first = hypothesis.numbers.len();
-            let mut start = s.start.clone();
-            if !s.moved {
+            let (mut start, mut residual) = (s.start.clone(), nearby.residual(&s.hypothesis, tests, &s.start)?);
+            if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
                 // The base gave way to first order, which may be further than it goes: then it had better stay.
-                let off = |theta: &[f64]| s.hypothesis.residual(tests, theta).map(|r| r.norm_squared());
-                let (there, still) = (off(&start)?, s.hypothesis.start());
-                if there > at.residual.norm_squared() && off(&still)? < there {
-                    start = still;
+                let still = s.hypothesis.start();
+                let there = nearby.residual(&s.hypothesis, tests, &still)?;
+                if there.norm_squared() < residual.norm_squared() {
+                    (start, residual) = (still, there);
                 }
             }
             let mut jacobian = DMatrix::zeros(at.residual.len(), start.len());
             jacobian.columns_mut(0, first).copy_from(&at.jacobian);
-            let cheap = s.hypothesis.residual_by(Accuracy::Cheap, tests, &start)?;
             for k in first..start.len() {
-                jacobian.set_column(k, &s.hypothesis.column(Accuracy::Cheap, tests, &start, &cheap, k)?);
+                jacobian.set_column(k, &nearby.column(&s.hypothesis, tests, &start, &residual, k)?);
             }
             Some(Started { place: *place, start, jacobian })
         })
         .collect();
     let excess = (at.chi2 - ground.floor).max(1e-9);
-    let refits = race(started, &screened, &list, tests, at.cost, excess);
+    let refits = race(started, &screened, &list, tests, &nearby, at.cost, excess);
     let unsettled = is_unsettled(tests) && !added.iter().any(|a| a.candidate.remembers);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
@@ -192,7 +192,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         }
     }
     other_forms.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-    Round { before: at.chi2, tried, other_forms, invisible }
+    Some(Round { before: at.chi2, tried, other_forms, invisible })
 }
 
 /// Starts of each form that moved the base: what they answer to a step says little of where they end.

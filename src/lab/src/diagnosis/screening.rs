@@ -5,10 +5,10 @@
 
 use super::extend::extend;
 use super::hypothesis::{Free, Hypothesis, Residual};
+use super::nearby::Nearby;
 use super::refit::{Refit, gram, weights};
 use super::samples::Test;
 use super::vocabulary::{Candidate, Fresh, Start};
-use crate::identification::sensitivity::Accuracy;
 use crate::identification::unknowns::Unknown;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
@@ -59,7 +59,12 @@ impl Projection {
 
     /// What the base leaves of a residual.
     pub fn rest(&self, b: &Residual) -> Residual {
-        self.weighted(b) - &self.jacobian * self.answer(b)
+        self.rest_of(b, &self.answer(b))
+    }
+
+    /// The same where its answer is known.
+    fn rest_of(&self, b: &Residual, answer: &DVector<f64>) -> Residual {
+        self.weighted(b) - &self.jacobian * answer
     }
 }
 
@@ -95,11 +100,10 @@ pub fn screen(
     projection: &Projection,
     candidates: &[Candidate],
     tests: &[Test],
+    nearby: &Nearby,
 ) -> Vec<Screened> {
-    // Only differences between two models count here, which the cheap integration gives well enough.
-    let Some(cheap) = hypothesis.residual_by(Accuracy::Cheap, tests, &at.theta) else { return Vec::new() };
     let left = projection.rest(&at.residual);
-    let base_left = left.norm_squared();
+    let answer = projection.answer(&at.residual);
     let jobs: Vec<(usize, &Candidate, &Start)> =
         candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
     jobs.par_iter()
@@ -107,15 +111,16 @@ pub fn screen(
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();
-            let there = match added(candidate, theta[first], tests) {
-                Some(added) => &at.residual - added,
-                None => &at.residual - (&cheap - extended.residual_by(Accuracy::Cheap, tests, &theta)?),
-            };
             // What the candidate changes, as a change of the computed forces.
-            let response = projection.rest(&(&at.residual - &there));
+            let change = match added(candidate, theta[first], tests) {
+                Some(added) => added,
+                None => &at.residual - nearby.residual(&extended, tests, &theta)?,
+            };
+            let taken_up = projection.answer(&change);
+            let response = projection.rest_of(&change, &taken_up);
             let visible = response.norm_squared();
             let moved = !start.moves.is_empty() || start.unbend.is_some() || start.level > 0.0;
-            let (mut gain, mut answered) = (base_left - projection.rest(&there).norm_squared(), there.clone());
+            let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
             if !moved && visible > 0.0 {
                 // The strength that fits best, as far as the response grows with it.
                 let strength = left.dot(&response) / visible;
@@ -124,9 +129,7 @@ pub fn screen(
                 if !is_log {
                     let wanted = theta[first] * strength.clamp(-4.0, 4.0);
                     let value = wanted.clamp(low, high);
-                    let used = value / theta[first];
-                    let towards = &at.residual - &there;
-                    answered = &at.residual - &towards * used;
+                    used = value / theta[first];
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else {
@@ -134,8 +137,7 @@ pub fn screen(
                     gain = gain.max(if strength > 0.0 { left.dot(&response).powi(2) / visible } else { 0.0 });
                 }
             }
-            let change = projection.answer(&answered);
-            for (i, d) in change.iter().enumerate() {
+            for (i, d) in (&answer - taken_up * used).iter().enumerate() {
                 let (low, high) = extended.numbers[i].bounds;
                 theta[i] = (theta[i] + d).clamp(low, high);
             }

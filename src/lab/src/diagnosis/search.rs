@@ -109,7 +109,7 @@ pub fn search(
         }
         let done = 0.1 + 0.8 * found.added.len() as f64 / limits.effects.max(1) as f64;
         progress(done, "screening effects");
-        let mut round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text));
+        let mut round = look(&ground, &found.last, &found.added, &|text| progress(done + 0.1, text))?;
         let may_lead_on = found.added.len() + 1 < limits.effects && left >= quiet;
         let ahead = may_lead_on.then(|| look_ahead(&mut round, &ground, &found.last, &found.added)).flatten();
         found.rounds.push(round);
@@ -189,9 +189,8 @@ impl Search {
     pub fn may_have_no_name(&self) -> bool {
         let [first, .., last] = &self.rounds[..] else { return false };
         let (Some(left), Some(named)) = (last.tried.first(), self.added.first()) else { return false };
-        let as_much = |t: &Tried| {
-            t.candidate.effect == left.candidate.effect && t.evidence.share >= ALONE * named.evidence.share
-        };
+        let as_much =
+            |t: &Tried| t.candidate.effect == left.candidate.effect && t.evidence.share >= ALONE * named.evidence.share;
         left.candidate.unnamed.is_some()
             && left.evidence.of_all >= BESIDE
             && left.evidence.share >= BESIDE_LEFT

@@ -31,7 +31,7 @@ pub fn look_ahead(
     }
     let follow = |k: usize| {
         let (one, with_one) = with(&round.tried[k], &last.0, added, ground.tests)?;
-        let next = look(ground, &one, &with_one, &|_| ());
+        let next = look(ground, &one, &with_one, &|_| ())?;
         let left = next.tried.iter().filter(|t| t.convinces()).map(|t| t.refit.cost).fold(one.1.cost, f64::min);
         Some((k, left, (one, with_one)))
     };
