@@ -5,6 +5,7 @@ use super::hypothesis::{Free, Hypothesis, number};
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
 use super::screening::Projection;
+use crate::identification::sensitivity::Accuracy;
 use crate::identification::unknowns::{CurveName, Unknown, Unknowns, anchor};
 use dashpot_core::Model;
 use dashpot_core::curve::MAX_POINTS;
@@ -61,14 +62,14 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let room = MAX_POINTS - from.base.list("fv_velocity").len();
     let middles = middles(from);
     let all = with_points(from, &at.theta, &middles)?;
-    let jacobian = all.jacobian(tests, &all.start())?;
+    let jacobian = all.jacobian(Accuracy::Cheap, tests, &all.start())?;
     let velocity = all.base.list("fv_velocity").to_vec();
     let zero = anchor(&velocity);
     let rise = |point: usize| {
         let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
         all.place_of(&of).map(|k| jacobian.column(k))
     };
-    let here = Refit { jacobian: from.jacobian(tests, &at.theta)?, ..at.clone() };
+    let here = Refit { jacobian: from.jacobian(Accuracy::Cheap, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
     // A point that stands out from its interval rises more on its inner side and less on its outer.

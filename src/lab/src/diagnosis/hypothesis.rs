@@ -182,8 +182,9 @@ impl Hypothesis {
     }
 
     /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample. One run gives those over
-    /// the numbers of the model; what the rig added takes a difference each.
-    pub fn jacobian(&self, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
+    /// the numbers of the model; what the rig added takes a difference each. The cheap integration will do where a
+    /// derivative may be a few tenths of a percent off.
+    pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let rows = tests.iter().map(Test::count).sum();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (mut unknowns, values, places) = self.unknowns(theta);
@@ -192,7 +193,7 @@ impl Hypothesis {
             Free::Rig(artefact) if artefact.is_late() => Some((artefact, *tau)),
             _ => None,
         });
-        let run = Run::new(&unknowns, &values, Accuracy::Single)?;
+        let run = Run::new(&unknowns, &values, accuracy)?;
         let parts: Vec<DMatrix<f64>> = tests
             .par_iter()
             .enumerate()
@@ -219,9 +220,10 @@ impl Hypothesis {
             row += part.nrows();
         }
         if places.len() < self.numbers.len() {
-            let at = self.residual(tests, theta)?;
+            let residual = |theta: &[f64]| self.residual_by(accuracy, tests, theta);
+            let at = residual(theta)?;
             for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
-                matrix.set_column(place, &self.column(theta, &at, place, |moved| self.residual(tests, moved))?);
+                matrix.set_column(place, &self.column(theta, &at, place, residual)?);
             }
         }
         Some(matrix)

@@ -11,9 +11,11 @@ use rayon::prelude::*;
 
 /// Starts that go on after the first steps of a refit.
 const GO_ON: usize = 8;
-/// Effects whose best forms are refitted with a Jacobian of their own, and forms of each.
+/// Effects whose best forms are refitted with a Jacobian of their own, forms of each, and the share of the best one's fall of χ²
+/// from which further ones are: they may change places yet.
 const JUDGED: usize = 3;
 const FORMS_JUDGED: usize = 2;
+const NEARLY: f64 = 0.9;
 /// Share of the best one's fall of χ² that is worth it.
 const WORTH: f64 = 0.4;
 /// Shares of the excess that must be explained after the first and after the second heat to go on: what brings less will
@@ -65,7 +67,7 @@ pub fn race(
     let mut refits: Vec<(usize, Refit)> = refits.into_par_iter().map(|one| go_on(one, Effort::COMPARE)).collect();
     refits.extend(rest);
     by_cost(&mut refits);
-    let worth = refits.first().map_or(0.0, |best| before - (WORTH * (before - best.1.cost)).max(HALFWAY * excess));
+    let best = refits.first().map_or(0.0, |best| before - best.1.cost);
     let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());
     let finals: Vec<bool> = refits
         .iter()
@@ -73,7 +75,9 @@ pub fn race(
             let form = screened[*place].candidate;
             let effect = list[form].effect;
             let of_effect = forms.iter().filter(|f| list[**f].effect == effect).count();
-            if known.cost > worth || forms.contains(&form) || of_effect >= FORMS_JUDGED {
+            let fall = before - known.cost;
+            let is_among_forms = of_effect < FORMS_JUDGED || fall > NEARLY * best;
+            if fall < (WORTH * best).max(HALFWAY * excess) || forms.contains(&form) || !is_among_forms {
                 return false;
             }
             if !effects.contains(&effect) {

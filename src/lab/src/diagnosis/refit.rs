@@ -6,6 +6,7 @@
 
 use super::hypothesis::{Hypothesis, Residual};
 use super::samples::Test;
+use crate::identification::sensitivity::Accuracy;
 use nalgebra::{DMatrix, DVector, Dyn, Matrix, Storage};
 
 /// Weighted residual beyond which a sample counts linearly.
@@ -20,17 +21,19 @@ pub struct Effort {
     pub tolerance: f64,
     /// Whether the Jacobian is taken anew after every step that succeeds.
     pub renews: bool,
+    /// How exactly it is taken.
+    pub derivatives: Accuracy,
 }
 
 impl Effort {
     /// To see which explanations are worth more.
-    pub const LOOK: Effort = Effort { steps: 4, tolerance: 2e-3, renews: false };
+    pub const LOOK: Effort = Effort { steps: 4, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap };
     /// To compare explanations.
-    pub const COMPARE: Effort = Effort { steps: 10, tolerance: 2e-3, renews: false };
+    pub const COMPARE: Effort = Effort { steps: 10, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap };
     /// To judge the likely ones.
-    pub const JUDGE: Effort = Effort { steps: 6, tolerance: 1e-3, renews: true };
+    pub const JUDGE: Effort = Effort { steps: 12, tolerance: 1e-3, renews: true, derivatives: Accuracy::Cheap };
     /// For the result.
-    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renews: true };
+    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Single };
 }
 
 /// Where a refit ended.
@@ -100,7 +103,7 @@ pub fn refit_by(
     let mut fresh = jacobian.is_none();
     let mut jacobian = match jacobian {
         Some(known) => known,
-        None => hypothesis.jacobian(tests, &theta)?,
+        None => hypothesis.jacobian(effort.derivatives, tests, &theta)?,
     };
     let mut damping = 1e-3;
     let mut step_number = 0;
@@ -169,7 +172,7 @@ pub fn refit_by(
                 break;
             }
             if effort.renews {
-                jacobian = hypothesis.jacobian(tests, &theta)?;
+                jacobian = hypothesis.jacobian(effort.derivatives, tests, &theta)?;
                 fresh = true;
             }
         } else {
@@ -177,7 +180,7 @@ pub fn refit_by(
                 break;
             }
             if !fresh && damping > 1e-2 && effort.renews {
-                jacobian = hypothesis.jacobian(tests, &theta)?;
+                jacobian = hypothesis.jacobian(effort.derivatives, tests, &theta)?;
                 fresh = true;
                 damping = 1e-3;
                 continue;

@@ -11,6 +11,7 @@ use super::screening::{Projection, Screened, screen};
 use super::search::{Added, QUIET};
 use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
+use crate::identification::sensitivity::Accuracy;
 use crate::records::Record;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -88,7 +89,7 @@ fn family(effect: &str) -> &str {
 pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progress: &dyn Fn(&str)) -> Option<Round> {
     let tests = ground.tests;
     let (hypothesis, at) = last;
-    let at = match hypothesis.jacobian(tests, &at.theta) {
+    let at = match hypothesis.jacobian(Accuracy::Cheap, tests, &at.theta) {
         Some(jacobian) => Refit { jacobian, ..at.clone() },
         None => at.clone(),
     };

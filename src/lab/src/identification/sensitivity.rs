@@ -47,19 +47,21 @@ impl Follow for Tangent<'_> {
         let stiffness = e.stiffness + s.inner.by_x;
         let (done, now) = self.stages.split_at_mut(s.index);
         let (du, push) = &mut now[0];
-        for p in 0..self.directions.len() {
-            let (mut x, mut v) = (self.x[p], self.v[p]);
-            for (j, (u, push)) in done.iter().enumerate() {
-                let a = s.row[j] * per_gamma;
-                x += a * s.g * u[p];
-                v += a * push[p];
+        // Known parts are kept in the stage's own slots until the direct shares are added.
+        du.copy_from_slice(&self.x);
+        push.copy_from_slice(&self.v);
+        for ((u, pushed), a) in done.iter().zip(s.row) {
+            let (a, ag) = (a * per_gamma, a * per_gamma * s.g);
+            for ((x, v), (u, pushed)) in du.iter_mut().zip(push.iter_mut()).zip(u.iter().zip(pushed)) {
+                *x += ag * u;
+                *v += a * pushed;
             }
-            // Known parts are kept in the stage's own slots until the direct shares are added.
-            du[p] = e.mass * v - s.g * stiffness * x;
-            push[p] = v;
-            if s.last {
-                self.x[p] = x;
-            }
+        }
+        if s.last {
+            self.x.copy_from_slice(du);
+        }
+        for (x, v) in du.iter_mut().zip(push.iter()) {
+            *x = e.mass * v - s.g * stiffness * *x;
         }
         for (p, direction) in self.directions.iter().enumerate() {
             du[p] += match direction {
@@ -82,13 +84,14 @@ impl Follow for Tangent<'_> {
                 du[self.first_spring + first + k] -= s.g * w;
             }
         }
-        for p in 0..self.directions.len() {
-            let u = du[p] * divide;
-            push[p] = u - push[p];
-            du[p] = u;
-            if s.last {
-                self.x[p] += s.g * u;
-                self.v[p] = u;
+        for (du, push) in du.iter_mut().zip(push.iter_mut()) {
+            *du *= divide;
+            *push = *du - *push;
+        }
+        if s.last {
+            self.v.copy_from_slice(du);
+            for (x, u) in self.x.iter_mut().zip(du.iter()) {
+                *x += s.g * u;
             }
         }
     }
@@ -332,6 +335,10 @@ impl Run {
         let mut state = model.settled(&segment.input[0]);
         let (mut next, mut output) = (State::ZERO, Output::ZERO);
         let mut by_point = vec![0.0; p];
+        let curves = [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
+            let u = self.params.list(curve.abscissae());
+            (first, anchor(u), u.len())
+        });
         for i in 0..n {
             let input = &segment.input[i];
             if i == 0 {
@@ -385,18 +392,19 @@ impl Run {
                     row[*column] = by_point[k];
                 }
             }
+            // A rise lifts every point from its own outwards.
+            for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
+                let points = &mut by_point[*first..first + count];
+                for k in (zero + 1..count - 1).rev() {
+                    points[k] += points[k + 1];
+                }
+                for k in 1..=*zero {
+                    points[k] += points[k - 1];
+                }
+            }
             for (column, curve, point) in &self.rises {
-                // A rise lifts every point from its own outwards.
-                let (first, u) = match curve {
-                    CurveName::Fv => (self.first_fv, self.params.list("fv_velocity")),
-                    CurveName::Spring => (self.first_spring, self.params.list("spring_displacement")),
-                };
-                let zero = anchor(u);
-                row[*column] = if *point > zero {
-                    by_point[first + point..first + u.len()].iter().sum()
-                } else {
-                    -by_point[first..first + point + 1].iter().sum::<f64>()
-                };
+                let (first, zero, _) = curves[if *curve == CurveName::Fv { 0 } else { 1 }];
+                row[*column] = if *point > zero { by_point[first + point] } else { -by_point[first + point] };
             }
             if !self.beside.is_empty() {
                 let at = Motion {
