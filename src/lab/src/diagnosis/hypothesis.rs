@@ -127,6 +127,12 @@ impl Hypothesis {
         Model::new(&params).ok()
     }
 
+    /// The same by an integration of one's choice.
+    pub fn model_by(&self, accuracy: Accuracy, theta: &[f64]) -> Option<Model> {
+        let model = self.model(theta)?;
+        Some(model.with_integration(accuracy.integration(&self.base, &model)))
+    }
+
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         for (number, value) in self.numbers.iter().zip(theta) {
             if let Free::Rig(artefact) = number.free {
@@ -168,9 +174,7 @@ impl Hypothesis {
 
     /// The same by an integration of one's choice.
     pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
-        let model = self.model(theta)?;
-        let model = model.with_integration(accuracy.integration(&self.base, &model));
-        let all = self.forces_by(&model, tests, theta)?;
+        let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
         let list: Vec<f64> = tests
             .iter()
             .zip(&all)

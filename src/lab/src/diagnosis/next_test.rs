@@ -6,6 +6,7 @@ use super::outcome::NextTest;
 use super::samples::Test;
 use super::untestable::remedy;
 use crate::identification::segment::Segment;
+use crate::identification::sensitivity::Accuracy;
 use dashpot_core::Input;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -112,8 +113,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
             }
         }
     }
-    let models: Vec<_> = rivals.iter().map(|r| r.hypothesis.params(r.theta)).collect();
-    let ready: Option<Vec<_>> = models.iter().map(|p| dashpot_core::Model::new(p).ok()).collect();
+    let ready: Option<Vec<_>> = rivals.iter().map(|r| r.hypothesis.model_by(Accuracy::Single, r.theta)).collect();
     let Some(ready) = ready else { return Vec::new() };
     let mut judged: Vec<(f64, f64, [usize; 2], Design)> = designs
         .par_iter()

@@ -33,7 +33,7 @@ pub struct Started {
     pub jacobian: DMatrix<f64>,
 }
 
-/// Refits in three heats: a few steps by the cheap integration for all, more for the better half, and a Jacobian of their own for the best forms of
+/// Refits in three heats: by the cheap integration a few steps for all and more for the better half, and a Jacobian of their own for the best forms of
 /// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them,
 /// `excess` what of it is no noise.
 pub fn race(
@@ -46,25 +46,23 @@ pub fn race(
     excess: f64,
 ) -> Vec<(usize, Refit)> {
     let of = |place: usize| &screened[place].hypothesis;
+    let look = |place: usize, start: &[f64], jacobian: DMatrix<f64>, effort: Effort| {
+        let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
+        refit_by(of(place), tests, start, Some(jacobian), effort, &residual)
+    };
     let mut refits: Vec<(usize, Refit)> = started
         .into_par_iter()
-        .filter_map(|s| {
-            let residual = |theta: &[f64]| nearby.residual(of(s.place), tests, theta);
-            let looked = refit_by(of(s.place), tests, &s.start, Some(s.jacobian), Effort::LOOK, &residual)?;
-            Some((s.place, looked))
-        })
+        .filter_map(|s| Some((s.place, look(s.place, &s.start, s.jacobian, Effort::LOOK)?)))
         .collect();
     let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
 
     by_cost(&mut refits);
     let started = refits.iter().filter(|r| before - r.1.cost > STARTED * excess).count();
     let rest = refits.split_off(started.min(GO_ON));
-    let go_on = |(place, known): (usize, Refit), effort: Effort| {
-        let jacobian = (!effort.renews).then(|| known.jacobian.clone());
-        let better = refit(of(place), tests, &known.theta, jacobian, effort);
-        (place, better.unwrap_or(known))
-    };
-    let mut refits: Vec<(usize, Refit)> = refits.into_par_iter().map(|one| go_on(one, Effort::COMPARE)).collect();
+    let mut refits: Vec<(usize, Refit)> = refits
+        .into_par_iter()
+        .filter_map(|(place, known)| Some((place, look(place, &known.theta, known.jacobian, Effort::COMPARE)?)))
+        .collect();
     refits.extend(rest);
     by_cost(&mut refits);
     let best = refits.first().map_or(0.0, |best| before - best.1.cost);
@@ -97,7 +95,8 @@ pub fn race(
             if !is_final {
                 return one;
             }
-            let (place, judged) = go_on(one, Effort::JUDGE);
+            let (place, known) = one;
+            let judged = refit(of(place), tests, &known.theta, None, Effort::JUDGE).unwrap_or(known);
             let straight =
                 if is_bent(of(place), tests, &judged.theta) { unbent(of(place), tests, judged) } else { judged };
             (place, straight)
