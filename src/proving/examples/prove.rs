@@ -1,6 +1,7 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 //!
-//! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have.
+//! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have; `alone` one case after the other, as a user
+//! would wait for them.
 
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
@@ -31,85 +32,87 @@ fn main() {
     };
     let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
     entries.retain(|e| only.is_none_or(|blocks| blocks.split(',').any(|block| block == e.block)));
-    let outcomes: Vec<outcome::Outcome> = entries
-        .par_iter()
-        .filter_map(|entry| match outcome::run(entry.block, &entry.case) {
-            Ok((o, measured, found)) => {
-                eprintln!(
-                    "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
-                    o.block,
-                    o.hidden,
-                    o.forms,
-                    o.seed,
-                    o.verdict,
-                    o.named,
-                    o.suspects,
-                    o.gap_closed,
-                    o.clean_before,
-                    o.clean_after,
-                    o.seconds
-                );
-                if what.contains("nothing") || args.iter().any(|a| a == "-v") {
-                    eprintln!("   hidden {:?} in {:?}", measured.truth.effects, measured.truth.damper);
-                    for f in &found.findings {
-                        eprintln!("   {} {:?}", f.effect, f.parameters);
-                    }
+    let run = |entry: &Entry| match outcome::run(entry.block, &entry.case) {
+        Ok((o, measured, found)) => {
+            eprintln!(
+                "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
+                o.block,
+                o.hidden,
+                o.forms,
+                o.seed,
+                o.verdict,
+                o.named,
+                o.suspects,
+                o.gap_closed,
+                o.clean_before,
+                o.clean_after,
+                o.seconds
+            );
+            if what.contains("nothing") || args.iter().any(|a| a == "-v") {
+                eprintln!("   hidden {:?} in {:?}", measured.truth.effects, measured.truth.damper);
+                for f in &found.findings {
+                    eprintln!("   {} {:?}", f.effect, f.parameters);
+                }
+                for t in &found.tests {
+                    eprintln!(
+                        "   {} {:.3} Hz: {:.2} -> {:.2}, noise {:.2}",
+                        t.test, t.curves.frequency, t.before_rmse_n, t.after_rmse_n, t.noise_n
+                    );
+                }
+                if let Ok(path) = std::env::var("CURVES") {
+                    let mut text = String::new();
                     for t in &found.tests {
-                        eprintln!(
-                            "   {} {:.3} Hz: {:.2} -> {:.2}, noise {:.2}",
-                            t.test, t.curves.frequency, t.before_rmse_n, t.after_rmse_n, t.noise_n
-                        );
-                    }
-                    if let Ok(path) = std::env::var("CURVES") {
-                        let mut text = String::new();
-                        for t in &found.tests {
-                            for i in 0..t.curves.measured.len() {
-                                text += &format!(
-                                    "{},{},{},{},{},{}\n",
-                                    t.test,
-                                    t.curves.displacement[i],
-                                    t.curves.velocity[i],
-                                    t.curves.measured[i],
-                                    t.curves.before[i],
-                                    t.curves.after[i]
-                                );
-                            }
+                        for i in 0..t.curves.measured.len() {
+                            text += &format!(
+                                "{},{},{},{},{},{}\n",
+                                t.test,
+                                t.curves.displacement[i],
+                                t.curves.velocity[i],
+                                t.curves.measured[i],
+                                t.curves.before[i],
+                                t.curves.after[i]
+                            );
                         }
-                        let _ = std::fs::write(path, text);
-                        eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
                     }
-                    for s in &found.shifts {
-                        eprintln!("   {s:?}");
-                    }
+                    let _ = std::fs::write(path, text);
+                    eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
                 }
-                for round in &found.rounds {
-                    let words: Vec<String> = round
-                        .iter()
-                        .take(4)
-                        .map(|t| {
-                            format!(
-                                "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3} plausible {:.2}",
-                                t.effect,
-                                t.form,
-                                t.confidence,
-                                t.evidence.bic_fall,
-                                t.evidence.share,
-                                t.evidence.size,
-                                t.evidence.left_out_gain,
-                                t.evidence.plausible
-                            )
-                        })
-                        .collect();
-                    eprintln!("    {}", words.join("; "));
+                for s in &found.shifts {
+                    eprintln!("   {s:?}");
                 }
-                Some(o)
             }
-            Err(error) => {
-                eprintln!("{} {:?} seed {}: {error}", entry.block, entry.case.effects, entry.case.options.seed);
-                None
+            for round in &found.rounds {
+                let words: Vec<String> = round
+                    .iter()
+                    .take(4)
+                    .map(|t| {
+                        format!(
+                            "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3} plausible {:.2}",
+                            t.effect,
+                            t.form,
+                            t.confidence,
+                            t.evidence.bic_fall,
+                            t.evidence.share,
+                            t.evidence.size,
+                            t.evidence.left_out_gain,
+                            t.evidence.plausible
+                        )
+                    })
+                    .collect();
+                eprintln!("    {}", words.join("; "));
             }
-        })
-        .collect();
+            Some(o)
+        }
+        Err(error) => {
+            eprintln!("{} {:?} seed {}: {error}", entry.block, entry.case.effects, entry.case.options.seed);
+            None
+        }
+    };
+    let outcomes: Vec<outcome::Outcome> = if args.iter().any(|a| a == "alone") {
+        entries.iter().filter_map(run).collect()
+    } else {
+        entries.par_iter().filter_map(run).collect()
+    };
     if let Some(path) = args.iter().find(|a| a.ends_with(".jsonl")) {
         let lines: Vec<String> = outcomes.iter().filter_map(|o| serde_json::to_string(o).ok()).collect();
         if let Err(error) = std::fs::write(path, lines.join("\n") + "\n") {
