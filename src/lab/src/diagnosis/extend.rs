@@ -66,10 +66,11 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
         Free::Rig(artefact) => {
             Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds: artefact.bounds(), prior: None }
         }
-        Free::Cooling => {
+        Free::Cooling | Free::HeatCapacity => {
+            let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0, 1e5) };
             let start = value.ln();
             let prior = fresh.deviation.map(|d| (start, d));
-            Number { free: Free::Cooling, start, step: 0.3, bounds: ((1e-4f64).ln(), (0.2f64).ln()), prior }
+            Number { free: fresh.free.clone(), start, step: 0.3, bounds: (low.ln(), high.ln()), prior }
         }
     }
 }

@@ -21,6 +21,8 @@ pub enum Free {
     Rig(Artefact),
     /// Logarithm of the heat transfer to the surroundings over the heat capacity, 1/s: how fast the damper cools.
     Cooling,
+    /// Logarithm of the heat capacity, J/K.
+    HeatCapacity,
 }
 
 /// A free number with what is known of it beforehand.
@@ -87,22 +89,26 @@ impl Hypothesis {
     pub fn params(&self, theta: &[f64]) -> Params {
         let (unknowns, values, _) = self.unknowns(theta);
         let mut params = unknowns.params(&values);
-        if let Some(cooling) = self.cooling(theta) {
+        if let Some(capacity) = self.exponential(&Free::HeatCapacity, theta) {
+            let _ = params.set("heat_capacity", capacity);
+        }
+        if let Some(cooling) = self.exponential(&Free::Cooling, theta) {
             let _ = params.set("heat_transfer", cooling * params.scalar("heat_capacity"));
         }
         params
     }
 
-    /// Cooling rate, 1/s, where it is free.
-    fn cooling(&self, theta: &[f64]) -> Option<f64> {
-        self.numbers.iter().zip(theta).find(|(n, _)| n.free == Free::Cooling).map(|(_, value)| value.exp())
+    /// A number that is given by its logarithm, where it is free.
+    fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
+        self.place_of(free).map(|place| theta[place].exp())
     }
 
     /// The segment with the temperatures that the damper's own heating gives it.
     fn warmed<'a>(&self, test: &'a Test, place: usize, theta: &[f64]) -> std::borrow::Cow<'a, Segment> {
-        match (&self.heating, self.cooling(theta)) {
+        match (&self.heating, self.exponential(&Free::Cooling, theta)) {
             (Some(heating), Some(cooling)) => {
-                let rise = heating.rise(place, cooling) / self.base.scalar("heat_capacity");
+                let free = self.exponential(&Free::HeatCapacity, theta);
+                let rise = heating.rise(place, cooling) / free.unwrap_or_else(|| self.base.scalar("heat_capacity"));
                 let mut segment = test.segment.clone();
                 for input in &mut segment.input {
                     input.temperature += rise;

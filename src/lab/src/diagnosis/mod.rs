@@ -470,6 +470,7 @@ fn name_of(free: &Free) -> (&'static str, &'static str) {
         Free::Model(Unknown::Rise { curve, .. }) => (curve.forces(), "N"),
         Free::Rig(artefact) => (artefact.parameter(), artefact.unit()),
         Free::Cooling => ("cooling_rate", "1/s"),
+        Free::HeatCapacity => ("heat_capacity", "J/K"),
     }
 }
 

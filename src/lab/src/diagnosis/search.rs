@@ -231,7 +231,7 @@ impl Search {
 /// A number in the unit that people use.
 pub fn physical(free: &Free, value: f64) -> f64 {
     match free {
-        Free::Model(Unknown::Log(_)) | Free::Cooling => value.exp(),
+        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => value.exp(),
         _ => value,
     }
 }

@@ -91,15 +91,19 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             grid(&[0.01, 0.025, 0.06, 0.15], &[0.1, 0.25, 0.5]),
         )
     });
+    let fade = |source: f64, reference: f64| {
+        vec![
+            ("fade_source", source),
+            ("fade_reference", reference),
+            ("fade_slackening", 1.0 / (reference + VOGEL)),
+            ("heat_capacity", 1000.0),
+        ]
+    };
     if s.temperature_measured {
         all.push(Candidate {
             form: "measured temperature",
             remembers: true,
-            fixed: vec![
-                ("fade_source", 0.0),
-                ("fade_reference", s.temperature),
-                ("fade_slackening", 1.0 / (s.temperature + VOGEL)),
-            ],
+            fixed: fade(0.0, s.temperature),
             ..candidate(
                 "temperature_fade",
                 &["temperature_fade"],
@@ -107,29 +111,47 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
             )
         });
-    } else {
+        // A sensor on the tube lags behind the oil, by the power over what the oil gives to the tube per kelvin.
         all.push(Candidate {
-            form: "heated by its own work",
+            form: "oil warmer than measured",
             remembers: true,
-            fixed: vec![
-                ("fade_source", 1.0),
-                ("fade_reference", 20.0),
-                ("fade_slackening", 1.0 / (20.0 + VOGEL)),
-                ("heat_capacity", 1000.0),
-            ],
+            fixed: fade(1.0, s.temperature),
             ..candidate(
                 "temperature_fade",
                 &["temperature_fade"],
                 vec![
                     linear("fade_coefficient", (0.001, 0.07)),
-                    Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 3e-2)) },
+                    Fresh { deviation: Some(0.8), ..fresh(Free::Cooling, (0.01, 0.5)) },
+                    Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 1500.0)) },
                     held("fade_laminar_force", (50.0, 1e6), 1.2),
                 ],
                 vec![
-                    Start::at(&[0.004, 2e-3, 1e4]),
-                    Start::at(&[0.004, 1e-2, 1e4]),
-                    Start::at(&[0.01, 2e-3, 1e3]),
-                    Start::at(&[0.01, 1e-2, 1e3]),
+                    Start::at(&[0.004, 0.06, 250.0, 1e4]),
+                    Start::at(&[0.01, 0.06, 250.0, 1e3]),
+                    Start::at(&[0.03, 0.06, 250.0, 2e3]),
+                ],
+            )
+        });
+    } else {
+        all.push(Candidate {
+            form: "heated by its own work",
+            remembers: true,
+            fixed: fade(1.0, 20.0),
+            ..candidate(
+                "temperature_fade",
+                &["temperature_fade"],
+                vec![
+                    linear("fade_coefficient", (0.001, 0.07)),
+                    Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
+                    // Beside the coefficient it counts where the fall is no straight line.
+                    Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
+                    held("fade_laminar_force", (50.0, 1e6), 1.2),
+                ],
+                vec![
+                    Start::at(&[0.004, 2e-3, 600.0, 1e4]),
+                    Start::at(&[0.004, 1e-2, 600.0, 1e4]),
+                    Start::at(&[0.01, 2e-3, 600.0, 1e3]),
+                    Start::at(&[0.01, 1e-2, 600.0, 1e3]),
                 ],
             )
         });
