@@ -584,7 +584,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
 //   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
 //   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 10, default 0.2]
-//   fsd_force                    bypass form: hydraulic force that fills the control chamber, F_0 [N, 1 to 10000, default 50]
+//   fsd_force                    bypass form: hydraulic force above which the control chamber fills at its full rate, F_0 [N, 1 to 10000, default 50]
 //   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 1 to 1e5, default 20]
 //
 // valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises

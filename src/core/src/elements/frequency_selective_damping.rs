@@ -15,8 +15,9 @@ use crate::paths::bypass::{law, per_stated};
 /// sign, so the bypass is open until z has changed over.
 ///
 /// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity q_s (1 − y) r(F_h)/r(1 kN)
-/// with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]), y = z tanh(F_h/F_0) where that is positive, τ dz/dt = tanh(F_h/F_0) − z; the chamber of
-/// the other stroke empties through a check valve ten times as fast.
+/// with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]) and y = |z|, the filling of the chamber
+/// whose stroke it is: τ dz/dt = tanh(F_h/F_0) (1 − |z|), the faster the more pressure drives it. That of the other stroke
+/// empties through a check valve in τ/10, and either does where no force is left: below about F_0/20.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
@@ -58,7 +59,7 @@ impl Describe for FrequencySelectiveDamping {
             "N",
             &[50.0],
             (1.0, 1e4),
-            "bypass form: hydraulic force that fills the control chamber, F_0",
+            "bypass form: hydraulic force above which the control chamber fills at its full rate, F_0",
         ),
         Parameter::scalar(
             "fsd_laminar_force",
@@ -96,40 +97,53 @@ impl Prepare for FrequencySelectiveDamping {
     }
 }
 
-/// How much faster the chamber of the other stroke empties.
+/// How much faster than it fills the chamber of the other stroke empties.
 const EMPTIES: f64 = 10.0;
+/// Share of F_0 below which no pressure is left that keeps a chamber full.
+const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Bypass form: what z is drawn to.
+    /// Bypass form: how fast z grows towards ±1, and how fast it falls towards 0, both per τ; `z` or anything of its sign.
     #[inline(always)]
-    pub(crate) fn towards<R: Real>(&self, force: R) -> R {
-        (force * self.per_force).tanh()
+    fn pace<R: Real>(&self, force: R, z: R) -> (R, R) {
+        let fills = (force * self.per_force).tanh();
+        let size = fills.abs();
+        if fills.value() * z.value() < 0.0 {
+            return (fills, size.plus(EMPTIES));
+        }
+        let of_idle = force * (self.per_force * (1.0 / IDLE));
+        (fills, size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES)
+    }
+
+    /// Bypass form: where z settles.
+    #[inline(always)]
+    pub(crate) fn settles(&self, force: f64) -> f64 {
+        let (grows, falls) = self.pace(force, force);
+        grows / falls
     }
 
     /// Bypass form: rate of z, 1/s.
     #[inline(always)]
     pub(crate) fn fills<R: Real>(&self, force: R, z: R) -> R {
-        let towards = self.towards(force);
-        let empties = if towards.value() * z.value() < 0.0 { EMPTIES } else { 1.0 };
-        (towards - z * empties) * self.per_time
+        let (grows, falls) = self.pace(force, z);
+        (grows - z * falls) * self.per_time
     }
 
     /// Bypass form: z after an implicit stage that is `known` at its start.
     #[inline(always)]
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
-        let towards = self.towards(force);
         let per = g * self.per_time;
         // The sign of z is that of the sum, whichever chamber it is.
-        let sum = known + towards * per;
-        let empties = if towards.value() * sum.value() < 0.0 { EMPTIES } else { 1.0 };
-        sum * (1.0 / (1.0 + per * empties))
+        let sum = known + (force * self.per_force).tanh() * per;
+        let (_, falls) = self.pace(force, sum);
+        sum * (falls * per).plus(1.0).inverse()
     }
 
     /// Bypass form: flow, m/s.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
-        let closed = z * self.towards(force);
         let open = law(force, self.laminar) * self.flow;
+        let closed = if force.value() < 0.0 { -z } else { z };
         if closed.value() <= 0.0 { open } else { open - open * closed }
     }
 
@@ -155,5 +169,28 @@ impl FrequencySelectiveDamping {
             along * along * (-(along * 2.0)).plus(3.0)
         };
         force * (closed * self.share).plus(1.0 - self.share)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chamber_fills_under_any_lasting_force_and_empties_at_rest() {
+        let bypass = FrequencySelectiveDamping { per_force: 1.0 / 300.0, per_time: 20.0, ..Prepare::OFF };
+        for force in [-2000.0, -300.0, 300.0, 2000.0] {
+            let z = bypass.settles(force);
+            assert!(z * force.signum() > 0.95, "{force}: {z}");
+            // An endless implicit step ends where it settles, and there nothing moves.
+            assert!((bypass.filled(force, 0.0, 1e9) - z).abs() < 1e-6);
+            assert!(bypass.fills(force, z).abs() < 1e-12);
+            // The more force, the faster.
+            assert!(bypass.fills(force, 0.0).abs() > bypass.fills(0.5 * force, 0.0).abs());
+            // Of the other stroke it empties faster than it fills.
+            assert!(bypass.fills(force, -z).abs() > 5.0 * bypass.fills(force, 0.0).abs());
+        }
+        assert_eq!(bypass.settles(0.0), 0.0);
+        assert!(bypass.fills(0.0, 1.0) < -100.0);
     }
 }

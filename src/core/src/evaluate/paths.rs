@@ -213,7 +213,7 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
         };
         let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
         held[place::SELECTIVE] =
-            if e.has_passage() { e.frequency_selective_damping.towards(flow.force) } else { flow.selective_target };
+            if e.has_passage() { e.frequency_selective_damping.settles(flow.force) } else { flow.selective_target };
         held[place::VALVE] = e.valve_hysteresis.rests(flow.before_valve, states[place::VALVE]);
         let still = held == states && force == flow.force;
         force = flow.force;

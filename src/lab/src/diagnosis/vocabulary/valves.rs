@@ -51,7 +51,7 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
                 held("fsd_force", (5.0, 1000.0), 0.8),
                 held("fsd_laminar_force", (2.0, 1e5), 1.5),
             ],
-            [0.015, 0.05, 0.15].map(|t| Start::at(&[0.05, t, 0.1 * s.knee_force.max(100.0), 150.0])).to_vec(),
+            [0.015, 0.05, 0.15].map(|t| Start::at(&[0.05, t, 0.3 * s.knee_force.max(100.0), 150.0])).to_vec(),
         )
     });
     for (form, name, times) in [(0.0, "filter", [0.01, 0.04, 0.15]), (1.0, "stroke", [0.015, 0.05, 0.15])] {
