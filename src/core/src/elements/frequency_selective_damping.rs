@@ -14,10 +14,11 @@ use crate::paths::bypass::{law, per_stated};
 /// τ dz/dt = tanh(w/u_0) − z, y = smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z is of the other stroke's
 /// sign, so the bypass is open until z has changed over.
 ///
-/// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity q_s (1 − y) r(F_h)/r(1 kN)
-/// with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]) and y = |z|, the filling of the chamber
-/// whose stroke it is: τ dz/dt = tanh(F_h/F_0) (1 − |z|), the faster the more pressure drives it. That of the other stroke
-/// empties through a check valve in τ/10, and either does where no force is left: below about F_0/20.
+/// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity
+/// q_s (1 − y) r(F_h)/r(1 kN) with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]) and
+/// y = |z|, the filling of the chamber whose stroke it is: τ dz/dt = tanh(F_h/F_0) (1 − |z|), the faster the more pressure
+/// drives it. That of the other stroke empties through a check valve in τ/10, and either does where no force is left: below
+/// about F_0/20.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,

@@ -10,6 +10,7 @@
 //! | [`vocabulary`] | the effects that can be named, with their starts |
 //! | [`screening`] | which of them are worth a refit |
 //! | [`race`] | refits in heats |
+//! | [`nearby`] | cheap residuals beside an explanation that is known exactly |
 //! | [`unbent`] | a series element that the base bent is tried straight |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
 //! | [`deviations`] | how far the records leave numbers open |

@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 /// Starts that go on after the first steps of a refit.
 const GO_ON: usize = 8;
-/// Effects whose best forms are refitted with a Jacobian of their own, forms of each, and the share of the best one's fall of χ²
-/// from which further ones are: they may change places yet.
+/// Effects whose best forms are refitted with a Jacobian of their own, forms of each, and the share of the best one's fall of
+/// χ² from which further ones are: they may change places yet.
 const JUDGED: usize = 3;
 const FORMS_JUDGED: usize = 2;
 const NEARLY: f64 = 0.9;
@@ -33,9 +33,9 @@ pub struct Started {
     pub jacobian: DMatrix<f64>,
 }
 
-/// Refits in three heats: by the cheap integration a few steps for all and more for the better half, and a Jacobian of their own for the best forms of
-/// the likeliest effects, since an updated one stops short of the best. `before` is the cost without any of them,
-/// `excess` what of it is no noise.
+/// Refits in three heats: by the cheap integration a few steps for all and more for the better half, then exactly, with a
+/// Jacobian of their own, the best forms of the likeliest effects, since an updated one stops short of the best. `before` is
+/// the cost without any of them, `excess` what of it is no noise.
 pub fn race(
     started: Vec<Started>,
     screened: &[Screened],

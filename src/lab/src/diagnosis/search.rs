@@ -25,7 +25,7 @@ const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
 /// Shares of the original excess, and of what the names left of it, that something without a name must explain beside the
 /// names to put them in doubt, and how much of what the first of them explained it must explain alone.
-const BESIDE: f64 = 0.08;
+const BESIDE: f64 = 0.06;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
