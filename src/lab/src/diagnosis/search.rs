@@ -23,9 +23,9 @@ const SURE: f64 = 2.0;
 const LATER_REMAINING: f64 = 0.25;
 const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
-/// Shares of the original excess, and of what the names left of it, that something without a name must explain beside the
-/// names to put them in doubt, and how much of what the first of them explained it must explain alone.
-const BESIDE: f64 = 0.06;
+/// Share of the original excess that something without a name must explain beside the names to put them in doubt, counted by
+/// how much of what the first of them explained it explained alone; and shares of what the names left and of that.
+const BESIDE: f64 = 0.045;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
@@ -189,12 +189,14 @@ impl Search {
     pub fn may_have_no_name(&self) -> bool {
         let [first, .., last] = &self.rounds[..] else { return false };
         let (Some(left), Some(named)) = (last.tried.first(), self.added.first()) else { return false };
-        let as_much =
-            |t: &Tried| t.candidate.effect == left.candidate.effect && t.evidence.share >= ALONE * named.evidence.share;
+        let Some(at_first) = first.tried.iter().find(|t| t.candidate.effect == left.candidate.effect) else {
+            return false;
+        };
+        let alone = at_first.evidence.share / named.evidence.share;
         left.candidate.unnamed.is_some()
-            && left.evidence.of_all >= BESIDE
+            && alone >= ALONE
+            && left.evidence.of_all * alone >= BESIDE
             && left.evidence.share >= BESIDE_LEFT
-            && first.tried.iter().any(as_much)
     }
 
     /// Whether a single effect that does not stand does so in another form, which then takes its place.
