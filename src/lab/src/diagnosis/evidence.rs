@@ -152,6 +152,8 @@ pub const FEATURES: usize = 8;
 /// How much steeper the logistic is for names that are given: it was fitted to all that may be named, of which the bars beside it
 /// take the wrong ones back (Platt, in *Advances in Large Margin Classifiers*, 2000; on the same seeds).
 const STEEPER: f64 = 1.4;
+/// Most that is claimed: as many hidden effects as were tried show no more.
+const SUREST: f64 = 0.99;
 
 /// Share of an excess, both in σ² per independent sample, beyond what the form of right names leaves.
 pub fn share_beyond_form(fall: f64, excess: f64) -> f64 {
@@ -227,6 +229,6 @@ impl Evidence {
     /// Probability that the name is right.
     pub fn confidence(&self) -> f64 {
         let sum: f64 = self.features().iter().zip(WEIGHTS).map(|(f, w)| f * w).sum();
-        1.0 / (1.0 + (-STEEPER * sum).exp())
+        (1.0 / (1.0 + (-STEEPER * sum).exp())).min(SUREST)
     }
 }
