@@ -104,40 +104,45 @@ const EMPTIES: f64 = 10.0;
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Bypass form: how fast z grows towards ±1, and how fast it falls towards 0, both per τ; `z` or anything of its sign.
+    /// Bypass form: how fast z grows towards ±1, per τ.
     #[inline(always)]
-    fn pace<R: Real>(&self, force: R, z: R) -> (R, R) {
-        let fills = (force * self.per_force).tanh();
-        let size = fills.abs();
-        if fills.value() * z.value() < 0.0 {
-            return (fills, size.plus(EMPTIES));
+    fn grows<R: Real>(&self, force: R) -> R {
+        (force * self.per_force).tanh()
+    }
+
+    /// Bypass form: how fast it falls towards 0 while it grows so; `z` or anything of its sign.
+    #[inline(always)]
+    fn falls<R: Real>(&self, force: R, grows: R, z: R) -> R {
+        let size = grows.abs();
+        if grows.value() * z.value() < 0.0 {
+            return size.plus(EMPTIES);
         }
         let of_idle = force * (self.per_force * (1.0 / IDLE));
-        (fills, size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES)
+        size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES
     }
 
     /// Bypass form: where z settles.
     #[inline(always)]
     pub(crate) fn settles(&self, force: f64) -> f64 {
-        let (grows, falls) = self.pace(force, force);
-        grows / falls
+        let grows = self.grows(force);
+        grows / self.falls(force, grows, force)
     }
 
     /// Bypass form: rate of z, 1/s.
     #[inline(always)]
     pub(crate) fn fills<R: Real>(&self, force: R, z: R) -> R {
-        let (grows, falls) = self.pace(force, z);
-        (grows - z * falls) * self.per_time
+        let grows = self.grows(force);
+        (grows - z * self.falls(force, grows, z)) * self.per_time
     }
 
     /// Bypass form: z after an implicit stage that is `known` at its start.
     #[inline(always)]
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
+        let grows = self.grows(force);
         // The sign of z is that of the sum, whichever chamber it is.
-        let sum = known + (force * self.per_force).tanh() * per;
-        let (_, falls) = self.pace(force, sum);
-        sum * (falls * per).plus(1.0).inverse()
+        let sum = known + grows * per;
+        sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }
 
     /// Bypass form: flow, m/s.

@@ -105,10 +105,10 @@ impl Hypothesis {
 
     /// The segment with the temperatures that the damper's own heating gives it.
     fn warmed<'a>(&self, test: &'a Test, place: usize, theta: &[f64]) -> std::borrow::Cow<'a, Segment> {
-        match (&self.heating, self.exponential(&Free::Cooling, theta)) {
-            (Some(heating), Some(cooling)) => {
-                let free = self.exponential(&Free::HeatCapacity, theta);
-                let rise = heating.rise(place, cooling) / free.unwrap_or_else(|| self.base.scalar("heat_capacity"));
+        let free = |free| self.exponential(&free, theta);
+        match (&self.heating, free(Free::Cooling), free(Free::HeatCapacity)) {
+            (Some(heating), Some(cooling), Some(capacity)) => {
+                let rise = heating.rise(place, cooling) / capacity;
                 let mut segment = test.segment.clone();
                 for input in &mut segment.input {
                     input.temperature += rise;

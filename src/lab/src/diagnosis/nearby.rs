@@ -23,16 +23,4 @@ impl Nearby {
     pub fn residual(&self, hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         Some(hypothesis.residual_by(Accuracy::Cheap, tests, theta)? + &self.off)
     }
-
-    /// Derivative of the weighted forces over one number, by a difference from the residuals there.
-    pub fn column(
-        &self,
-        hypothesis: &Hypothesis,
-        tests: &[Test],
-        theta: &[f64],
-        at: &Residual,
-        place: usize,
-    ) -> Option<Residual> {
-        hypothesis.column(theta, at, place, |theta| self.residual(hypothesis, tests, theta))
-    }
 }

@@ -110,11 +110,12 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         .filter_map(|place| {
             let s = &screened[*place];
             let first = hypothesis.numbers.len();
-            let (mut start, mut residual) = (s.start.clone(), nearby.residual(&s.hypothesis, tests, &s.start)?);
+            let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
+            let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
             if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
                 // The base gave way to first order, which may be further than it goes: then it had better stay.
                 let still = s.hypothesis.start();
-                let there = nearby.residual(&s.hypothesis, tests, &still)?;
+                let there = residual_at(&still)?;
                 if there.norm_squared() < residual.norm_squared() {
                     (start, residual) = (still, there);
                 }
@@ -122,7 +123,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             let mut jacobian = DMatrix::zeros(at.residual.len(), start.len());
             jacobian.columns_mut(0, first).copy_from(&at.jacobian);
             for k in first..start.len() {
-                jacobian.set_column(k, &nearby.column(&s.hypothesis, tests, &start, &residual, k)?);
+                jacobian.set_column(k, &s.hypothesis.column(&start, &residual, k, residual_at)?);
             }
             Some(Started { place: *place, start, jacobian })
         })

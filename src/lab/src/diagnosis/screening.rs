@@ -102,8 +102,8 @@ pub fn screen(
     tests: &[Test],
     nearby: &Nearby,
 ) -> Vec<Screened> {
-    let left = projection.rest(&at.residual);
     let answer = projection.answer(&at.residual);
+    let left = projection.rest_of(&at.residual, &answer);
     let jobs: Vec<(usize, &Candidate, &Start)> =
         candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
     jobs.par_iter()

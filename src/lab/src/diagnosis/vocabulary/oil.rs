@@ -92,12 +92,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         )
     });
     let fade = |source: f64, reference: f64| {
-        vec![
-            ("fade_source", source),
-            ("fade_reference", reference),
-            ("fade_slackening", 1.0 / (reference + VOGEL)),
-            ("heat_capacity", 1000.0),
-        ]
+        vec![("fade_source", source), ("fade_reference", reference), ("fade_slackening", 1.0 / (reference + VOGEL))]
     };
     if s.temperature_measured {
         all.push(Candidate {
