@@ -36,6 +36,12 @@ pub enum ProvingError {
     /// No folder for the records.
     #[error("no folder for the records: {0}")]
     Folder(#[from] std::io::Error),
+    /// The model gives no finite force.
+    #[error("the base model gives no finite force for the case's records")]
+    NotFinite,
+    /// Samples that cannot be compared.
+    #[error("the case's records have other samples than those of the neutral damper")]
+    OtherSamples,
     /// No strength makes this severity with these tests.
     #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
     OutOfReach {

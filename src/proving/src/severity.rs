@@ -1,10 +1,14 @@
 //! Severity: what refitting the base model cannot absorb of an effect, in units of the noise; and the strength that makes
 //! it.
+//!
+//! The neutral damper too leaves something, since the base model's form is not quite its own. Severity is the root mean
+//! square of the difference between what the two leave: a difference of two such figures would count where the effect
+//! happens to point along what is left anyway.
 
 use crate::ProvingError;
 use crate::case::{base_model, read, without_noise};
 use dashpot_core::Params;
-use dashpot_lab::diagnosis::unabsorbed;
+use dashpot_lab::diagnosis::refitted;
 use dashpot_lab::records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
@@ -19,10 +23,12 @@ const LEAST_NOISE: f64 = 0.5;
 
 /// The neutral damper's campaign, against which an effect is measured.
 pub struct Ground {
+    /// The base model refitted to it.
     base: Params,
-    percent: f64,
-    /// What the neutral damper itself leaves, in units of the noise.
-    own: f64,
+    /// Noise of each record, N.
+    noise: Vec<f64>,
+    /// What the base model leaves of it, in units of the noise.
+    own: Vec<f64>,
 }
 
 fn seen(records: &[Record]) -> Vec<&Record> {
@@ -39,21 +45,16 @@ impl Ground {
         let mut base = base_model(&seen(&clean))?;
         // A name of the kernel's own list.
         let _ = base.enable("side_force_friction", knows_side_force);
-        let mut ground = Ground { base, percent, own: 0.0 };
-        ground.own = ground.left(&clean);
-        Ok(ground)
-    }
-
-    fn left(&self, clean: &[Record]) -> f64 {
-        let records = seen(clean);
+        let records = seen(&clean);
         let noise: Vec<f64> = records
             .iter()
             .map(|r| {
                 let rms = (r.force.iter().map(|f| f * f).sum::<f64>() / r.force.len().max(1) as f64).sqrt();
-                0.01 * self.percent * rms + LEAST_NOISE
+                0.01 * percent * rms + LEAST_NOISE
             })
             .collect();
-        unabsorbed(&records, &noise, &self.base).unwrap_or(f64::INFINITY)
+        let (base, own) = refitted(&records, &noise, &base).ok_or(ProvingError::NotFinite)?;
+        Ok(Ground { base, noise, own })
     }
 
     /// Severity of a campaign.
@@ -61,8 +62,13 @@ impl Ground {
     /// # Errors
     /// What the reader refuses.
     pub fn severity(&self, campaign: &Campaign) -> Result<f64, ProvingError> {
-        let left = self.left(&read(&without_noise(campaign))?);
-        Ok((left * left - self.own * self.own).max(0.0).sqrt())
+        let clean = read(&without_noise(campaign))?;
+        let (_, left) = refitted(&seen(&clean), &self.noise, &self.base).ok_or(ProvingError::NotFinite)?;
+        if left.len() != self.own.len() {
+            return Err(ProvingError::OtherSamples);
+        }
+        let of_effect: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
+        Ok((of_effect / left.len().max(1) as f64).sqrt())
     }
 
     /// The strength at which an effect has the severity asked for.

@@ -485,9 +485,9 @@ pub fn meaning(effect: &str) -> String {
     }
 }
 
-/// What refitting a model leaves of noise-free records, in units of the noise stated for each: root mean square over all
-/// samples. `None` where the model gives no finite force.
-pub fn unabsorbed(records: &[&Record], noise: &[f64], params: &Params) -> Option<f64> {
+/// A model refitted to noise-free records, and what it leaves of every sample in units of the noise stated for each record.
+/// `None` where the model gives no finite force.
+pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(Params, Vec<f64>)> {
     let mut tests = samples::tests(records);
     for test in &mut tests {
         let noise = noise[test.record];
@@ -495,7 +495,7 @@ pub fn unabsorbed(records: &[&Record], noise: &[f64], params: &Params) -> Option
     }
     let base = Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: None };
     let found = refit::refit(&base, &tests, &base.start(), None, refit::Effort::FINE)?;
-    Some(rms(found.residual.as_slice()))
+    Some((base.params(&found.theta), found.residual.as_slice().to_vec()))
 }
 
 /// The mean cycle's force of every record, by name, at the samples that a diagnosis looks at.
