@@ -119,7 +119,7 @@ const SHARE: f64 = 0.4;
 const LATER_SHARE: f64 = 0.25;
 const SPONGE_SHARE: f64 = 0.55;
 /// The same where the force changes from cycle to cycle, which the effect does not: it then fits its mean.
-const UNSETTLED_SHARE: f64 = 0.7;
+const UNSETTLED_SHARE: f64 = 0.8;
 const UNSETTLED_SPONGE_SHARE: f64 = 0.85;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.

@@ -2,7 +2,7 @@
 
 use super::nearby::Nearby;
 use super::refit::{Effort, Refit, refit, refit_by};
-use super::samples::Test;
+use super::samples::{Test, Thin};
 use super::screening::Screened;
 use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
@@ -33,37 +33,63 @@ pub struct Started {
     pub jacobian: DMatrix<f64>,
 }
 
-/// Refits in three heats: by the cheap integration a few steps for all and more for the better half, then exactly, with a
-/// Jacobian of their own, the best forms of the likeliest effects, since an updated one stops short of the best. `before` is
-/// the cost without any of them, `excess` what of it is no noise.
-pub fn race(
-    started: Vec<Started>,
-    screened: &[Screened],
-    list: &[Candidate],
-    tests: &[Test],
-    nearby: &Nearby,
-    before: f64,
-    excess: f64,
-) -> Vec<(usize, Refit)> {
-    let of = |place: usize| &screened[place].hypothesis;
-    let look = |place: usize, start: &[f64], jacobian: DMatrix<f64>, effort: Effort| {
-        let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
-        refit_by(of(place), tests, start, Some(jacobian), effort, &residual)
-    };
-    let mut refits: Vec<(usize, Refit)> = started
-        .into_par_iter()
-        .filter_map(|s| Some((s.place, look(s.place, &s.start, s.jacobian, Effort::LOOK)?)))
-        .collect();
-    let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+/// Who runs, and on what.
+pub struct Course<'a> {
+    /// The starts screened.
+    pub screened: &'a [Screened],
+    /// Their candidates.
+    pub list: &'a [Candidate],
+    /// All samples.
+    pub tests: &'a [Test],
+    /// Cheap residuals at all of them.
+    pub nearby: &'a Nearby,
+    /// Half of the samples.
+    pub thin: &'a Thin,
+    /// Cheap residuals at those.
+    pub roughly: &'a Nearby,
+}
 
-    by_cost(&mut refits);
-    let started = refits.iter().filter(|r| before - r.1.cost > STARTED * excess).count();
-    let rest = refits.split_off(started.min(GO_ON));
-    let mut refits: Vec<(usize, Refit)> = refits
-        .into_par_iter()
-        .filter_map(|(place, known)| Some((place, look(place, &known.theta, known.jacobian, Effort::COMPARE)?)))
+/// Refits in three heats: by the cheap integration a few steps for all at half of the samples, and more at all samples for
+/// the best; then exactly, with a Jacobian of their own, the best forms of the likeliest effects, since an updated one stops
+/// short of the best. `before` is the cost without any of them, at all samples and at half of them, `excess` what of it is
+/// no noise.
+pub fn race(started: Vec<Started>, course: &Course, before: (f64, f64), excess: f64) -> Vec<(usize, Refit)> {
+    let Course { screened, list, tests, nearby, thin, roughly } = *course;
+    let of = |place: usize| &screened[place].hypothesis;
+    let (before, before_thin) = before;
+    let first_heat = |s: Started| {
+        let residual = |theta: &[f64]| roughly.residual(of(s.place), &thin.tests, theta);
+        Some((s.place, refit_by(of(s.place), &thin.tests, &s.start, Some(s.jacobian), Effort::LOOK, &residual)?))
+    };
+    let mut ahead: Vec<(usize, Refit)> = started.into_par_iter().filter_map(first_heat).collect();
+    let by_cost = |refits: &mut Vec<(usize, Refit)>| refits.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+    by_cost(&mut ahead);
+    let worth = |r: &(usize, Refit)| thin.share * (before_thin - r.1.cost) > STARTED * excess;
+    let go_on = ahead.iter().filter(|r| worth(r)).count().min(GO_ON);
+    let rest = ahead.split_off(go_on);
+    let second_heat = |(place, known): (usize, Refit)| {
+        let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
+        Some((place, refit_by(of(place), tests, &known.theta, None, Effort::COMPARE, &residual)?))
+    };
+    let as_it_is = |(place, known): (usize, Refit)| {
+        let residual = nearby.residual(of(place), tests, &known.theta)?;
+        let jacobian = nearby.jacobian(of(place), tests, &known.theta, &residual)?;
+        Some((place, Refit::at(of(place), known.theta, residual, jacobian)))
+    };
+    // Of an effect that stays behind, the best start says enough.
+    let mut effects: Vec<&str> = ahead.iter().map(|r| list[screened[r.0].candidate].effect).collect();
+    let rest: Vec<(usize, Refit)> = rest
+        .into_iter()
+        .filter(|r| {
+            let effect = list[screened[r.0].candidate].effect;
+            !effects.contains(&effect) && {
+                effects.push(effect);
+                true
+            }
+        })
         .collect();
-    refits.extend(rest);
+    let mut refits: Vec<(usize, Refit)> = ahead.into_par_iter().filter_map(second_heat).collect();
+    refits.extend(rest.into_par_iter().filter_map(as_it_is).collect::<Vec<_>>());
     by_cost(&mut refits);
     let best = refits.first().map_or(0.0, |best| before - best.1.cost);
     let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());

@@ -51,6 +51,15 @@ pub struct Refit {
     pub cost: f64,
 }
 
+impl Refit {
+    /// An explanation as it stands at `theta`.
+    pub fn at(hypothesis: &Hypothesis, theta: Vec<f64>, residual: Residual, jacobian: DMatrix<f64>) -> Refit {
+        let chi2 = chi2(&residual);
+        let cost = chi2 + prior_cost(hypothesis, &theta);
+        Refit { theta, residual, jacobian, chi2, cost }
+    }
+}
+
 /// χ² of residuals under Huber's loss.
 ///
 /// The allowed error of a sample is already that of correlated noise, so a sum over all samples counts each piece of

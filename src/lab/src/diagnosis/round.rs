@@ -4,16 +4,15 @@ use super::evidence::{Evidence, effective_count, is_unsettled, left_out};
 use super::far_fetched::{Plausibility, plausibility};
 use super::hypothesis::Hypothesis;
 use super::nearby::Nearby;
-use super::race::{Started, race};
+use super::race::{Course, Started, race};
 use super::refit::Refit;
-use super::samples::Test;
+use super::samples::{Test, Thin};
 use super::screening::{Projection, Screened, screen};
 use super::search::{Added, QUIET};
 use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
 use crate::identification::sensitivity::Accuracy;
 use crate::records::Record;
-use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -93,7 +92,15 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         Some(jacobian) => Refit { jacobian, ..at.clone() },
         None => at.clone(),
     };
-    let projection = Projection::new(hypothesis, &at);
+    let nearby = Nearby::new(hypothesis, &at, tests)?;
+    let thin = Thin::new(tests);
+    let at_thin = Refit::at(
+        hypothesis,
+        at.theta.clone(),
+        at.residual.select_rows(&thin.rows),
+        at.jacobian.select_rows(&thin.rows),
+    );
+    let projection = Projection::new(hypothesis, &at_thin);
     let situation = Situation::new(&hypothesis.params(&at.theta), ground.records, tests);
     let list: Vec<Candidate> = candidates(&situation)
         .into_iter()
@@ -101,18 +108,17 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             (c.unnamed.is_some() || (ground.allowed)(c.effect)) && !added.iter().any(|a| a.candidate.effect == c.effect)
         })
         .collect();
-    let nearby = Nearby::new(hypothesis, &at, tests)?;
-    let screened = screen(hypothesis, &at, &projection, &list, tests, &nearby);
+    let roughly = Nearby::new(hypothesis, &at_thin, &thin.tests)?;
+    let screened = screen(hypothesis, &at_thin, &projection, &list, &thin.tests, &roughly);
     progress("refitting everything with each likely effect");
     let chosen = choose(&screened, &list);
     let started: Vec<Started> = chosen
         .par_iter()
         .filter_map(|place| {
             let s = &screened[*place];
-            let first = hypothesis.numbers.len();
-            let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
+            let residual_at = |theta: &[f64]| roughly.residual(&s.hypothesis, &thin.tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
-            if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
+            if !s.moved && residual.norm_squared() > at_thin.residual.norm_squared() {
                 // The base gave way to first order, which may be further than it goes: then it had better stay.
                 let still = s.hypothesis.start();
                 let there = residual_at(&still)?;
@@ -120,16 +126,13 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
                     (start, residual) = (still, there);
                 }
             }
-            let mut jacobian = DMatrix::zeros(at.residual.len(), start.len());
-            jacobian.columns_mut(0, first).copy_from(&at.jacobian);
-            for k in first..start.len() {
-                jacobian.set_column(k, &s.hypothesis.column(&start, &residual, k, residual_at)?);
-            }
+            let jacobian = roughly.jacobian(&s.hypothesis, &thin.tests, &start, &residual)?;
             Some(Started { place: *place, start, jacobian })
         })
         .collect();
     let excess = (at.chi2 - ground.floor).max(1e-9);
-    let refits = race(started, &screened, &list, tests, &nearby, at.cost, excess);
+    let course = Course { screened: &screened, list: &list, tests, nearby: &nearby, thin: &thin, roughly: &roughly };
+    let refits = race(started, &course, (at.cost, at_thin.cost), excess);
     let unsettled = is_unsettled(tests) && !added.iter().any(|a| a.candidate.remembers);
     let base_left_out = left_out(tests, &at);
     let count = effective_count(tests).ln();
@@ -187,7 +190,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         let seen = screened
             .iter()
             .filter(|s| list[s.candidate].effect == candidate.effect)
-            .map(|s| s.visible)
+            .map(|s| thin.share * s.visible)
             .fold(0.0, f64::max);
         if !invisible.iter().any(|(name, _)| *name == candidate.effect) {
             invisible.push((candidate.effect, seen));

@@ -7,6 +7,9 @@ mod allowed;
 mod cycle;
 mod noise;
 mod road;
+mod thin;
+
+pub use thin::Thin;
 
 use crate::identification::segment::Segment;
 use crate::motion::smooth;
