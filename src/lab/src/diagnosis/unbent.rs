@@ -1,14 +1,20 @@
 //! A series element that the base bent to take up what was missing, and that stays bent once the effect is there.
+//!
+//! A soft spring with a strong damper beside it is a damper in series: it takes a velocity F/c_s out of the FV curve, which
+//! has given way to it. Put straight, both go back.
 
 use super::evidence::{effective_count, noise_chi2};
 use super::hypothesis::{Free, Hypothesis};
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
 use super::search::QUIET;
-use crate::identification::unknowns::Unknown;
+use crate::identification::unknowns::{CurveName, Unknown, anchor};
 
 /// How many times stiffer and softer is tried.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
+/// Share of the largest amplitude by which a series element that is such as no damper has, put straight, yields to the
+/// largest force.
+const STRAIGHT: f64 = 0.02;
 /// Damping ratio of the internal mass on a series element as it is built.
 const RATIO: f64 = 0.2;
 /// Share of the excess that a few steps from there may lie above it to go on, and by which the end must lie below it.
@@ -36,23 +42,25 @@ pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
 
 /// The refit, or a better one from a series element far off: between the two the fit gets worse first.
 pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
-    let place = |unknown| hypothesis.place_of(&Free::Model(unknown));
-    let Some(stiffness) = place(Unknown::Log("series_stiffness")) else { return refitted };
-    let damping = place(Unknown::Linear("series_damping"));
+    let Some(stiffness) = place(hypothesis, Unknown::Log("series_stiffness")) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
     let mut best = refitted;
-    for times in TIMES {
+    let straight = is_bent(hypothesis, tests, &best.theta).then_some(None);
+    for times in straight.into_iter().chain(TIMES.map(Some)) {
         let excess = best.chi2 - floor;
         if excess < quiet {
             break;
         }
-        let mut start = best.theta.clone();
-        start[stiffness] += f64::ln(times);
-        if let Some(damping) = damping {
-            let mass = hypothesis.params(&best.theta).scalar("internal_mass");
-            start[damping] = 2.0 * RATIO * (start[stiffness].exp() * mass).sqrt();
-        }
-        let end = refit(hypothesis, tests, &start, None, Effort::LOOK)
+        let (start, first) = match times {
+            None => (straightened(hypothesis, tests, &best.theta), Effort::COMPARE),
+            Some(times) => {
+                let mut start = best.theta.clone();
+                start[stiffness] += f64::ln(times);
+                set_damping(hypothesis, &mut start);
+                (start, Effort::LOOK)
+            }
+        };
+        let end = refit(hypothesis, tests, &start, None, first)
             .filter(|there| there.cost < best.cost + NEAR * excess)
             .and_then(|there| refit(hypothesis, tests, &there.theta, None, Effort::FINE))
             .filter(|there| there.cost < best.cost - BETTER * excess);
@@ -61,6 +69,48 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
         }
     }
     best
+}
+
+fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
+    hypothesis.place_of(&Free::Model(unknown))
+}
+
+/// Gives the series element the damping that it has as it is built.
+fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
+    if let Some(damping) = place(hypothesis, Unknown::Linear("series_damping")) {
+        let model = hypothesis.params(theta);
+        theta[damping] = 2.0 * RATIO * (model.scalar("series_stiffness") * model.scalar("internal_mass")).sqrt();
+    }
+}
+
+/// The numbers with a stiff series element; what its damper took of the velocity, the FV curve takes.
+fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
+    let model = hypothesis.params(theta);
+    let most = |of: fn(&Test) -> f64| tests.iter().map(of).fold(0.0, f64::max);
+    let mut start = theta.to_vec();
+    if let Some(stiffness) = place(hypothesis, Unknown::Log("series_stiffness")) {
+        let k = most(|t| t.segment.top) / (STRAIGHT * most(|t| t.segment.amplitude)).max(1e-9);
+        let (low, high) = hypothesis.numbers[stiffness].bounds;
+        start[stiffness] = k.ln().clamp(low, high);
+    }
+    set_damping(hypothesis, &mut start);
+    let (velocity, force) = (model.list("fv_velocity"), model.list("fv_force"));
+    let per_force = 1.0 / model.scalar("series_damping").max(1e-9);
+    let whole: Vec<f64> = velocity.iter().zip(force).map(|(v, f)| v + f * per_force).collect();
+    let at = |v: f64| {
+        let right = whole.partition_point(|w| *w < v).clamp(1, whole.len() - 1);
+        let share = (v - whole[right - 1]) / (whole[right] - whole[right - 1]).max(1e-12);
+        force[right - 1] + share.clamp(0.0, 1.0) * (force[right] - force[right - 1])
+    };
+    let straight: Vec<f64> = velocity.iter().map(|v| at(*v)).collect();
+    let zero = anchor(velocity);
+    for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
+        if let Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) = number.free {
+            let inner = if point > zero { point - 1 } else { point + 1 };
+            *value = (straight[point] - straight[inner]).abs();
+        }
+    }
+    start
 }
 
 #[cfg(test)]
@@ -125,5 +175,27 @@ mod tests {
         let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::LOOK }).unwrap();
         let end = unbent(&truth, &tests, there);
         assert!((end.theta[stiffness] - truth.start()[stiffness]).abs() < 0.02, "{}", end.theta[stiffness].exp());
+    }
+
+    #[test]
+    fn put_straight_the_curve_takes_the_velocity_that_the_series_damper_took() {
+        let base = Params::new();
+        let of = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let tests = measured(&of, &[(0.03, 1.0)]);
+        let damping = of.place_of(&Free::Model(Unknown::Linear("series_damping"))).unwrap();
+        let mut bent = of.start();
+        bent[damping] = 8e3;
+        let model = of.params(&straightened(&of, &tests, &bent));
+        let curve = |force: &[f64], v: f64| {
+            let at = base.list("fv_velocity");
+            let right = at.partition_point(|x| *x < v).clamp(1, at.len() - 1);
+            force[right - 1] + (v - at[right - 1]) / (at[right] - at[right - 1]) * (force[right] - force[right - 1])
+        };
+        for (v, force) in model.list("fv_velocity").iter().zip(model.list("fv_force")) {
+            let left = curve(base.list("fv_force"), v - force / 8e3);
+            assert!((force - left).abs() < 1e-6 * left.abs().max(1.0), "{v}: {force}, the valves {left}");
+        }
+        let yields = tests[0].segment.top / model.scalar("series_stiffness");
+        assert!((yields - STRAIGHT * 0.03).abs() < 1e-6, "{yields}");
     }
 }
