@@ -175,7 +175,7 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
     if found.added.is_empty() {
         return true;
     }
-    if found.may_have_no_name() {
+    if found.may_have_no_name(fitted) {
         return false;
     }
     let tests = if left.is_empty() { fitted } else { left };

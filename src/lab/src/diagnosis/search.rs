@@ -28,6 +28,9 @@ const LATER_ORIGINAL: f64 = 0.03;
 const BESIDE: f64 = 0.045;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
+/// Share of the excess that all names together leave, counted the same way, from which what has no name may be what they
+/// stand for: two that explain nearly as much, and neither of them all.
+const INSTEAD: f64 = 0.075;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
 
@@ -184,19 +187,19 @@ impl Search {
         )
     }
 
-    /// Whether something without a name explains more than any effect of what the names left, and at first explained about
-    /// half as much as they: they may be a part of it.
-    pub fn may_have_no_name(&self) -> bool {
-        let [first, .., last] = &self.rounds[..] else { return false };
-        let (Some(left), Some(named)) = (last.tried.first(), self.added.first()) else { return false };
-        let Some(at_first) = first.tried.iter().find(|t| t.candidate.effect == left.candidate.effect) else {
-            return false;
-        };
-        let alone = at_first.evidence.share / named.evidence.share;
-        left.candidate.unnamed.is_some()
-            && alone >= ALONE
-            && left.evidence.of_all * alone >= BESIDE
-            && left.evidence.share >= BESIDE_LEFT
+    /// Whether something without a name may be what the names stand for: at first it explained nearly half as much as they or
+    /// more, and it explains more than any effect of what they left, or they leave much.
+    pub fn may_have_no_name(&self, tests: &[Test]) -> bool {
+        let (Some(first), Some(named)) = (self.rounds.first(), self.added.first()) else { return false };
+        let left = if self.rounds.len() > 1 { self.rounds.last().and_then(|last| last.tried.first()) } else { None };
+        let unexplained = 1.0 - self.together(tests);
+        first.tried.iter().filter(|t| t.candidate.unnamed.is_some()).any(|nameless| {
+            let alone = nameless.evidence.share / named.evidence.share;
+            let beside = left
+                .filter(|left| left.candidate.effect == nameless.candidate.effect)
+                .is_some_and(|left| left.evidence.of_all * alone >= BESIDE && left.evidence.share >= BESIDE_LEFT);
+            alone >= ALONE && (beside || unexplained * alone >= INSTEAD)
+        })
     }
 
     /// Whether a single effect that does not stand does so in another form, which then takes its place.
