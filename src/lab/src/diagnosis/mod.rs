@@ -162,7 +162,7 @@ pub fn diagnose(
 const TOGETHER: f64 = 0.55;
 /// A smaller share will do where so much of the gap is closed on tests that no refit has seen.
 const LESS_TOGETHER: f64 = 0.4;
-const GAP_CLOSED: f64 = 0.2;
+const GAP_CLOSED: f64 = 0.4;
 /// Free numbers from which an effect fits much by itself, and the share that it must close on such tests then.
 const MANY: f64 = 3.0;
 const MANY_CLOSED: f64 = 0.35;
