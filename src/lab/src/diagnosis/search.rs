@@ -190,7 +190,8 @@ impl Search {
     /// Whether something without a name may be what the names stand for: at first it explained nearly half as much as they or
     /// more, and it explains more than any effect of what they left, or they leave much.
     pub fn may_have_no_name(&self, tests: &[Test]) -> bool {
-        let (Some(first), Some(named)) = (self.rounds.first(), self.added.first()) else { return false };
+        // Beside several names it is one more part of what is missing.
+        let (Some(first), [named]) = (self.rounds.first(), &self.added[..]) else { return false };
         let left = if self.rounds.len() > 1 { self.rounds.last().and_then(|last| last.tried.first()) } else { None };
         let unexplained = 1.0 - self.together(tests);
         first.tried.iter().filter(|t| t.candidate.unnamed.is_some()).any(|nameless| {
