@@ -11,18 +11,18 @@ use crate::identification::sensitivity::Accuracy;
 use nalgebra::DMatrix;
 
 /// Where a round begins.
-pub struct Nearby {
+pub struct Nearby<'a> {
     /// What the cheap integration is off there, weighted.
     off: Residual,
     /// The derivatives there.
-    jacobian: DMatrix<f64>,
+    jacobian: &'a DMatrix<f64>,
 }
 
-impl Nearby {
+impl<'a> Nearby<'a> {
     /// At a refitted explanation; `None` where it makes no finite force.
-    pub fn new(hypothesis: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<Nearby> {
+    pub fn new(hypothesis: &Hypothesis, at: &'a Refit, tests: &[Test]) -> Option<Nearby<'a>> {
         let off = &at.residual - hypothesis.residual_by(Accuracy::Cheap, tests, &at.theta)?;
-        Some(Nearby { off, jacobian: at.jacobian.clone() })
+        Some(Nearby { off, jacobian: &at.jacobian })
     }
 
     /// Weighted residuals of an explanation that extends it.
@@ -41,7 +41,7 @@ impl Nearby {
     ) -> Option<DMatrix<f64>> {
         let first = self.jacobian.ncols();
         let mut jacobian = DMatrix::zeros(residual.len(), theta.len());
-        jacobian.columns_mut(0, first).copy_from(&self.jacobian);
+        jacobian.columns_mut(0, first).copy_from(self.jacobian);
         for k in first..theta.len() {
             let column = hypothesis.column(theta, residual, k, |theta| self.residual(hypothesis, tests, theta))?;
             jacobian.set_column(k, &column);

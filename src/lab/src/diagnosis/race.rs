@@ -8,6 +8,7 @@ use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Starts that go on after the first steps of a refit.
 const GO_ON: usize = 8;
@@ -42,11 +43,11 @@ pub struct Course<'a> {
     /// All samples.
     pub tests: &'a [Test],
     /// Cheap residuals at all of them.
-    pub nearby: &'a Nearby,
+    pub nearby: &'a Nearby<'a>,
     /// Half of the samples.
     pub thin: &'a Thin,
     /// Cheap residuals at those.
-    pub roughly: &'a Nearby,
+    pub roughly: &'a Nearby<'a>,
 }
 
 /// Refits in three heats: by the cheap integration a few steps for all at half of the samples, and more at all samples for
@@ -77,19 +78,11 @@ pub fn race(started: Vec<Started>, course: &Course, before: (f64, f64), excess: 
         Some((place, Refit::at(of(place), known.theta, residual, jacobian)))
     };
     // Of an effect that stays behind, the best start says enough.
-    let mut effects: Vec<&str> = ahead.iter().map(|r| list[screened[r.0].candidate].effect).collect();
-    let rest: Vec<(usize, Refit)> = rest
-        .into_iter()
-        .filter(|r| {
-            let effect = list[screened[r.0].candidate].effect;
-            !effects.contains(&effect) && {
-                effects.push(effect);
-                true
-            }
-        })
-        .collect();
+    let effect_of = |r: &(usize, Refit)| list[screened[r.0].candidate].effect;
+    let mut effects: BTreeSet<&str> = ahead.iter().map(effect_of).collect();
+    let rest: Vec<(usize, Refit)> = rest.into_iter().filter(|r| effects.insert(effect_of(r))).collect();
     let mut refits: Vec<(usize, Refit)> = ahead.into_par_iter().filter_map(second_heat).collect();
-    refits.extend(rest.into_par_iter().filter_map(as_it_is).collect::<Vec<_>>());
+    refits.par_extend(rest.into_par_iter().filter_map(as_it_is));
     by_cost(&mut refits);
     let best = refits.first().map_or(0.0, |best| before - best.1.cost);
     let (mut effects, mut forms): (Vec<&str>, Vec<usize>) = (Vec::new(), Vec::new());

@@ -23,13 +23,13 @@ const SURE: f64 = 2.0;
 const LATER_REMAINING: f64 = 0.25;
 const LATER_SPONGE: f64 = 0.5;
 const LATER_ORIGINAL: f64 = 0.03;
-/// Share of the original excess that something without a name must explain beside the names to put them in doubt, counted by
-/// how much of what the first of them explained it explained alone; and shares of what the names left and of that.
+/// Share of the original excess that something without a name must explain beside a single name to put it in doubt, counted
+/// by how much of what the name explained it explained alone; and shares of what the name left and of that.
 const BESIDE: f64 = 0.045;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
-/// Share of the excess that all names together leave, counted the same way, from which what has no name may be what they
-/// stand for: two that explain nearly as much, and neither of them all.
+/// Share of the excess that the name leaves, counted the same way, from which what has no name may be what it stands for: two
+/// that explain nearly as much, and neither of them all.
 const INSTEAD: f64 = 0.075;
 /// Most independent samples a χ² difference may lose for an effect to be taken out again.
 const REMOVABLE: f64 = 6.0;
@@ -187,12 +187,12 @@ impl Search {
         )
     }
 
-    /// Whether something without a name may be what the names stand for: at first it explained nearly half as much as they or
-    /// more, and it explains more than any effect of what they left, or they leave much.
+    /// Whether something without a name may be what a single name stands for: at first it explained nearly half as much or
+    /// more, and it explains more than any effect of what the name left, or the name leaves much.
     pub fn may_have_no_name(&self, tests: &[Test]) -> bool {
         // Beside several names it is one more part of what is missing.
-        let (Some(first), [named]) = (self.rounds.first(), &self.added[..]) else { return false };
-        let left = if self.rounds.len() > 1 { self.rounds.last().and_then(|last| last.tried.first()) } else { None };
+        let ([first, later @ ..], [named]) = (&self.rounds[..], &self.added[..]) else { return false };
+        let left = later.last().and_then(|round| round.tried.first());
         let unexplained = 1.0 - self.together(tests);
         first.tried.iter().filter(|t| t.candidate.unnamed.is_some()).any(|nameless| {
             let alone = nameless.evidence.share / named.evidence.share;

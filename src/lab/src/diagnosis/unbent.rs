@@ -8,7 +8,8 @@ use super::hypothesis::{Free, Hypothesis};
 use super::refit::{Effort, Refit, refit};
 use super::samples::Test;
 use super::search::QUIET;
-use crate::identification::unknowns::{CurveName, Unknown, anchor};
+use crate::identification::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_core::curve::{Curve, Interpolation};
 
 /// How many times stiffer and softer is tried.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
@@ -35,9 +36,12 @@ pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
     }
     let stiffness = model.scalar("series_stiffness");
     let critical = 2.0 * (stiffness * model.scalar("internal_mass")).sqrt();
-    let most = |of: fn(&Test) -> f64| tests.iter().map(of).fold(0.0, f64::max);
-    let yields = most(|t| t.segment.top) / stiffness;
-    model.scalar("series_damping") > DAMPED * critical || yields > YIELDS * most(|t| t.segment.amplitude)
+    let yields = most(tests, |t| t.segment.top) / stiffness;
+    model.scalar("series_damping") > DAMPED * critical || yields > YIELDS * most(tests, |t| t.segment.amplitude)
+}
+
+fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
+    tests.iter().map(of).fold(0.0, f64::max)
 }
 
 /// The refit, or a better one from a series element far off: between the two the fit gets worse first.
@@ -85,29 +89,24 @@ fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
 
 /// The numbers with a stiff series element; what its damper took of the velocity, the FV curve takes.
 fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
-    let model = hypothesis.params(theta);
-    let most = |of: fn(&Test) -> f64| tests.iter().map(of).fold(0.0, f64::max);
+    let mut model = hypothesis.params(theta);
     let mut start = theta.to_vec();
     if let Some(stiffness) = place(hypothesis, Unknown::Log("series_stiffness")) {
-        let k = most(|t| t.segment.top) / (STRAIGHT * most(|t| t.segment.amplitude)).max(1e-9);
+        let k = most(tests, |t| t.segment.top) / (STRAIGHT * most(tests, |t| t.segment.amplitude)).max(1e-9);
         let (low, high) = hypothesis.numbers[stiffness].bounds;
         start[stiffness] = k.ln().clamp(low, high);
     }
     set_damping(hypothesis, &mut start);
-    let (velocity, force) = (model.list("fv_velocity"), model.list("fv_force"));
+    let (velocity, force) = (model.list("fv_velocity").to_vec(), model.list("fv_force").to_vec());
     let per_force = 1.0 / model.scalar("series_damping").max(1e-9);
-    let whole: Vec<f64> = velocity.iter().zip(force).map(|(v, f)| v + f * per_force).collect();
-    let at = |v: f64| {
-        let right = whole.partition_point(|w| *w < v).clamp(1, whole.len() - 1);
-        let share = (v - whole[right - 1]) / (whole[right] - whole[right - 1]).max(1e-12);
-        force[right - 1] + share.clamp(0.0, 1.0) * (force[right] - force[right - 1])
-    };
-    let straight: Vec<f64> = velocity.iter().map(|v| at(*v)).collect();
-    let zero = anchor(velocity);
+    let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
+    let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
+    let straight: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
+    // Forces inside the table stay inside; a refused list would leave the curve as it was.
+    let _ = model.set_list("fv_force", &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
-        if let Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) = number.free {
-            let inner = if point > zero { point - 1 } else { point + 1 };
-            *value = (straight[point] - straight[inner]).abs();
+        if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {
+            *value = Unknowns { base: model, list: vec![rise.clone()] }.start()[0];
         }
     }
     start
@@ -186,13 +185,9 @@ mod tests {
         let mut bent = of.start();
         bent[damping] = 8e3;
         let model = of.params(&straightened(&of, &tests, &bent));
-        let curve = |force: &[f64], v: f64| {
-            let at = base.list("fv_velocity");
-            let right = at.partition_point(|x| *x < v).clamp(1, at.len() - 1);
-            force[right - 1] + (v - at[right - 1]) / (at[right] - at[right - 1]) * (force[right] - force[right - 1])
-        };
+        let valves = Curve::new(base.list("fv_velocity"), base.list("fv_force"), Interpolation::Linear).unwrap();
         for (v, force) in model.list("fv_velocity").iter().zip(model.list("fv_force")) {
-            let left = curve(base.list("fv_force"), v - force / 8e3);
+            let left = valves.at(v - force / 8e3).value;
             assert!((force - left).abs() < 1e-6 * left.abs().max(1.0), "{v}: {force}, the valves {left}");
         }
         let yields = tests[0].segment.top / model.scalar("series_stiffness");

@@ -38,15 +38,8 @@ fn thinned(test: &Test, every: usize) -> Test {
     let whole = &test.segment;
     // Counted from the first scored sample, on both sides of it.
     let kept: Vec<usize> = (whole.from % every..whole.force.len()).step_by(every).collect();
-    let time: Vec<f64> = whole
-        .dt
-        .iter()
-        .scan(0.0, |t, dt| {
-            *t += dt;
-            Some(*t)
-        })
-        .collect();
-    let dt = std::iter::once(0.0).chain(kept.windows(2).map(|pair| time[pair[1]] - time[pair[0]])).collect();
+    let since = |pair: &[usize]| whole.dt[pair[0] + 1..=pair[1]].iter().sum();
+    let dt = std::iter::once(0.0).chain(kept.windows(2).map(since)).collect();
     let segment = Segment {
         dt,
         input: kept.iter().map(|k| whole.input[*k]).collect(),
