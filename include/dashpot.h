@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 6
+#define DASHPOT_ABI_VERSION 7
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -547,8 +547,9 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
 //
 // aeration (element, off by default): air in the oil: the oil column is soft while the force is small
-//   aeration_stroke              stroke that the air takes up to each side, d_a [m, 0 to 0.005, default 3e-4]
+//   aeration_stroke              stroke that the air takes up in rebound, d_a [m, 0 to 0.005, default 3e-4]
 //   aeration_force               force at which half of that stroke is taken, F_a [N, 1 to 10000, default 150]
+//   aeration_compression         stroke that the air takes up in compression, as a share of that in rebound, r_a [-, 0 to 20, default 1]
 //
 // cavitation (element, off by default): cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed
 //   cavitation_force             largest hydraulic force of that stroke, C [N, 10 to 1e6, default 1500]

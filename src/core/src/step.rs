@@ -97,8 +97,14 @@ impl Integration {
             // It swings faster than alone, since the force that it makes moves it (measured: 0.1 % with it).
             frequency = frequency.max(SPOOL * elements.valve_hysteresis.per_time);
         }
-        // Elements in the paths bend the forces more sharply within a step.
-        let sharpness = if acting::is_sharp(elements) { 2.0 } else { 1.0 };
+        // Elements in the paths bend the forces more sharply within a step; a column that turns from soft to hard as the
+        // force changes its sign, most of all.
+        let turns = elements.has_aeration() && !elements.aeration.is_even();
+        let sharpness = match (turns, acting::is_sharp(elements)) {
+            (true, _) => 8.0,
+            (false, true) => 2.0,
+            (false, false) => 1.0,
+        };
         let substeps = params.scalar("substeps") as u32;
         Ok(Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency))
     }

@@ -70,6 +70,26 @@ fn air_softens_small_forces_alone() {
     assert!(small > 0.2 && large < 0.05, "{small} {large}");
 }
 
+/// The soft stroke of the chamber under pressure: with none in compression, that stroke is as hard as oil alone.
+#[test]
+fn air_in_the_rebound_chamber_softens_rebound_alone() {
+    let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
+    let [even, one] = [1.0, 0.0].map(|share| straight(&["aeration"], &[("aeration_compression", share)]));
+    let work = |model: &Model, sign: f64| -> f64 {
+        let points = run(model, &sine(1e-4, 40.0), 2.5e-5, 4000);
+        points[1000..]
+            .iter()
+            .map(|(_, v, o)| o.force * v)
+            .zip(&points[1000..])
+            .filter(|(_, p)| p.2.force * sign > 0.0)
+            .map(|(w, _)| w)
+            .sum()
+    };
+    let off = |model: &Model, sign: f64| 1.0 - work(model, sign) / work(&oil, sign);
+    assert!(off(&even, 1.0) > 0.2 && off(&even, -1.0) > 0.2);
+    assert!(off(&one, 1.0) > 0.2 && off(&one, -1.0).abs() < 0.1, "{} {}", off(&one, 1.0), off(&one, -1.0));
+}
+
 #[test]
 fn free_play_is_a_dead_band_of_its_length() {
     let (gap, k, f0) = (4e-4, 3e6, 10.0);

@@ -5,20 +5,19 @@ use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 use crate::paths::soft_gap::SoftGap;
 
-/// q(F) = F/k_o + d_a F/(|F| + F_a) for the oil column of `oil_compressibility`; k_o is 3e7 N/m where that is off.
+/// q(F) = F/k_o + d F/(|F| + F_a) for the oil column of `oil_compressibility`; k_o is 3e7 N/m where that is off.
+///
+/// The air is in the chamber under pressure: d = d_a in rebound, r_a d_a in compression.
 #[derive(Clone, Copy, Debug)]
-pub struct Aeration(pub(crate) SoftGap);
+pub struct Aeration {
+    rebound: SoftGap,
+    compression: SoftGap,
+}
 
 impl Describe for Aeration {
     const MEANING: &'static str = "air in the oil: the oil column is soft while the force is small";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar(
-            "aeration_stroke",
-            "m",
-            &[3e-4],
-            (0.0, 5e-3),
-            "stroke that the air takes up to each side, d_a",
-        ),
+        Parameter::scalar("aeration_stroke", "m", &[3e-4], (0.0, 5e-3), "stroke that the air takes up in rebound, d_a"),
         Parameter::scalar(
             "aeration_force",
             "N",
@@ -26,13 +25,34 @@ impl Describe for Aeration {
             (1.0, 1e4),
             "force at which half of that stroke is taken, F_a",
         ),
+        Parameter::scalar(
+            "aeration_compression",
+            "-",
+            &[1.0],
+            (0.0, 20.0),
+            "stroke that the air takes up in compression, as a share of that in rebound, r_a",
+        ),
     ];
 }
 
 impl Prepare for Aeration {
-    const OFF: Self = Aeration(SoftGap::CLOSED);
+    const OFF: Self = Aeration { rebound: SoftGap::CLOSED, compression: SoftGap::CLOSED };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(Aeration(SoftGap { gap: p.number(0), softness: p.number(1) }))
+        let of = |gap: f64| SoftGap { gap, softness: p.number(1) };
+        Ok(Aeration { rebound: of(p.number(0)), compression: of(p.number(2) * p.number(0)) })
+    }
+}
+
+impl Aeration {
+    /// The law of the chamber that stands under pressure; `side` is the force, or the deflection, which has its sign.
+    #[inline(always)]
+    pub(crate) fn under(&self, side: f64) -> SoftGap {
+        if side < 0.0 { self.compression } else { self.rebound }
+    }
+
+    /// Whether the column is as soft on the one side as on the other.
+    pub(crate) fn is_even(&self) -> bool {
+        self.rebound.gap == self.compression.gap
     }
 }

@@ -229,10 +229,10 @@ impl Valves {
     }
 }
 
-/// The oil column as air in line with oil, and the oil's compliance.
+/// The oil column as air in line with oil, on the side of a force or deflection, and the oil's compliance.
 #[inline(always)]
-fn column(e: &Elements) -> (SoftGap, f64) {
-    (e.aeration.0, e.oil_compressibility.compliance)
+fn column(e: &Elements, side: f64) -> (SoftGap, f64) {
+    (e.aeration.under(side), e.oil_compressibility.compliance)
 }
 
 /// ℓ, the length of the oil column.
@@ -254,14 +254,14 @@ pub(crate) fn length_in_stage<const ON: u32>(e: &Elements, x: f64, force: f64) -
 /// q(F_h).
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Elements, force: R) -> R {
-    let (air, compliance) = column(e);
+    let (air, compliance) = column(e, force.value());
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
 /// As [`deflection`] in a stage, with its slope.
 #[inline(always)]
 pub(crate) fn deflection_in_stage<const ON: u32>(e: &Elements, force: f64) -> [f64; 2] {
-    let (air, compliance) = column(e);
+    let (air, compliance) = column(e, force);
     if !acts::<ON>(e, AIR) {
         return [force * compliance, compliance];
     }
@@ -272,6 +272,6 @@ pub(crate) fn deflection_in_stage<const ON: u32>(e: &Elements, force: f64) -> [f
 /// F_h = φ_o(q).
 #[inline(always)]
 pub fn column_force<R: Real>(e: &Elements, deflection: R) -> R {
-    let (air, compliance) = column(e);
+    let (air, compliance) = column(e, deflection.value());
     air.force(R::constant(1.0 / compliance), deflection).0
 }

@@ -82,6 +82,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
         ("oil", of(&["oil_compressibility"], &[])),
         ("oil alone", without_series(of(&["oil_compressibility"], &[]))),
         ("aeration", of(&["aeration"], &[])),
+        ("less air in compression", of(&["aeration"], &[("aeration_compression", 0.4)])),
         ("oil and air alone", without_series(of(&["oil_compressibility", "aeration"], &[]))),
         ("cavitation", of(&["cavitation"], &capped)),
         ("cavitation alone", without_series(of(&["cavitation"], &capped))),
