@@ -128,3 +128,26 @@ fn steps_of_any_length_stay_finite() {
         }
     }
 }
+
+/// A far first guess on a hardening spring: oil that holds 10 kJ at rest lets the mass follow any jump.
+#[test]
+fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
+    let mut p = params(&[
+        ("oil_stiffness", 2e4),
+        ("series_stiffness", 493252.0),
+        ("series_damping", 0.0),
+        ("internal_mass", 0.05),
+        ("spring_quartic", 5250072.0),
+        ("fv_interpolation", 1.0),
+    ]);
+    p.enable("oil_compressibility", true).unwrap();
+    p.set_list("fv_velocity", &[-3.0, -2.9993821161933023, 3.0]).unwrap();
+    p.set_list("fv_force", &[-2e4, 2e4, 2e4]).unwrap();
+    let model = Model::new(&p).unwrap();
+    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    for _ in 0..100 {
+        let (next, output) = step(&model, &state, &Input::motion(-0.0992, 0.0), 1.0735e-5);
+        assert!(output.series_deflection.abs() < 0.2, "{output:?}");
+        state = next;
+    }
+}

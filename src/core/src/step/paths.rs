@@ -12,7 +12,7 @@
 
 mod stage;
 
-use super::{Euler, MOST_STAGES, Tableau};
+use super::{Euler, MOST_STAGES, REACH, Tableau};
 use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;

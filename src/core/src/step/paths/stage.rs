@@ -1,6 +1,6 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::{Balance, Known};
+use super::{Balance, Known, REACH};
 use crate::dual::Dual;
 use crate::elements::{Elements, Motion, Relaxed, Response};
 use crate::input::PathPoint;
@@ -358,6 +358,16 @@ impl<const ON: u32> Equation for Stage<'_, ON> {
     }
 }
 
+/// The springs on the mass; straight where it is further from the driven end than a series spring reaches, as in the
+/// plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
+#[inline(always)]
+fn springs(e: &Elements, x: f64, u: f64, driven: f64, temperature: f64) -> Response {
+    let at = if x < driven - REACH { driven - REACH } else { x };
+    let at = if at > driven + REACH { driven + REACH } else { at };
+    let near = e.inner(&Motion { displacement: at, velocity: u, side_force: 0.0, temperature });
+    Response { force: near.force + near.by_x * (x - at), ..near }
+}
+
 impl Look {
     /// Goes straight on by a step of w.
     #[inline(always)]
@@ -419,7 +429,6 @@ impl Look {
             u += oils.value * per;
             u_by_force += oil_void_by[0] * per;
         }
-        let inner = |x: f64, u: f64| e.inner(&Motion { displacement: x, velocity: u, side_force: 0.0, temperature });
         let (mut relaxed, mut relaxing, mut relaxing_by_rate) = (Relaxed::NONE, 0.0, 0.0);
         let (residual, x, law, at, resists);
         if acts::<ON>(e, SERIES) {
@@ -435,7 +444,7 @@ impl Look {
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
             law = series::sloped::<ON>(e, path.x - x, rate, relaxing);
-            at = inner(x, u);
+            at = springs(e, x, u, path.x, temperature);
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
@@ -455,7 +464,7 @@ impl Look {
                 by_curve: u_by_force * valves.by_curve,
             };
             (x, u) = (path.x, path.v);
-            (law, at, resists) = (series::Sloped::NONE, inner(x, u), 1.0);
+            (law, at, resists) = (series::Sloped::NONE, springs(e, x, u, x, temperature), 1.0);
         }
         Look {
             residual,
