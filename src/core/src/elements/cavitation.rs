@@ -241,6 +241,15 @@ impl Cavitation {
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
+    /// The void that carries a lasting force: gas in it expands until the cap is as high. 0 where none has to, or none can.
+    pub(crate) fn rests(&self, force: f64) -> f64 {
+        let share = force * self.sign / self.cap;
+        if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {
+            return 0.0;
+        }
+        (self.short_at_onset / (1.0 - share) - 1.0) / self.per_expansion
+    }
+
     /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {

@@ -196,21 +196,31 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
         let around = Around { x, v, temperature };
         let standing = e.fv_curve.at_zero();
         let mut held = states;
-        let w = {
+        let solve = |states: &[f64; STATES], void_moves: bool| {
             let lifted = states.map(Dual::<2>::constant);
             let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
             let standing = Dual::constant(standing);
             let steady = |w: Dual<2>, f: Dual<2>| {
                 let force = flow(e, f, standing, w, &around, &lifted).force;
-                let void = e.cavitation.rate(force, around.v, lifted[place::VOID]);
-                w + bypass::flow(e, force, around.x, &lifted) + void * e.cavitation.sign - around.v
+                let through = w + bypass::flow(e, force, around.x, &lifted) - around.v;
+                if !void_moves {
+                    return through;
+                }
+                through + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign
             };
-            if e.has_cavitation() || bypass::is_open(e) {
+            if void_moves || bypass::is_open(e) {
                 oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f)).answer()
             } else {
                 v
             }
         };
+        if e.has_cavitation() {
+            let w = solve(&states, false);
+            let whole = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states).force;
+            held[place::VOID] = e.cavitation.rests(whole);
+            states[place::VOID] = held[place::VOID];
+        }
+        let w = solve(&states, e.has_cavitation());
         let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
         held[place::SELECTIVE] =
             if e.has_passage() { e.frequency_selective_damping.settles(flow.force) } else { flow.selective_target };
