@@ -124,7 +124,7 @@ const UNSETTLED_SPONGE_SHARE: f64 = 0.85;
 /// Root mean square of an effect, in units of the noise, below which it is not named: curves through a dozen points and
 /// steps of finite length leave as much.
 const SMALLEST: f64 = 0.2;
-/// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing.
+/// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing, much as it explains.
 const LEFT_OUT: f64 = -0.15;
 /// Numbers from which an effect has many.
 const MANY: usize = 4;
@@ -213,8 +213,11 @@ impl Evidence {
             let only = self.free <= 1.0 && explained >= NEARLY_ALL;
             self.plausible >= 1.0 || (self.plausible > 0.5 && lead >= needed) || (only && lead >= FAR_AHEAD)
         } else {
-            self.numbers < MANY || self.plausible > 0.5 || self.explained() >= NEARLY_ALL
+            let most = if self.numbers < MANY { self.plausible >= 0.5 } else { self.plausible > 0.5 };
+            self.numbers == 1 || most || self.explained() >= NEARLY_ALL
         };
+        // What explains a part and predicts no test better that it has not seen has fitted the rest of something else.
+        let predicts = if self.explained() >= MUCH { self.left_out_gain > LEFT_OUT } else { self.left_out_gain > 0.0 };
         // What is left beside another effect is the memory itself.
         let settled = !(self.sponge && self.unsettled && self.later);
         likely
@@ -222,7 +225,7 @@ impl Evidence {
             && !self.contrary
             && self.explained() >= share
             && self.size >= SMALLEST
-            && self.left_out_gain > LEFT_OUT
+            && predicts
             && self.bic_fall > 10.0
     }
 

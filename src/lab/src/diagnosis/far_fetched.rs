@@ -18,9 +18,8 @@ pub struct Plausibility {
     pub contrary: bool,
 }
 
-/// Looks at an effect's numbers, which are the last of the explanation.
-pub fn plausibility(candidate: &Candidate, hypothesis: &Hypothesis, refit: &Refit) -> Plausibility {
-    let first = hypothesis.numbers.len() - candidate.fresh.len();
+/// Looks at an effect's numbers, which are those of the explanation from `first` on.
+pub fn plausibility(candidate: &Candidate, first: usize, hypothesis: &Hypothesis, refit: &Refit) -> Plausibility {
     let deviations = by_noise(hypothesis, refit);
     let fine = |k: usize| {
         let place = first + k;

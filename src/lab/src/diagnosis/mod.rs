@@ -140,7 +140,7 @@ pub fn diagnose(
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let mut found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
     let stands = |found: &Search| holds(found, records, &fitted, &left);
-    if !stands(&found) && !found.stands_in_another_form(&fitted, &stands) {
+    if found.ended_contrary() || (!stands(&found) && !found.stands_in_another_form(&fitted, &stands)) {
         found.take_back();
     }
     progress(0.92, "looking at what is left");

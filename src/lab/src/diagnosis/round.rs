@@ -139,13 +139,13 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     let judged = |(place, refit): (usize, Refit)| {
         let s = &screened[place];
         let candidate = &list[s.candidate];
-        let fresh = candidate.fresh.len();
         let chi2_fall = at.cost - refit.cost;
         // Numbers that are held near an expected value cost less than free ones.
         let free = candidate.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum::<f64>();
         let predicted = left_out(tests, &refit);
         let gains: Vec<f64> = base_left_out.iter().zip(&predicted).map(|(a, b)| (a / b).ln()).collect();
-        let Plausibility { share: plausible, contrary } = plausibility(candidate, &s.hypothesis, &refit);
+        let first = s.hypothesis.numbers.len() - candidate.fresh.len();
+        let Plausibility { share: plausible, contrary } = plausibility(candidate, first, &s.hypothesis, &refit);
         let evidence = Evidence {
             chi2_fall,
             bic_fall: chi2_fall - free * count,
@@ -156,7 +156,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
             left_out_gain: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
             tests_better: gains.iter().filter(|g| **g > 0.0).count() as f64 / gains.len().max(1) as f64,
             excess: (excess / effective_count(tests)).sqrt(),
-            numbers: fresh,
+            numbers: candidate.fresh.len(),
             free,
             plausible,
             contrary,

@@ -1,6 +1,7 @@
 //! Adding effects one after the other: screen, refit, judge, add, look again, and try to take each out again.
 
 use super::evidence::{Evidence, effective_count, noise_chi2, noise_chi2_deviation, share_beyond_form};
+use super::far_fetched::plausibility;
 use super::finer_curve::with_enough_points;
 use super::hypothesis::{Free, Hypothesis};
 use super::pair::two_at_once;
@@ -201,6 +202,12 @@ impl Search {
                 .is_some_and(|left| left.evidence.of_all * alone >= BESIDE && left.evidence.share >= BESIDE_LEFT);
             alone >= ALONE && (beside || unexplained * alone >= INSTEAD)
         })
+    }
+
+    /// Whether a single effect has, refitted to the end, a number that tells that it is another.
+    pub fn ended_contrary(&self) -> bool {
+        let ([only], (last, end)) = (&self.added[..], &self.last) else { return false };
+        plausibility(&only.candidate, only.numbers.start, last, end).contrary
     }
 
     /// Whether a single effect that does not stand does so in another form, which then takes its place.

@@ -198,11 +198,11 @@ impl Run {
     /// Prepares the run at `theta`; `None` if the parameters do not make a model.
     pub fn new(unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Option<Run> {
         let params = unknowns.params(theta);
-        let prepare = |params: &Params| {
-            let model = Model::new(params).ok()?;
-            Some(model.with_integration(accuracy.integration(params, &model)))
-        };
-        let model = prepare(&params)?;
+        let model = Model::new(&params).ok()?;
+        let integration = accuracy.integration(&params, &model);
+        let model = model.with_integration(integration);
+        // A difference is one of the damper: both its ends take as many substeps.
+        let prepare = |params: &Params| Some(Model::new(params).ok()?.with_integration(integration));
         let mut run = Run {
             model,
             params,
@@ -260,8 +260,7 @@ impl Run {
                     let alone = |mut params: Params| {
                         params.disable_all();
                         params.enable(GROUPS[group].name, run.params.is_on(GROUPS[group].name)).ok()?;
-                        // In as many substeps as the whole.
-                        Some(Model::new(&params).ok()?.with_integration(model.integration()))
+                        prepare(&params)
                     };
                     let (plus, minus) = (alone(moved(step))?, alone(moved(-step))?);
                     run.alone.push(Beside { column, plus, minus, per: 0.5 / step });
