@@ -79,8 +79,8 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "free_play",
         &["free_play"],
-        // A gap closes sharply; what softens over a hundred newtons is air.
-        vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (1.0, 40.0), 0.5)],
+        // A gap closes however sharply; what softens over a hundred newtons is air.
+        vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (0.0, 40.0), 0.5)],
         grid(&[5e-5, 2e-4], &[8.0])
             .into_iter()
             .chain([Start::moving(&[1e-4, 8.0], &[("series_stiffness", 1.3)])])
