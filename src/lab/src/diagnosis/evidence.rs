@@ -229,9 +229,13 @@ impl Evidence {
             && self.bic_fall > 10.0
     }
 
+    /// Logarithm of the odds that the name is right, beyond what is claimed: what orders effects that are all sure.
+    pub fn log_odds(&self) -> f64 {
+        STEEPER * self.features().iter().zip(WEIGHTS).map(|(f, w)| f * w).sum::<f64>()
+    }
+
     /// Probability that the name is right.
     pub fn confidence(&self) -> f64 {
-        let sum: f64 = self.features().iter().zip(WEIGHTS).map(|(f, w)| f * w).sum();
-        (1.0 / (1.0 + (-STEEPER * sum).exp())).min(SUREST)
+        (1.0 / (1.0 + (-self.log_odds()).exp())).min(SUREST)
     }
 }

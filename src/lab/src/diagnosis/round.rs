@@ -184,7 +184,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         entry.confidence = entry.evidence.confidence();
     }
     // What fits best is not always likeliest: it may need numbers that no damper shows.
-    tried.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
+    tried.sort_by(|a, b| b.evidence.log_odds().total_cmp(&a.evidence.log_odds()));
     let mut invisible: Vec<(&'static str, f64)> = Vec::new();
     for candidate in list.iter().filter(|c| c.unnamed.is_none()) {
         let seen = screened

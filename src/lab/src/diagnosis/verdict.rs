@@ -156,6 +156,11 @@ pub fn rivals(round: &Round) -> Vec<Rival> {
     round.named().skip(1).take(4).map(|t| rival(t, best)).collect()
 }
 
+/// Whether it adds a force that never changes: gas and the zero of a load cell are one to all records in motion.
+fn is_constant(t: &Tried) -> bool {
+    matches!((t.candidate.effect, t.candidate.form), ("gas_preload" | "force_offset", ""))
+}
+
 fn rival(t: &Tried, best: &Tried) -> Rival {
     let why = if std::ptr::eq(t, best) {
         format!("explains {:.0} % of the excess", 100.0 * t.evidence.share)
@@ -163,6 +168,8 @@ fn rival(t: &Tried, best: &Tried) -> Rival {
         "brings less than its numbers cost".to_owned()
     } else if t.evidence.plausible < 1.0 && t.evidence.share > best.evidence.share - AS_WELL {
         "needs numbers that no damper shows".to_owned()
+    } else if is_constant(t) && is_constant(best) {
+        "the same constant force: to be sure, read the load cell with the damper hooked out".to_owned()
     } else {
         format!(
             "explains {:.0} % of the excess, {} {:.0} %",
