@@ -126,6 +126,8 @@ const UNSETTLED_SPONGE_SHARE: f64 = 0.85;
 const SMALLEST: f64 = 0.2;
 /// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing, much as it explains.
 const LEFT_OUT: f64 = -0.15;
+/// Share of the excess below which it explains a part.
+const PART: f64 = 0.6;
 /// Numbers from which an effect has many.
 const MANY: usize = 4;
 /// Share of the excess that is nearly all of it.
@@ -217,7 +219,7 @@ impl Evidence {
             self.numbers == 1 || most || self.explained() >= NEARLY_ALL
         };
         // What explains a part and predicts no test better that it has not seen has fitted the rest of something else.
-        let predicts = if self.explained() >= MUCH { self.left_out_gain > LEFT_OUT } else { self.left_out_gain > 0.0 };
+        let predicts = self.left_out_gain > if self.explained() >= PART { LEFT_OUT } else { 0.0 };
         // What is left beside another effect is the memory itself.
         let settled = !(self.sponge && self.unsettled && self.later);
         likely

@@ -21,12 +21,11 @@ pub struct Plausibility {
 /// Looks at an effect's numbers, which are those of the explanation from `first` on.
 pub fn plausibility(candidate: &Candidate, first: usize, hypothesis: &Hypothesis, refit: &Refit) -> Plausibility {
     let deviations = by_noise(hypothesis, refit);
-    let fine = |k: usize| {
+    let fine = |k: usize, (least, most): (f64, f64)| {
         let place = first + k;
         let (number, value, fresh) = (&hypothesis.numbers[place], refit.theta[place], &candidate.fresh[k]);
         let (low, high) = number.bounds;
         let margin = 1e-3 * (high - low).min(number.step);
-        let (least, most) = fresh.plausible;
         let open = DEMANDED * deviations[place];
         let at = |value: f64| physical(&fresh.free, value);
         let shown = at(value + open) >= least && at(value - open) <= most;
@@ -34,7 +33,7 @@ pub fn plausibility(candidate: &Candidate, first: usize, hypothesis: &Hypothesis
         // for something else, where the records press it there.
         let outward = if value <= low + margin && least != 0.0 {
             -1.0
-        } else if value >= high - margin {
+        } else if value >= high - margin && most.is_finite() {
             1.0
         } else {
             0.0
@@ -43,9 +42,10 @@ pub fn plausibility(candidate: &Candidate, first: usize, hypothesis: &Hypothesis
         let pressed = slope * deviations[place] > DEMANDED;
         !pressed && shown
     };
-    let fine: Vec<bool> = (0..candidate.fresh.len()).map(fine).collect();
+    let all = candidate.fresh.iter().enumerate();
     Plausibility {
-        share: fine.iter().filter(|fine| **fine).count() as f64 / fine.len().max(1) as f64,
-        contrary: candidate.fresh.iter().zip(&fine).any(|(fresh, fine)| fresh.telling && !fine),
+        share: all.clone().filter(|(k, fresh)| fine(*k, fresh.plausible)).count() as f64
+            / candidate.fresh.len().max(1) as f64,
+        contrary: all.clone().any(|(k, fresh)| fresh.telling.is_some_and(|range| !fine(k, range))),
     }
 }

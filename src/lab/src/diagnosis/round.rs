@@ -185,6 +185,12 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     }
     // What fits best is not always likeliest: it may need numbers that no damper shows.
     tried.sort_by(|a, b| b.evidence.log_odds().total_cmp(&a.evidence.log_odds()));
+    // Of a family, the one that may be named speaks.
+    if let Some(speaker) = tried.first().filter(|t| !t.convinces()).and_then(|first| {
+        tried.iter().position(|t| family(t.candidate.effect) == family(first.candidate.effect) && t.convinces())
+    }) {
+        tried[..=speaker].rotate_right(1);
+    }
     let mut invisible: Vec<(&'static str, f64)> = Vec::new();
     for candidate in list.iter().filter(|c| c.unnamed.is_none()) {
         let seen = screened

@@ -1,6 +1,6 @@
 //! Friction of rod, piston and guides.
 
-use super::{Candidate, Start, candidate, held, linear, log, telling};
+use super::{Candidate, Start, candidate, held, linear, log};
 use crate::diagnosis::situation::Situation;
 
 /// Power of presliding friction from which it is refined.
@@ -53,7 +53,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                     log("presliding_length", (0.0, 5e-3)),
                     held("presliding_power", (0.0, 8.0), 0.7),
                     // What creeps faster is no friction: its force grows with speed.
-                    telling("presliding_creep", (0.0, 5e-3), 1.5),
+                    held("presliding_creep", (0.0, 5e-3), 1.5).telling((0.0, 5e-3)),
                 ],
                 [1e-4, 3e-4, 9e-4]
                     .iter()

@@ -29,8 +29,8 @@ pub struct Fresh {
     pub plausible: (f64, f64),
     /// Standard deviation of what is expected of it, in its own scale, where it is weakly determined by nature.
     pub deviation: Option<f64>,
-    /// Whether a value that is not plausible tells that it is another effect.
-    pub telling: bool,
+    /// Values outside of which it tells that it is another effect.
+    pub telling: Option<(f64, f64)>,
 }
 
 /// Where a search begins.
@@ -89,7 +89,7 @@ impl Candidate {
 }
 
 fn fresh(free: Free, plausible: (f64, f64)) -> Fresh {
-    Fresh { free, plausible, deviation: None, telling: false }
+    Fresh { free, plausible, deviation: None, telling: None }
 }
 
 fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
@@ -100,9 +100,11 @@ fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..log(name, plausible) }
 }
 
-/// The same where a value that is not plausible tells that it is another effect.
-fn telling(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
-    Fresh { telling: true, ..held(name, plausible, deviation) }
+impl Fresh {
+    /// The same where a value outside of `range` tells that it is another effect.
+    fn telling(self, range: (f64, f64)) -> Fresh {
+        Fresh { telling: Some(range), ..self }
+    }
 }
 
 fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {

@@ -1,6 +1,11 @@
 //! Gas and springs beside the valves.
 
-use super::{Candidate, Start, candidate, held, linear};
+use super::{Candidate, Fresh, Start, candidate, held, linear};
+
+/// The gas column at x = 0, m. One that ends where the stroke does is a stop, not gas; a very long one is a straight spring.
+fn length() -> Fresh {
+    held("gas_length", (0.06, 1.5), 1.0).telling((0.06, f64::INFINITY))
+}
 
 /// Adds them.
 pub(super) fn springs(all: &mut Vec<Candidate>) {
@@ -16,7 +21,7 @@ pub(super) fn springs(all: &mut Vec<Candidate>) {
         ..candidate(
             "gas_spring",
             &["gas_spring"],
-            vec![linear("gas_stiffness", (100.0, 10_000.0)), held("gas_length", (0.06, 1.5), 1.0)],
+            vec![linear("gas_stiffness", (100.0, 10_000.0)), length()],
             [0.07, 0.15, 0.4].map(|l| Start::at(&[1000.0, l])).to_vec(),
         )
     });
@@ -26,11 +31,7 @@ pub(super) fn springs(all: &mut Vec<Candidate>) {
         ..candidate(
             "gas_spring",
             &["gas_spring"],
-            vec![
-                linear("gas_stiffness", (100.0, 10_000.0)),
-                held("gas_length", (0.06, 1.5), 1.0),
-                held("gas_thermal_time", (0.05, 60.0), 1.0),
-            ],
+            vec![linear("gas_stiffness", (100.0, 10_000.0)), length(), held("gas_thermal_time", (0.05, 60.0), 1.0)],
             vec![Start::at(&[1000.0, 0.07, 2.0]), Start::at(&[1000.0, 0.15, 2.0]), Start::at(&[1000.0, 0.4, 2.0])],
         )
     });
