@@ -1,6 +1,7 @@
 //! An explanation with one more effect: switched on, its numbers free, at one of its starts.
 
 use super::hypothesis::{Free, Hypothesis, Number, number};
+use super::spring_end::straighten;
 use super::vocabulary::{Candidate, Fresh, Start};
 use crate::identification::unknowns::{CurveName, Unknown, anchor};
 use dashpot_core::Params;
@@ -32,6 +33,9 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
     }
     if let Some(stroke) = start.unbend {
         unbend(&mut to, stroke);
+    }
+    if let Some(side) = start.straighten {
+        straighten(&mut to, side);
     }
     if start.level > 0.0 {
         level(&mut to, start.level);

@@ -12,6 +12,7 @@
 //! | [`race`] | refits in heats |
 //! | [`nearby`] | cheap residuals beside an explanation that is known exactly |
 //! | [`unbent`] | a series element that the base bent is tried straight |
+//! | [`spring_end`] | a stop that a lookup spring has taken up |
 //! | [`evidence`] | how strongly the records speak for one, and the confidence that deserves |
 //! | [`deviations`] | how far the records leave numbers open |
 //! | [`far_fetched`] | whether the numbers of an effect are such as dampers show |
@@ -45,6 +46,7 @@ mod samples;
 mod screening;
 mod search;
 mod situation;
+mod spring_end;
 mod tie;
 mod unbent;
 mod untestable;

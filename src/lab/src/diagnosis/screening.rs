@@ -119,7 +119,7 @@ pub fn screen(
             let taken_up = projection.answer(&change);
             let response = projection.rest_of(&change, &taken_up);
             let visible = response.norm_squared();
-            let moved = !start.moves.is_empty() || start.unbend.is_some() || start.level > 0.0;
+            let moved = start.moves_the_base();
             let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
             if !moved && visible > 0.0 {
                 // The strength that fits best, as far as the response grows with it.

@@ -43,17 +43,24 @@ pub struct Start {
     /// A stroke (+1 rebound, −1 compression) whose FV branch is drawn on straight from its middle: a capped branch hides the
     /// cap.
     pub unbend: Option<f64>,
+    /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
+    pub straighten: Option<f64>,
     /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
     pub level: f64,
 }
 
 impl Start {
     fn at(values: &[f64]) -> Start {
-        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, level: 0.0 }
+        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, straighten: None, level: 0.0 }
+    }
+
+    /// Whether it moves numbers of the base.
+    pub fn moves_the_base(&self) -> bool {
+        !self.moves.is_empty() || self.unbend.is_some() || self.straighten.is_some() || self.level > 0.0
     }
 
     fn moving(values: &[f64], moves: &[(&'static str, f64)]) -> Start {
-        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, level: 0.0 }
+        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, straighten: None, level: 0.0 }
     }
 }
 

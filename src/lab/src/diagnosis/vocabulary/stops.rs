@@ -2,6 +2,7 @@
 
 use super::{Candidate, Start, candidate, held, linear, log};
 use crate::diagnosis::situation::Situation;
+use crate::diagnosis::spring_end::excess;
 
 /// Adds them.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
@@ -32,6 +33,8 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
             high,
         ),
     ] {
+        let side = if effect == "bump_stop" { -1.0 } else { 1.0 };
+        let hidden = excess(&s.base, side);
         if reach <= 1e-3 {
             continue;
         }
@@ -42,7 +45,17 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 effect,
                 elements,
                 vec![log(names[1], (500.0, 3e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
-                clearances.map(|c| Start::at(&[1e4, c, 0.02])).to_vec(),
+                clearances
+                    .map(|c| Start::at(&[1e4, c, 0.02]))
+                    .into_iter()
+                    // The base may have it in the end of its lookup spring.
+                    .chain(
+                        clearances.into_iter().filter(|_| hidden > 0.0).map(|c| Start {
+                            straighten: Some(side),
+                            ..Start::at(&[0.5 * hidden / (reach - c), c, 0.02])
+                        }),
+                    )
+                    .collect(),
             )
         });
         for (orifice, form) in [(0.0, "hydraulic, gap"), (1.0, "hydraulic, orifice")] {
