@@ -29,6 +29,8 @@ const LATER_ORIGINAL: f64 = 0.03;
 const BESIDE: f64 = 0.045;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
+/// The same share from which the two are one to these records.
+const AS_MUCH: f64 = 0.9;
 /// Share of the excess that the name leaves, counted the same way, from which what has no name may be what it stands for: two
 /// that explain nearly as much, and neither of them all.
 const INSTEAD: f64 = 0.075;
@@ -188,8 +190,8 @@ impl Search {
         )
     }
 
-    /// Whether something without a name may be what a single name stands for: at first it explained nearly half as much or
-    /// more, and it explains more than any effect of what the name left, or the name leaves much.
+    /// Whether something without a name may be what a single name stands for: at first it explained nearly as much; or nearly
+    /// half as much or more, and it explains more than any effect of what the name left, or the name leaves much.
     pub fn may_have_no_name(&self, tests: &[Test]) -> bool {
         // Beside several names it is one more part of what is missing.
         let ([first, later @ ..], [named]) = (&self.rounds[..], &self.added[..]) else { return false };
@@ -200,7 +202,7 @@ impl Search {
             let beside = left
                 .filter(|left| left.candidate.effect == nameless.candidate.effect)
                 .is_some_and(|left| left.evidence.of_all * alone >= BESIDE && left.evidence.share >= BESIDE_LEFT);
-            alone >= ALONE && (beside || unexplained * alone >= INSTEAD)
+            alone >= AS_MUCH || alone >= ALONE && (beside || unexplained * alone >= INSTEAD)
         })
     }
 
