@@ -21,6 +21,8 @@ pub struct Case {
     pub options: Options,
     /// Whether the base model's FV curve runs straight between its points, whatever the damper's own does.
     pub straight_curve: bool,
+    /// Whether the base model is the one that `fit` makes with all that it may use, as a user has it.
+    pub whole_fit: bool,
 }
 
 /// A case that has been measured and whose base model has been identified.
@@ -43,7 +45,7 @@ impl Case {
     /// Nothing hidden, 2 % noise.
     pub fn nothing(seed: u64) -> Case {
         let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
-        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, straight_curve: false }
+        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, straight_curve: false, whole_fit: false }
     }
 
     /// One more effect hidden.
@@ -112,7 +114,8 @@ impl Case {
         let clean = read(&without_noise(&hidden.campaign))?;
         let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
         let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
-        let mut base = base_model(&seen)?;
+        let mut base =
+            if self.whole_fit { fit(&seen, &FitOptions::default(), |_| ())?.params } else { base_model(&seen)? };
         if self.hides_side_force() {
             let _ = base.enable("side_force_friction", false);
         }

@@ -49,7 +49,14 @@ pub fn table(all: &[Outcome]) -> String {
     let _ = writeln!(out, "wrong name given as sure (>= 0.9), anywhere: {}", share(sure, single.len()));
     let extra = single.iter().filter(|o| o.named.len() > 1).count();
     let _ = writeln!(out, "a second name where one is hidden: {}", share(extra, single.len()));
-    for block in ["null_white", "null_coloured", "null_form"] {
+    let whole = of("whole_fit");
+    let _ = writeln!(
+        out,
+        "started from a fit with all elements, right name first: {}; wrong name first: {}",
+        share(whole.iter().filter(|o| right(o)).count(), whole.len()),
+        share(whole.iter().filter(|o| first_wrong(o)).count(), whole.len())
+    );
+    for block in ["null_white", "null_coloured", "null_form", "null_whole_fit"] {
         let some = of(block);
         let _ = writeln!(
             out,

@@ -13,7 +13,11 @@ pub struct Entry {
 }
 
 /// Blocks in the order of the table.
-pub const BLOCKS: [&str; 7] = ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor"];
+pub const BLOCKS: [&str; 9] =
+    ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor", "whole_fit", "null_whole_fit"];
+
+/// Effects that a fit with all elements has itself.
+const FITTED: [&str; 2] = ["stribeck_friction", "side_force_friction"];
 
 /// How many cases of each kind.
 #[derive(Debug, Clone, Copy)]
@@ -30,17 +34,34 @@ pub struct Size {
     pub pairs: u64,
     /// Cases on poor plans.
     pub poor: u64,
+    /// Severities of single effects that are left to a fit with all elements, one seed each; as many cases with nothing hidden.
+    pub whole_fit: &'static [f64],
 }
 
 impl Size {
     /// Hundreds of cases.
-    pub const FULL: Size =
-        Size { seeds: 3, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 60, unknown: 2, pairs: 60, poor: 40 };
+    pub const FULL: Size = Size {
+        seeds: 3,
+        severities: &[0.5, 1.0, 2.0, 4.0],
+        nothing: 60,
+        unknown: 2,
+        pairs: 60,
+        poor: 40,
+        whole_fit: &[1.0, 2.0, 4.0],
+    };
     /// Some ten minutes: the figures in the README.
-    pub const MEDIUM: Size =
-        Size { seeds: 1, severities: &[0.5, 1.0, 2.0, 4.0], nothing: 8, unknown: 1, pairs: 8, poor: 15 };
+    pub const MEDIUM: Size = Size {
+        seeds: 1,
+        severities: &[0.5, 1.0, 2.0, 4.0],
+        nothing: 8,
+        unknown: 1,
+        pairs: 8,
+        poor: 15,
+        whole_fit: &[2.0],
+    };
     /// A few minutes.
-    pub const SHORT: Size = Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4 };
+    pub const SHORT: Size =
+        Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4, whole_fit: &[] };
 }
 
 /// All cases of a size, from a first seed on; no two share a seed.
@@ -89,6 +110,12 @@ pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
         case.plan = plans[k as usize % plans.len()];
         case.options.temperature_channel = k % 2 == 0;
         add("poor", case);
+    }
+    for severity in size.whole_fit {
+        for effect in EFFECTS.iter().filter(|e| !FITTED.contains(e)) {
+            add("whole_fit", Case { whole_fit: true, ..next().hiding(effect, *severity) });
+            add("null_whole_fit", Case { whole_fit: true, ..next() });
+        }
     }
     all
 }
