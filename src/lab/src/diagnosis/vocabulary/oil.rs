@@ -37,14 +37,18 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         "aeration",
         &["aeration"],
         vec![
-            log("aeration_stroke", (2e-5, 3e-3)),
+            log("aeration_stroke", (2e-5, 4.5e-3)),
             held("aeration_force", (40.0, 1500.0), 0.8),
             held("aeration_compression", (0.1, 10.0), 0.7),
         ],
         [[1e-4, 120.0], [1e-4, 300.0], [4e-4, 120.0], [4e-4, 300.0]]
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
-            .chain([Start::moving(&[2e-4, 200.0, 1.0], &[("series_stiffness", 1.4)])])
+            // The base takes air up in its series stiffness, much air nearly whole.
+            .chain(
+                [(2e-4, 1.4), (1e-3, 4.0)]
+                    .map(|(stroke, stiffer)| Start::moving(&[stroke, 200.0, 1.0], &[("series_stiffness", stiffer)])),
+            )
             .collect(),
     ));
     for (side, stroke, top) in [(0.0, -1.0, s.top_compression), (1.0, 1.0, s.top_rebound)] {
