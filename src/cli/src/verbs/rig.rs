@@ -126,7 +126,7 @@ fn strengths(args: &Args, plan: Plan, options: &Options, own_matrix: bool) -> an
             bail!("a severity is in units of the noise, and there is none; give --noise, or strengths (--strength)");
         }
         let options = Options { threads: Some(1), ..options.clone() };
-        found = Case { effects: severities, plan, options, straight_curve: false, whole_fit: false }.strengths()?;
+        found = Case { effects: severities, plan, options, ..Case::nothing(args.seed) }.strengths()?;
     }
     let mut found = found.into_iter();
     Ok(asked

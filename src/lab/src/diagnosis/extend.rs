@@ -3,7 +3,7 @@
 use super::hypothesis::{Free, Hypothesis, Number, number};
 use super::spring_end::straighten;
 use super::vocabulary::{Candidate, Fresh, Start};
-use crate::identification::unknowns::{CurveName, Unknown, anchor};
+use crate::identification::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
 
@@ -121,7 +121,6 @@ fn level(to: &mut Hypothesis, force: f64) {
 fn unbend(to: &mut Hypothesis, stroke: f64) {
     let velocity = to.base.list("fv_velocity").to_vec();
     let zero = anchor(&velocity);
-    let inner = |point: usize| if point > zero { point - 1 } else { point + 1 };
     let rises = |to: &Hypothesis| -> Vec<(usize, usize, f64)> {
         let mut list: Vec<(usize, usize, f64)> = to
             .numbers
@@ -138,7 +137,7 @@ fn unbend(to: &mut Hypothesis, stroke: f64) {
         list
     };
     let list = rises(to);
-    let span = |point: usize| (velocity[point] - velocity[inner(point)]).abs();
+    let span = |point: usize| (velocity[point] - velocity[towards_zero(point, zero)]).abs();
     // The branch turns into a cap somewhere: the slope before that is the last that is not far below the one before.
     let trusted: Vec<f64> = list.iter().filter(|r| velocity[r.1].abs() <= TRUSTED).map(|r| r.2 / span(r.1)).collect();
     let Some(slope) = trusted.last().copied().or_else(|| list.first().map(|r| r.2 / span(r.1))) else { return };

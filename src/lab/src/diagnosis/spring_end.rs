@@ -1,7 +1,7 @@
 //! A lookup spring that has taken up a stop: its end, beyond what its middle goes on to.
 
 use super::hypothesis::{Free, Hypothesis};
-use crate::identification::unknowns::{CurveName, Unknown, anchor};
+use crate::identification::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
 
 /// Share of the reach of the spring that counts as its middle.
@@ -36,9 +36,8 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
     let (zero, slope) = (anchor(&x), middle(&x, &force));
     for number in &mut to.numbers {
         if let Free::Model(Unknown::Rise { curve: CurveName::Spring, point }) = number.free {
-            let inner = if point > zero { point - 1 } else { point + 1 };
             if (x[point] - x[zero]) * side > 0.0 {
-                let straight = slope * (x[point] - x[inner]).abs();
+                let straight = slope * (x[point] - x[towards_zero(point, zero)]).abs();
                 number.start = number.start.min(straight).clamp(number.bounds.0, number.bounds.1);
             }
         }

@@ -71,6 +71,11 @@ pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
 
+/// The next point of a curve on the way to its anchor `zero`: a rise lifts its point above that one.
+pub fn towards_zero(point: usize, zero: usize) -> usize {
+    if point > zero { point - 1 } else { point + 1 }
+}
+
 impl Unknowns {
     /// Unknowns that rise to every point of a curve but its anchor.
     pub fn rises(base: &Params, curve: CurveName) -> Vec<Unknown> {
@@ -91,7 +96,7 @@ impl Unknowns {
                 Unknown::Rise { curve, point } => {
                     let f = self.base.list(curve.forces());
                     let zero = anchor(self.base.list(curve.abscissae()));
-                    let inner = if *point > zero { point - 1 } else { point + 1 };
+                    let inner = towards_zero(*point, zero);
                     (f[*point] - f[inner]).abs()
                 }
             })

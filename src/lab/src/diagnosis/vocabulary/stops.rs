@@ -7,7 +7,7 @@ use crate::diagnosis::spring_end::excess;
 /// Adds them.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
     let (low, high) = s.reach;
-    for (effect, elements, names, reach) in [
+    for (effect, elements, names, side, reach) in [
         (
             "bump_stop",
             &["bump_stop"] as &'static [&'static str],
@@ -18,6 +18,7 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 "bump_stop_progression",
                 "bump_stop_flow",
             ],
+            -1.0,
             -low,
         ),
         (
@@ -30,14 +31,14 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 "rebound_stop_progression",
                 "rebound_stop_flow",
             ],
+            1.0,
             high,
         ),
     ] {
-        let side = if effect == "bump_stop" { -1.0 } else { 1.0 };
-        let hidden = excess(&s.base, side);
         if reach <= 1e-3 {
             continue;
         }
+        let hidden = excess(&s.base, side);
         let clearances = [0.5, 0.7, 0.85].map(|share| share * reach);
         all.push(Candidate {
             form: "rubber",
