@@ -1,7 +1,7 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 //!
 //! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have; `alone` one case after the other, as a user
-//! would wait for them.
+//! would wait for them. `whole` starts a case by name from a fit with all elements.
 
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
@@ -25,6 +25,7 @@ fn main() {
                             let (name, severity) = word.split_once('=').unwrap_or((word, "1.5"));
                             case.hiding(name, severity.parse().unwrap_or(1.5))
                         });
+                    let case = Case { whole_fit: args.iter().any(|a| a == "whole"), ..case };
                     Entry { block: if what == "nothing" { "null_white" } else { "single" }, case }
                 })
                 .collect()

@@ -126,6 +126,10 @@ const UNSETTLED_SPONGE_SHARE: f64 = 0.85;
 const SMALLEST: f64 = 0.2;
 /// Mean fall of the logarithm of a left-out test's error below which an effect predicts nothing, much as it explains.
 const LEFT_OUT: f64 = -0.15;
+/// Share of the tests that must be predicted better where the mean is spoilt by few.
+const MOST_TESTS: f64 = 0.65;
+/// Confidence from which a disagreement gets a name that is as small as what the form of the curves leaves.
+const SURELY: f64 = 0.8;
 /// Share of the excess below which it explains a part.
 const PART: f64 = 0.6;
 /// Numbers from which an effect has many.
@@ -174,9 +178,25 @@ impl Evidence {
         share_beyond_form(self.share * excess, excess).clamp(-1.0, 1.05)
     }
 
+    /// Whether it stands against others: its numbers do not tell that it is another effect, nor are most of them such as no
+    /// damper shows while it leaves much.
+    pub fn is_rival(&self) -> bool {
+        !self.contrary && (self.plausible >= 0.5 || self.explained() >= NEARLY_ALL)
+    }
+
     /// Its margin as a share of its own standing.
     fn lead(&self) -> f64 {
         self.margin / self.standing().abs().max(1.0)
+    }
+
+    /// Whether it explains nearly all and no rival comes near: what fits a little of everything does neither.
+    fn is_alone(&self) -> bool {
+        self.explained() >= NEARLY_ALL && self.lead() >= FAR_AHEAD
+    }
+
+    /// Whether it is sure of a disagreement so small that it would not matter otherwise.
+    pub fn is_sure(&self) -> bool {
+        self.explained() >= NEARLY_ALL && self.confidence() >= SURELY
     }
 
     /// What the logistic sees.
@@ -187,7 +207,7 @@ impl Evidence {
             1.0,
             (self.bic_fall / 10.0).asinh(),
             self.plausible,
-            f64::from(u8::from(self.sponge)),
+            f64::from(u8::from(self.sponge && !self.is_alone())),
             // Of two that explain nearly the same, the form of the curves decides, not the effect.
             (4.0 * lead).clamp(-1.0, 1.0),
             (10.0 * lead).clamp(-1.0, 1.0),
@@ -219,7 +239,9 @@ impl Evidence {
             self.numbers == 1 || most || self.explained() >= NEARLY_ALL
         };
         // What explains a part and predicts no test better that it has not seen has fitted the rest of something else.
-        let predicts = self.left_out_gain > if self.explained() >= PART { LEFT_OUT } else { 0.0 };
+        // Where it explains nearly all, one test that alone shows its strength says nothing against it.
+        let predicts = self.left_out_gain > if self.explained() >= PART { LEFT_OUT } else { 0.0 }
+            || self.explained() >= NEARLY_ALL && self.tests_better >= MOST_TESTS;
         // What is left beside another effect is the memory itself.
         let settled = !(self.sponge && self.unsettled && self.later);
         likely

@@ -176,7 +176,8 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
         }
     }
     tried.sort_by(|a, b| b.evidence.bic_fall.total_cmp(&a.evidence.bic_fall));
-    let scores: Vec<(&str, f64)> = tried.iter().map(|t| (family(t.candidate.effect), t.evidence.standing())).collect();
+    let rivals = tried.iter().filter(|t| t.evidence.is_rival());
+    let scores: Vec<(&str, f64)> = rivals.map(|t| (family(t.candidate.effect), t.evidence.standing())).collect();
     for entry in &mut tried {
         let own = family(entry.candidate.effect);
         let rival = scores.iter().filter(|(other, _)| *other != own).map(|s| s.1).fold(0.0, f64::max);
@@ -185,10 +186,12 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
     }
     // What fits best is not always likeliest: it may need numbers that no damper shows.
     tried.sort_by(|a, b| b.evidence.log_odds().total_cmp(&a.evidence.log_odds()));
-    // Of a family, the one that may be named speaks.
-    if let Some(speaker) = tried.first().filter(|t| !t.convinces()).and_then(|first| {
-        tried.iter().position(|t| family(t.candidate.effect) == family(first.candidate.effect) && t.convinces())
-    }) {
+    // What may not be named gives way to what may, if that is of its family or it is no rival.
+    let gives_way = |t: &Tried, to: &Tried| {
+        !t.convinces() && (family(t.candidate.effect) == family(to.candidate.effect) || !t.evidence.is_rival())
+    };
+    let speaks = |k: &usize| tried[*k].convinces() && tried[..*k].iter().all(|t| gives_way(t, &tried[*k]));
+    if let Some(speaker) = (1..tried.len()).find(speaks) {
         tried[..=speaker].rotate_right(1);
     }
     let mut invisible: Vec<(&'static str, f64)> = Vec::new();

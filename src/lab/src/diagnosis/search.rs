@@ -120,10 +120,11 @@ pub fn search(
         let ahead = may_lead_on.then(|| look_ahead(&mut round, &ground, &found.last, &found.added)).flatten();
         found.rounds.push(round);
         let round = &found.rounds[found.rounds.len() - 1];
-        if found.added.len() >= limits.effects || left < quiet {
+        if found.added.len() >= limits.effects {
             break;
         }
-        if let Some(best) = round.tried.first().filter(|best| best.convinces()) {
+        let convinces = |best: &&Tried| best.convinces() && (left >= quiet || best.evidence.is_sure());
+        if let Some(best) = round.tried.first().filter(convinces) {
             if !found.added.is_empty() && !is_worth_a_later_name(best, round.before - floor) {
                 break;
             }
@@ -133,7 +134,7 @@ pub fn search(
             take_out_what_is_not_needed(&mut found.last, &mut found.added, old, tests);
             continue;
         }
-        if found.added.len() + 2 > limits.effects {
+        if left < quiet || found.added.len() + 2 > limits.effects {
             break;
         }
         progress(done + 0.15, "looking for two effects at once");
