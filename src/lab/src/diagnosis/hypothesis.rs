@@ -2,7 +2,7 @@
 //! are before any record is seen.
 
 use super::heating::Heating;
-use super::measurement::Artefact;
+use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
 use crate::identification::segment::Segment;
 use crate::identification::sensitivity::{Accuracy, Run, forces};
@@ -11,6 +11,10 @@ use dashpot_core::parameter::find;
 use dashpot_core::{Model, Params};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// Steps from sample to sample where the force channel is filtered: friction turns over within one.
+const PARTS: usize = 3;
 
 /// What one number of an explanation is.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,20 +107,32 @@ impl Hypothesis {
         self.place_of(free).map(|place| theta[place].exp())
     }
 
-    /// The segment with the temperatures that the damper's own heating gives it.
-    fn warmed<'a>(&self, test: &'a Test, place: usize, theta: &[f64]) -> std::borrow::Cow<'a, Segment> {
-        let free = |free| self.exponential(&free, theta);
-        match (&self.heating, free(Free::Cooling), free(Free::HeatCapacity)) {
-            (Some(heating), Some(cooling), Some(capacity)) => {
-                let rise = heating.rise(place, cooling) / capacity;
-                let mut segment = test.segment.clone();
-                for input in &mut segment.input {
-                    input.temperature += rise;
-                }
-                std::borrow::Cow::Owned(segment)
-            }
-            _ => std::borrow::Cow::Borrowed(&test.segment),
+    /// A number of the rig.
+    fn of_the_rig(&self, artefact: Artefact, theta: &[f64]) -> Option<f64> {
+        self.place_of(&Free::Rig(artefact)).map(|place| theta[place])
+    }
+
+    /// The segment as the damper went through it when it made the forces that were read: with the temperatures that its own
+    /// heating gives it, where `place` counts the test, earlier where the force channel is late, at finer steps where
+    /// it is filtered.
+    fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
+        let mut segment = Cow::Borrowed(&test.segment);
+        if let Some(tau) = self.of_the_rig(Artefact::Delay, theta) {
+            segment = Cow::Owned(earlier(&segment, tau));
         }
+        let free = |free| self.exponential(&free, theta);
+        if let (Some(heating), Some(place), Some(cooling), Some(capacity)) =
+            (&self.heating, place, free(Free::Cooling), free(Free::HeatCapacity))
+        {
+            let rise = heating.rise(place, cooling) / capacity;
+            for input in &mut segment.to_mut().input {
+                input.temperature += rise;
+            }
+        }
+        if self.of_the_rig(Artefact::LowPass, theta).is_some() {
+            segment = Cow::Owned(finer(&segment, PARTS));
+        }
+        segment
     }
 
     /// Where heating is computed from the records, the damper takes its temperature as measured.
@@ -139,6 +155,19 @@ impl Hypothesis {
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
     }
 
+    /// Takes every value that stands for a sample through the filter of the force channel, if there is one, and leaves those
+    /// at the samples; `values` may be forces or derivatives of them.
+    fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
+        if let Some(tau) = self.of_the_rig(Artefact::LowPass, theta) {
+            low_pass(tau, &segment.dt, values);
+            let mut place = 0;
+            values.retain(|_| {
+                place += 1;
+                (place - 1) % PARTS == 0
+            });
+        }
+    }
+
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         for (number, value) in self.numbers.iter().zip(theta) {
             if let Free::Rig(artefact) = number.free {
@@ -149,14 +178,18 @@ impl Hypothesis {
 
     /// Computed forces of one test at its scored samples; `place` counts the tests.
     fn forces_of(&self, model: &Model, test: &Test, place: usize, theta: &[f64]) -> Vec<f64> {
-        let mut all = forces(model, &self.warmed(test, place, theta));
+        let segment = self.gone_through(test, Some(place), theta);
+        let mut all = forces(model, &segment);
+        self.filtered(&segment, theta, &mut all);
         self.adjust(test, theta, &mut all);
         all.split_off(test.segment.from)
     }
 
     /// Forces of a prepared model in a test of one's own, with what the rig adds.
     pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
-        let mut all = forces(model, &test.segment);
+        let segment = self.gone_through(test, None, theta);
+        let mut all = forces(model, &segment);
+        self.filtered(&segment, theta, &mut all);
         self.adjust(test, theta, &mut all);
         all.split_off(test.segment.from)
     }
@@ -199,22 +232,18 @@ impl Hypothesis {
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (mut unknowns, values, places) = self.unknowns(theta);
         self.take_heat_as_measured(&mut unknowns.base);
-        let late = self.numbers.iter().zip(theta).find_map(|(n, tau)| match n.free {
-            Free::Rig(artefact) if artefact.is_late() => Some((artefact, *tau)),
-            _ => None,
-        });
         let run = Run::new(&unknowns, &values, accuracy)?;
         let parts: Vec<DMatrix<f64>> = tests
             .par_iter()
             .enumerate()
             .map(|(place, test)| {
-                let (_, rows) = run.jacobian(&self.warmed(test, place, theta), &unknowns, &values);
-                let mut columns = rows.transpose();
-                if let Some((artefact, tau)) = late {
-                    // A delayed force has delayed derivatives.
-                    for mut column in columns.column_iter_mut() {
-                        artefact.apply(tau, test, column.as_mut_slice());
-                    }
+                let segment = self.gone_through(test, Some(place), theta);
+                let (_, rows) = run.jacobian(&segment, &unknowns, &values);
+                let mut columns = DMatrix::zeros(test.segment.input.len(), rows.nrows());
+                for (mut column, row) in columns.column_iter_mut().zip(rows.row_iter()) {
+                    let mut along: Vec<f64> = row.iter().copied().collect();
+                    self.filtered(&segment, theta, &mut along);
+                    column.copy_from_slice(&along);
                 }
                 for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
                     row /= *allowed;

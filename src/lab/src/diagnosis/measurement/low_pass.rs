@@ -6,7 +6,7 @@ use super::second_order::SecondOrder;
 const DAMPING: f64 = 0.866_025_403_784_438_6;
 
 /// Late by τ = 2 ζ/ω at low frequency.
-pub(super) fn low_pass(tau: f64, dt: &[f64], forces: &mut [f64]) {
+pub fn low_pass(tau: f64, dt: &[f64], forces: &mut [f64]) {
     if tau <= 0.0 {
         return;
     }

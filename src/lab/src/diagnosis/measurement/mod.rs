@@ -10,11 +10,11 @@ mod resonance;
 mod second_order;
 
 use super::samples::Test;
-use delay::delay;
+pub use delay::{earlier, finer};
 use force_loop::loop_over_force;
 pub use guide::Load;
 use guide::guide;
-use low_pass::low_pass;
+pub use low_pass::low_pass;
 use resonance::resonance;
 
 /// An artefact of the measurement.
@@ -93,16 +93,11 @@ impl Artefact {
         (if self == Artefact::LowPass { 0.0 } else { -most }, most)
     }
 
-    /// Whether it makes of any force one that lags it, whatever that is a force of.
-    pub fn is_late(self) -> bool {
-        matches!(self, Artefact::Delay | Artefact::LowPass)
-    }
-
-    /// What the force at the samples of a test becomes.
+    /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion
+    /// ([`earlier`]), and behind a filter what [`low_pass`] makes of it at finer steps.
     pub fn apply(self, value: f64, test: &Test, forces: &mut [f64]) {
         match self {
-            Artefact::Delay => delay(value, &test.segment.dt, forces),
-            Artefact::LowPass => low_pass(value, &test.segment.dt, forces),
+            Artefact::Delay | Artefact::LowPass => {}
             Artefact::Guide(load) => guide(value, false, load, &test.segment.input, forces),
             Artefact::GuideAlong(load) => guide(value, true, load, &test.segment.input, forces),
             Artefact::Ring(hz) => resonance(value, f64::from(hz), false, &test.segment.dt, forces),

@@ -5,6 +5,9 @@ use crate::diagnosis::hypothesis::Free;
 use crate::diagnosis::measurement::Artefact;
 use crate::diagnosis::situation::Situation;
 
+/// How far the zero of a load cell may be off, N.
+const OFF: f64 = 200.0;
+
 /// Mass on the rig, and what the measurement adds.
 pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
@@ -47,21 +50,23 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         ..added(Artefact::LowPass, (1e-6, 4.9e-3), &[])
     });
     if !s.base.is_on("gas_preload") {
-        all.push(added(Artefact::Offset, (-200.0, 200.0), &[10.0]));
+        all.push(added(Artefact::Offset, (-OFF, OFF), &[10.0]));
     }
     if s.clock_span > 1.0 {
         for pause in &s.pauses {
             all.push(Candidate {
                 form: "zero set anew during the campaign",
-                ..added(Artefact::Step(*pause), (-200.0, 200.0), &[10.0])
+                ..added(Artefact::Step(*pause), (-OFF, OFF), &[10.0])
             });
         }
-        all.push(added(Artefact::Drift, (-0.2, 0.2), &[10.0 / s.clock_span]));
+        // What a zero may be off it may drift in a campaign; a long one may see more.
+        let most = (OFF / s.clock_span).max(0.2);
+        all.push(added(Artefact::Drift, (-most, most), &[10.0 / s.clock_span]));
         for share in [0.07, 0.15, 0.3, 0.6] {
             let time = ((share * s.clock_span) as u32).max(1);
             all.push(Candidate {
                 form: "settles as the rig warms up",
-                ..added(Artefact::WarmUp(time), (-200.0, 200.0), &[10.0])
+                ..added(Artefact::WarmUp(time), (-OFF, OFF), &[10.0])
             });
         }
     }
