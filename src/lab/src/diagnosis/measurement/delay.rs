@@ -120,7 +120,7 @@ mod tests {
             assert!((there.unwrap_or(f64::NAN) - here.unwrap_or(f64::NAN)).abs() < 1e-15, "{i}");
             assert!((fine.input[3 * i].velocity - input.velocity).abs() < 1e-12, "{i}");
         }
-        let middle = 40.0 * (10.0 + 1.0 / 3.0) * 1e-3 + 0.3;
+        let middle: f64 = 40.0 * (10.0 + 1.0 / 3.0) * 1e-3 + 0.3;
         assert!((fine.input[31].displacement.unwrap_or(f64::NAN) - 0.01 * middle.sin()).abs() < 1e-9);
     }
 
