@@ -63,7 +63,7 @@ extern "C" {
 // version run with every library of the same interface version.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 7
+#define DASHPOT_ABI_VERSION 8
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -526,6 +526,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   series_stiffness             stiffness of the series spring, k_s [N/m, 10000 to 1e8, default 3e6]
 //   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e5, default 200]
 //   internal_mass                moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
+//   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
 //
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
 //   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
@@ -545,6 +546,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 20000 to 1e9, default 3e6]
 //   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
 //   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
+//   oil_compression              stiffness of the column in compression, as a share of that in rebound, r_o [-, 0.01 to 100, default 1]
 //
 // aeration (element, off by default): air in the oil: the oil column is soft while the force is small
 //   aeration_stroke              stroke that the air takes up in rebound, d_a [m, 0 to 0.005, default 3e-4]

@@ -6,7 +6,7 @@
 use core::ffi::c_char;
 
 /// Version of this interface.
-pub const DASHPOT_ABI_VERSION: u32 = 7;
+pub const DASHPOT_ABI_VERSION: u32 = 8;
 
 /// The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 #[unsafe(no_mangle)]

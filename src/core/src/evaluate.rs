@@ -2,7 +2,7 @@
 
 pub(crate) mod paths;
 
-use crate::elements::{MAX_MEMORY, Motion};
+use crate::elements::{MAX_MEMORY, Motion, Outer};
 use crate::input::Input;
 use crate::model::Model;
 use crate::state::{Output, State};
@@ -52,7 +52,8 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
-    let (friction, preload, stops) = (e.friction(&outer), e.preload(&outer), e.stops(&outer));
+    let Outer { friction, preload } = if e.carries_whole() { Outer::NONE } else { e.outer(&outer) };
+    let stops = e.stops(&outer);
     let mut output = Output {
         friction_force: friction.force,
         gas_force: preload.force,
@@ -68,6 +69,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
         let through = paths::force(e, state, input);
         output.primary_force = through.primary;
         output.spring_force = through.inner;
+        output.hand_out(e, &at(x_m, v_m, input));
         output.series_deflection = x - x_m;
         output.oil_temperature += through.heat;
         output.force += through.force;

@@ -34,11 +34,11 @@ impl Model {
         };
         if e.has_series() {
             // The springs never fall, so that the series spring alone would go further than both together.
-            let alone = primary + e.inner(&motion(x)).force;
+            let alone = primary + e.on_the_mass(&motion(x)).force;
             let furthest = x - paths::series::furthest(e, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
             for _ in 0..STEPS {
-                let inner = e.inner(&motion(x_m));
+                let inner = e.on_the_mass(&motion(x_m));
                 let (series, k) = paths::series::held(e, x - x_m);
                 let left = series - primary - inner.force;
                 if left > 0.0 {

@@ -17,7 +17,7 @@
 mod cheap;
 pub mod paths;
 
-use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Response};
+use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Outer, Response};
 use crate::fault::Fault;
 use crate::input::{Input, Path, PathPoint};
 use crate::math::pair;
@@ -98,12 +98,14 @@ impl Integration {
             frequency = frequency.max(SPOOL * elements.valve_hysteresis.per_time);
         }
         // Elements in the paths bend the forces more sharply within a step; a column that turns from soft to hard as the
-        // force changes its sign, most of all.
-        let turns = elements.has_aeration() && !elements.aeration.is_even();
-        let sharpness = match (turns, acting::is_sharp(elements)) {
-            (true, _) => 8.0,
-            (false, true) => 2.0,
-            (false, false) => 1.0,
+        // force changes its sign, more than those; and friction that turns over behind a spring, most of all.
+        let turns = elements.has_aeration() && !elements.aeration.is_even()
+            || elements.has_column() && !elements.oil_compressibility.is_even();
+        let sharpness = match (elements.carries_whole(), turns, acting::is_sharp(elements)) {
+            (true, ..) => 20.0,
+            (_, true, _) => 8.0,
+            (.., true) => 2.0,
+            _ => 1.0,
         };
         let substeps = params.scalar("substeps") as u32;
         Ok(Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency))
@@ -687,13 +689,15 @@ fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
     let method = paths::Table::of::<T>();
-    let drive = paths::Drive { model, path: &path, substeps, temperature: to.temperature, method };
+    let side = (to.side_force, to.temperature);
+    let drive = paths::Drive { model, path: &path, substeps, side, method };
     let through = paths::advance(&drive, state, output, follow);
     state.displacement = x;
     state.velocity = v;
-    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    let Outer { friction, preload } = if e.carries_whole() { Outer::NONE } else { e.outer(&outer) };
     output.friction_force = friction.force;
     output.gas_force = preload.force;
+    output.hand_out(e, &Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer });
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {

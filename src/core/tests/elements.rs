@@ -166,3 +166,55 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
         }
     }
 }
+
+/// Travel of a slow sine within which the force is all but nothing.
+fn travel_without_force(model: &Model) -> f64 {
+    let (steps, dt) = (8000, 2.5e-4);
+    let motion = sine(3e-3, 0.5);
+    let forces = step_forces(model, &motion, dt, steps, false);
+    let from = |i: usize| motion((i + 1) as f64 * dt).0;
+    (1..steps).filter(|i| forces[*i].abs() < 3.0).map(|i| (from(i) - from(i - 1)).abs()).sum()
+}
+
+/// Play in an eye is where no force goes through it: where the damper, friction and all, pulls neither way. Play that
+/// the hydraulic force alone goes through is somewhere else.
+#[test]
+fn play_in_an_eye_is_where_the_force_is_nothing() {
+    let play = |load: f64| {
+        let mut p = params(&[
+            ("free_play_gap", 2e-4),
+            ("free_play_force", 0.5),
+            ("gas_force", 0.0),
+            ("coulomb_force", 40.0),
+            ("series_stiffness", 5e6),
+            ("series_load", load),
+        ]);
+        for (element, on) in [("free_play", true), ("coulomb_friction", true), ("stribeck_friction", false)] {
+            p.enable(element, on).unwrap();
+        }
+        travel_without_force(&Model::new(&p).unwrap())
+    };
+    // Twice in a cycle.
+    let (whole, hydraulic) = (play(1.0), play(0.0));
+    assert!(whole > 2e-4 && whole < 5e-4, "{whole}");
+    assert!(hydraulic < 0.3 * whole, "{hydraulic} beside {whole}");
+}
+
+/// A series spring that hardly yields makes no difference to whatever is behind it.
+#[test]
+fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
+    let forces = |load: f64| {
+        let model = with(
+            &["coulomb_friction", "side_force_friction"],
+            &[("series_stiffness", 1e8), ("internal_mass", 0.05), ("series_load", load), ("series_damping", 3e3)],
+        );
+        step_forces(&model, &sine(0.02, 2.0), 1e-4, 5000, false)
+    };
+    let (whole, beside) = (forces(1.0), forces(0.0));
+    let top = beside.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    for (i, (a, b)) in whole.iter().zip(&beside).enumerate().skip(200) {
+        // But where friction turns over.
+        let turns = (i % 2500) < 40 || (i % 2500) > 2460;
+        assert!(turns || (a - b).abs() < 2e-3 * top, "{i}: {a}, {b}");
+    }
+}

@@ -81,6 +81,23 @@ impl Response {
     }
 }
 
+/// What acts between the ends or, where the series compliance carries the whole, on the mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outer {
+    /// Friction without memory.
+    pub friction: Response,
+    /// Position forces without memory.
+    pub preload: Response,
+}
+
+impl Outer {
+    /// Nothing.
+    pub const NONE: Outer = Outer { friction: Response::NONE, preload: Response::NONE };
+}
+
+/// Beside the bits of the elements: friction and preload act on the mass.
+const CARRIES_WHOLE: u64 = 1 << 63;
+
 /// Force and state rate of an element with one private state, and their slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recall {
@@ -319,6 +336,9 @@ macro_rules! elements {
                         return Err(View::new(params, Place::$law as usize).fault(0, Reason::NeedsSeries));
                     })*
                 }
+                if elements.has_series() && elements.$series.carries_whole {
+                    elements.on |= CARRIES_WHOLE;
+                }
                 elements.slots = paths::slots(&elements);
                 elements.acting = paths::acting::of(&elements);
                 if elements.memories() > MAX_MEMORY {
@@ -338,7 +358,31 @@ macro_rules! elements {
                 self.has(Place::$series)
             }
 
-            /// Sum of the elements on the internal mass beside the FV curve.
+            /// Whether friction and preload act on the internal mass, behind the series compliance.
+            #[inline(always)]
+            pub fn carries_whole(&self) -> bool {
+                self.on & CARRIES_WHOLE != 0
+            }
+
+            /// Sum of all that acts on the internal mass beside the FV curve, wherever it belongs.
+            #[inline(always)]
+            pub fn on_the_mass(&self, at: &Motion) -> Response {
+                let mut sum = self.inner(at);
+                if self.carries_whole() {
+                    let beside = self.outer(at);
+                    sum.add(beside.friction);
+                    sum.add(beside.preload);
+                }
+                sum
+            }
+
+            /// Friction and preload apart, out of the way of dampers that have them beside the mass.
+            #[inline(never)]
+            pub fn outer(&self, at: &Motion) -> Outer {
+                Outer { friction: self.friction(at), preload: self.preload(at) }
+            }
+
+            /// Sum of the elements that always act on the internal mass.
             #[inline(always)]
             pub fn inner(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -402,7 +446,7 @@ macro_rules! elements {
             /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
             #[inline(always)]
             pub fn has_paths(&self) -> bool {
-                const PATHS: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
+                const PATHS: u64 = CARRIES_WHOLE $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & PATHS != 0
             }
 
@@ -410,7 +454,7 @@ macro_rules! elements {
             /// or one of the coupled paths.
             #[inline(always)]
             pub fn has_extras(&self) -> bool {
-                const EXTRAS: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
+                const EXTRAS: u64 = CARRIES_WHOLE $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
                     $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & EXTRAS != 0
             }
@@ -426,7 +470,7 @@ macro_rules! elements {
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
                 const MASS: u64 = 1 << Place::$series as usize;
-                const REST: u64 = MASS $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
+                const REST: u64 = MASS | CARRIES_WHOLE $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*
                     $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
                 self.on & REST == MASS
             }

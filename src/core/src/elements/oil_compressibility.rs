@@ -10,12 +10,15 @@ use crate::parameter::{Parameter, View};
 /// ℓ is the length of the column relative to that at x = 0. The rebound chamber gets shorter with extension: ℓ = 1 − λ x.
 /// With two chambers the one under pressure yields: ℓ = 1 − λ x tanh(F_h/F_c), longer on the compression stroke.
 ///
+/// In compression k_o is r_o times that in rebound: in a twin tube the oil below the piston, which the rod's area loads
+/// alone, yields more to the force than that above it.
+///
 /// Cylinder expansion is in it: 1/k_o = 1/k_oil + 1/k_tube, and no test on a rig can tell the two apart. The series
 /// compliance differs from both in that springs on the mass pass through it but not through the oil.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
-    /// 1/k_o.
-    pub(crate) compliance: f64,
+    /// 1/k_o in rebound, and in compression.
+    compliance: [f64; 2],
     shortening: f64,
     has_two_chambers: bool,
 }
@@ -48,16 +51,23 @@ impl Describe for OilCompressibility {
             &["rebound", "both"],
             "whose column yields: that of the rebound chamber, or that of the chamber under pressure",
         ),
+        Parameter::scalar(
+            "oil_compression",
+            "-",
+            &[1.0],
+            (0.01, 100.0),
+            "stiffness of the column in compression, as a share of that in rebound, r_o",
+        ),
     ];
 }
 
 impl Prepare for OilCompressibility {
     /// Ten times stiffer than most oil: hardly noticed beside the air it then carries.
-    const OFF: Self = OilCompressibility { compliance: 1.0 / 3e7, shortening: 0.0, has_two_chambers: false };
+    const OFF: Self = OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
         Ok(OilCompressibility {
-            compliance: 1.0 / p.number(0),
+            compliance: [1.0 / p.number(0), 1.0 / (p.number(0) * p.number(3))],
             shortening: p.number(1),
             has_two_chambers: p.number(2) == 1.0,
         })
@@ -65,6 +75,19 @@ impl Prepare for OilCompressibility {
 }
 
 impl OilCompressibility {
+    /// 1/k_o of the chamber that stands under pressure; `side` is the force, or the deflection, which has its sign.
+    #[inline(always)]
+    pub(crate) fn compliance(&self, side: f64) -> f64 {
+        let [rebound, compression] = self.compliance;
+        if side < 0.0 { compression } else { rebound }
+    }
+
+    /// Whether the column is as stiff on the one side as on the other.
+    pub(crate) fn is_even(&self) -> bool {
+        let [rebound, compression] = self.compliance;
+        rebound == compression
+    }
+
     /// Whether the place matters.
     #[inline(always)]
     pub(crate) fn has_length(&self) -> bool {

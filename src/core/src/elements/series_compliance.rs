@@ -5,6 +5,9 @@ use crate::fault::Fault;
 use crate::parameter::{Parameter, View};
 
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
+///
+/// The thesis has friction and gas beside it, driven by the end. In an eye or a mount all of the force goes through what
+/// yields: friction and gas force then act on the mass, F_s is the whole.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {
     /// k_s, N/m.
@@ -13,6 +16,8 @@ pub struct SeriesCompliance {
     pub damping: f64,
     /// m, kg.
     pub mass: f64,
+    /// Whether friction and gas act behind it, on the mass, and it carries them too.
+    pub carries_whole: bool,
 }
 
 impl Describe for SeriesCompliance {
@@ -22,13 +27,24 @@ impl Describe for SeriesCompliance {
         Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
         Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),
         Parameter::scalar("internal_mass", "kg", &[0.5], (0.05, 20.0), "moving mass of rod, oil and gas, m"),
+        Parameter::choice(
+            "series_load",
+            &["hydraulic", "whole"],
+            "what the series spring carries: the hydraulic force and the springs \
+             on the mass, or friction and constant gas force too, as an eye or a mount does",
+        ),
     ];
 }
 
 impl Prepare for SeriesCompliance {
-    const OFF: Self = SeriesCompliance { stiffness: 0.0, damping: 0.0, mass: 0.0 };
+    const OFF: Self = SeriesCompliance { stiffness: 0.0, damping: 0.0, mass: 0.0, carries_whole: false };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(SeriesCompliance { stiffness: p.number(0), damping: p.number(1), mass: p.number(2) })
+        Ok(SeriesCompliance {
+            stiffness: p.number(0),
+            damping: p.number(1),
+            mass: p.number(2),
+            carries_whole: p.number(3) == 1.0,
+        })
     }
 }

@@ -53,8 +53,13 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     if fade.heats_itself {
         rates[place::HEAT] = flow.force * through * fade.per_capacity - states[place::HEAT] * fade.cooling;
     }
-    let at = Motion { displacement: x.value(), velocity: u.value(), side_force: 0.0, temperature: around.temperature };
-    let inner = e.inner(&at);
+    let at = Motion {
+        displacement: x.value(),
+        velocity: u.value(),
+        side_force: around.side_force,
+        temperature: around.temperature,
+    };
+    let inner = e.on_the_mass(&at);
     let inner = x.chain(inner.force, inner.by_x) + u.chain(0.0, inner.by_v);
     let mut force = inner + primary;
     if e.has_series() {
@@ -78,13 +83,14 @@ fn sloped(residual: impl Fn(Dual<2>, Dual<2>) -> Dual<2>, w: f64, f: f64) -> Res
 }
 
 /// The velocity of the oil at given states.
-fn oil(e: &Elements, states: &[f64; STATES], x: f64, v: f64, temperature: f64) -> f64 {
+fn oil(e: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
+    let Around { x, v, side_force, temperature } = *at;
     let u = if e.has_series() { states[place::U] } else { v };
     if !e.has_column() && !e.has_cavitation() && !bypass::is_open(e) {
         return u;
     }
     let lifted = states.map(Dual::<2>::constant);
-    let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
+    let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
     oil_velocity(e, u, least, TOLERANCE, &|w: f64, f: f64| {
         sloped(|w, f| instant(e, &lifted, &around, w, f).residual, w, f)
@@ -104,14 +110,14 @@ struct Sloped<'a> {
 impl<'a> Sloped<'a> {
     fn new(e: &'a Elements, state: &State, input: &Input) -> Sloped<'a> {
         let x = super::displacement(state, input);
-        let (v, temperature) = (input.velocity, input.temperature);
+        let Input { velocity: v, side_force, temperature, .. } = *input;
         let states = e.slots().read(state);
-        let w = oil(e, &states, x, v, temperature);
+        let w = oil(e, &states, &Around { x, v, side_force, temperature });
         let mut lifted = [Dual::constant(0.0); STATES];
         for (direction, (to, value)) in lifted.iter_mut().zip(states).enumerate() {
             *to = Dual::along(value, direction);
         }
-        let around = Around { x: Dual::along(x, STATES), v: Dual::along(v, STATES + 1), temperature };
+        let around = Around { x: Dual::along(x, STATES), v: Dual::along(v, STATES + 1), side_force, temperature };
         let read = e.fv_curve.at(w);
         let w = Dual::along(w, STATES + 2);
         let curve = w.chain(read.value, read.slope);
@@ -155,8 +161,8 @@ pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
 pub(super) fn rates(e: &Elements, state: &State, input: &Input, rate: &mut State) {
     let x = super::displacement(state, input);
     let states = e.slots().read(state);
-    let w = oil(e, &states, x, input.velocity, input.temperature);
-    let around = Around { x, v: input.velocity, temperature: input.temperature };
+    let around = Around { x, v: input.velocity, side_force: input.side_force, temperature: input.temperature };
+    let w = oil(e, &states, &around);
     let instant = instant(e, &states, &around, w, e.fv_curve.at(w).value);
     e.slots().write(&instant.rates, rate);
 }
@@ -193,12 +199,14 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
     // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
     let mut force = 0.0;
     for _ in 0..200 {
-        let around = Around { x, v, temperature };
+        // No spring moves the oil.
+        let side_force = 0.0;
+        let around = Around { x, v, side_force, temperature };
         let standing = e.fv_curve.at_zero();
         let mut held = states;
         let solve = |states: &[f64; STATES], void_moves: bool| {
             let lifted = states.map(Dual::<2>::constant);
-            let around = Around { x: Dual::constant(x), v: Dual::constant(v), temperature };
+            let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
             let standing = Dual::constant(standing);
             let steady = |w: Dual<2>, f: Dual<2>| {
                 let force = flow(e, f, standing, w, &around, &lifted).force;

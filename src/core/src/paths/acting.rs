@@ -35,6 +35,8 @@ pub const LENGTH: u32 = 1 << 13;
 pub const SLOW_BUSHING: u32 = 1 << 14;
 /// A valve with mass.
 pub const SPOOL: u32 = 1 << 15;
+/// Friction and gas on the internal mass.
+pub const WHOLE: u32 = 1 << 16;
 /// Whatever the model says.
 pub const ANY: u32 = u32::MAX;
 
@@ -61,6 +63,7 @@ pub(crate) fn of(e: &Elements) -> u32 {
         (SELECTIVE, e.has_frequency_selective()),
         (VALVE, e.has_valve()),
         (SPOOL, e.has_spool()),
+        (WHOLE, e.carries_whole()),
     ] {
         if on {
             acting |= bit;

@@ -14,6 +14,8 @@ pub struct Around<R> {
     pub x: R,
     /// Its velocity.
     pub v: R,
+    /// Side force that the host gives.
+    pub side_force: f64,
     /// Temperature that the host gives.
     pub temperature: f64,
 }
@@ -232,7 +234,7 @@ impl Valves {
 /// The oil column as air in line with oil, on the side of a force or deflection, and the oil's compliance.
 #[inline(always)]
 fn column(e: &Elements, side: f64) -> (SoftGap, f64) {
-    (e.aeration.under(side), e.oil_compressibility.compliance)
+    (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
 /// ℓ, the length of the oil column.

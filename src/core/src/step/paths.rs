@@ -211,7 +211,8 @@ pub(super) struct Drive<'a> {
     pub model: &'a Model,
     pub path: &'a Path,
     pub substeps: u32,
-    pub temperature: f64,
+    /// Side force and temperature.
+    pub side: (f64, f64),
     pub method: Table,
 }
 
@@ -250,7 +251,7 @@ fn advance_on<const ON: u32>(
     output: &mut Output,
     follow: &mut impl FollowPaths,
 ) -> Through {
-    let Drive { model, path, substeps, temperature, .. } = *drive;
+    let Drive { model, path, substeps, side, .. } = *drive;
     let e = &model.elements;
     let part = 1.0 / substeps as f64;
     let slots = e.slots();
@@ -260,7 +261,7 @@ fn advance_on<const ON: u32>(
     let mut now = Now { states, oil_velocity, driven: start, ..Now::START };
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        let substep = Substep { elements: e, path, theta, part, ends_step: left == 0, temperature };
+        let substep = Substep { elements: e, path, theta, part, ends_step: left == 0, side };
         now = if e.has_cavitation() && substep.sees_the_void_turn::<ON>(&drive.method, &now) {
             substep.in_pieces::<ON>(now, follow)
         } else {
@@ -271,7 +272,7 @@ fn advance_on<const ON: u32>(
     slots.write(&now.states, state);
     output.primary_force = now.primary;
     output.spring_force = now.inner;
-    output.oil_temperature = temperature + now.states[place::HEAT];
+    output.oil_temperature = side.1 + now.states[place::HEAT];
     output.series_deflection = path.end().0 - now.states[place::X];
     let [by_x, by_v] = follow.slopes();
     Through { force: now.force, by_x, by_v }
@@ -316,7 +317,8 @@ struct Substep<'a> {
     part: f64,
     /// Whether its end is the end of the step.
     ends_step: bool,
-    temperature: f64,
+    /// Side force and temperature.
+    side: (f64, f64),
 }
 
 /// Pieces of a substep in which a void closes.
@@ -361,7 +363,7 @@ impl Substep<'_> {
                 raised: now.raised,
                 states: known,
             };
-            let stage = PathsStage::<ON>::solve(e, &known, point, self.temperature, guess);
+            let stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
             let balance = stage.balance();
             follow.paths_stage(e, &stage);
             (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);

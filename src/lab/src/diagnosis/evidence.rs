@@ -136,6 +136,8 @@ const PART: f64 = 0.6;
 const MANY: usize = 4;
 /// Share of the excess that is nearly all of it.
 const NEARLY_ALL: f64 = 0.9;
+/// The same where nothing is allowed for the form.
+const MOST: f64 = 0.7;
 /// What a criterion is worth that needs numbers which no damper shows.
 const FAR_FETCHED: f64 = 0.9;
 /// What it loses by each free number beyond a few: where the form of the curves is all that is left to explain, any further
@@ -191,7 +193,7 @@ impl Evidence {
 
     /// Whether it explains nearly all and no rival comes near: what fits a little of everything does neither.
     fn is_alone(&self) -> bool {
-        self.explained() >= NEARLY_ALL && self.lead() >= FAR_AHEAD
+        self.share >= MOST && self.explained() >= NEARLY_ALL && self.lead() >= FAR_AHEAD
     }
 
     /// Whether it is sure of a disagreement so small that it would not matter otherwise.

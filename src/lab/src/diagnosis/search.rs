@@ -13,6 +13,7 @@ use super::unbent::unbent;
 use super::vocabulary::Candidate;
 use crate::identification::unknowns::Unknown;
 use crate::records::Record;
+use dashpot_core::parameter::find;
 
 /// Mean excess per independent sample, in σ², below which nothing is missing that matters.
 pub const QUIET: f64 = 0.1;
@@ -292,6 +293,12 @@ pub fn without(from: &Hypothesis, theta: &[f64], added: &Added) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in added.candidate.elements {
         let _ = to.base.enable(element, false);
+    }
+    // What it fixed elsewhere was for it alone.
+    for row in added.candidate.fixed.iter().filter_map(|(name, _)| find(name)) {
+        if let [usual] = row.parameter.default {
+            let _ = to.base.set(row.parameter.name, *usual);
+        }
     }
     to.numbers.drain(added.numbers.clone());
     to

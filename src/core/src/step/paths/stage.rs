@@ -132,17 +132,17 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         elements: &'a Elements,
         known: &Known<'a>,
         path: PathPoint,
-        temperature: f64,
+        side: (f64, f64),
         guess: f64,
     ) -> PathsStage<'a, ON> {
         let e = elements;
         let (g, states) = (known.g, known.states);
-        let factors = Factors::of::<ON>(e, path.x, temperature, states[place::HEAT]);
+        let factors = Factors::of::<ON>(e, path.x, side.1, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
         let given = Given {
             path,
-            temperature,
+            side,
             states,
             g,
             since: known.since,
@@ -336,7 +336,8 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
 /// What a stage is given.
 struct Given {
     path: PathPoint,
-    temperature: f64,
+    /// Side force and temperature.
+    side: (f64, f64),
     states: [f64; STATES],
     g: f64,
     since: f64,
@@ -358,13 +359,13 @@ impl<const ON: u32> Equation for Stage<'_, ON> {
     }
 }
 
-/// The springs on the mass; straight where it is further from the driven end than a series spring reaches, as in the
+/// What acts on the mass beside the oil; straight where it is further from the driven end than a series spring reaches, as in the
 /// plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
 #[inline(always)]
-fn springs(e: &Elements, x: f64, u: f64, driven: f64, temperature: f64) -> Response {
+fn springs(e: &Elements, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
     let at = if at > driven + REACH { driven + REACH } else { at };
-    let near = e.inner(&Motion { displacement: at, velocity: u, side_force: 0.0, temperature });
+    let near = e.on_the_mass(&Motion { displacement: at, velocity: u, side_force, temperature });
     Response { force: near.force + near.by_x * (x - at), ..near }
 }
 
@@ -399,8 +400,8 @@ impl Look {
 
     #[inline(always)]
     fn new<const ON: u32>(e: &Elements, given: &Given, w: f64, curve: f64) -> Look {
-        let Given { path, temperature, states: known, g, since, raised, per_g, standing, factors } = given;
-        let (g, per_g, temperature) = (*g, *per_g, *temperature);
+        let Given { path, side, states: known, g, since, raised, per_g, standing, factors } = given;
+        let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
@@ -444,7 +445,7 @@ impl Look {
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
             law = series::sloped::<ON>(e, path.x - x, rate, relaxing);
-            at = springs(e, x, u, path.x, temperature);
+            at = springs(e, x, u, path.x, side);
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
@@ -464,7 +465,7 @@ impl Look {
                 by_curve: u_by_force * valves.by_curve,
             };
             (x, u) = (path.x, path.v);
-            (law, at, resists) = (series::Sloped::NONE, springs(e, x, u, x, temperature), 1.0);
+            (law, at, resists) = (series::Sloped::NONE, springs(e, x, u, x, side), 1.0);
         }
         Look {
             residual,

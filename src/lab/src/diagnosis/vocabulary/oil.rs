@@ -15,7 +15,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     for (chambers, form) in [(0.0, "rebound chamber"), (1.0, "both chambers")] {
         all.push(Candidate {
             form,
-            fixed: vec![("oil_chambers", chambers)],
+            fixed: vec![("oil_chambers", chambers), ("oil_compression", 1.0)],
             ..candidate(
                 "oil_compressibility",
                 &["oil_compressibility"],
@@ -33,6 +33,21 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
+    all.push(Candidate {
+        form: "one chamber softer than the other",
+        fixed: vec![("oil_chambers", 1.0), ("oil_shortening", 0.0)],
+        ..candidate(
+            "oil_compressibility",
+            &["oil_compressibility"],
+            // A twin tube yields by the area of its rod alone.
+            vec![log("oil_stiffness", (3e5, 5e7)), held("oil_compression", (0.03, 30.0), 1.0)],
+            [(4.0, 0.25, 2.0), (4.0, 0.25, 6.0), (1.3, 3.0, 3.0), (1.3, 8.0, 6.0)]
+                .map(|(rebound, share, stiffer)| {
+                    Start::moving(&[rebound * stiffness, share], &[("series_stiffness", stiffer)])
+                })
+                .to_vec(),
+        )
+    });
     all.push(candidate(
         "aeration",
         &["aeration"],

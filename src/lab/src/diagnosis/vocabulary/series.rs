@@ -86,4 +86,69 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             .chain([Start::moving(&[1e-4, 8.0], &[("series_stiffness", 1.3)])])
             .collect(),
     ));
+    carrying_the_whole(s, all);
+}
+
+/// Of the base's series stiffness: what an eye or mount that carries friction and gas too leaves to the oil column behind it,
+/// and what the series spring has then.
+const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
+
+/// Play and rubber that all of the force goes through, as in an eye or a mount. What the base's series spring stood for is
+/// then the oil behind it, which carries the hydraulic force alone.
+fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
+    let carries_more = ["coulomb_friction", "stribeck_friction", "side_force_friction", "gas_preload"];
+    if s.base.is_on("oil_compressibility") || !carries_more.iter().any(|name| s.base.is_on(name)) {
+        return;
+    }
+    let stiffness = s.base.scalar("series_stiffness");
+    let whole = || vec![("series_load", 1.0), ("oil_shortening", 0.0), ("oil_chambers", 1.0), ("oil_compression", 1.0)];
+    let oil = || held("oil_stiffness", (1e5, 1e8), 0.7);
+    all.push(Candidate {
+        form: "all of the force goes through it",
+        fixed: whole(),
+        ..candidate(
+            "free_play",
+            &["free_play", "oil_compressibility"],
+            vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (0.0, 40.0), 0.5), oil()],
+            // The wider the gap, the softer the base had to be.
+            [(4e-5, 1.2), (4e-5, 1.7), (1e-4, 1.3), (1e-4, 1.8), (3e-4, 2.5)]
+                .map(|(gap, behind)| Start::moving(&[gap, 4.0, behind * stiffness], &[("series_stiffness", 5.0)]))
+                .to_vec(),
+        )
+    });
+    for (form, fixed, last, at) in [
+        (
+            "relaxes, and all of the force goes through it",
+            ("bushing_slip", 1e3),
+            held("bushing_loss_time", (1e-3, 0.3), 1.0),
+            1e-2,
+        ),
+        (
+            "friction in the rubber, and all of the force goes through it",
+            ("bushing_loss_time", 1e3),
+            held("bushing_slip", (5e-6, 2e-3), 1.0),
+            1e-4,
+        ),
+    ] {
+        let starts = BEHIND.iter().flat_map(|(behind, series)| {
+            [5e-4, 3e-3].map(|d| Start::moving(&[d, 0.5, at, behind * stiffness], &[("series_stiffness", *series)]))
+        });
+        all.push(Candidate {
+            form,
+            sponge: true,
+            fixed: [whole(), vec![fixed]].concat(),
+            ..candidate(
+                "bushing",
+                &["bushing", "oil_compressibility"],
+                vec![
+                    // Rubber that never hardens is rubber too.
+                    log("bushing_hardening", (2e-4, f64::INFINITY)),
+                    linear("bushing_loss_stiffness", (0.02, 3.0)),
+                    last,
+                    oil(),
+                ],
+                starts.collect(),
+            )
+        });
+    }
 }
