@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 /// What a refit with an effect brought, in figures that mean the same for every campaign.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
     /// Fall of χ², each sample counted for what it is worth beside correlated noise.
     pub chi2_fall: f64,

@@ -168,6 +168,8 @@ const GAP_CLOSED: f64 = 0.4;
 /// Free numbers from which an effect fits much by itself, and the share that it must close on such tests then.
 const MANY: f64 = 3.0;
 const MANY_CLOSED: f64 = 0.35;
+/// Share of the gap on such tests, where they show one, that names close at least.
+const LEAST_CLOSED: f64 = 0.1;
 /// Rise of the error on left-out tests at which names are taken back.
 const HARM: f64 = 1.03;
 
@@ -186,7 +188,11 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
     if in_noise(tests, &after) > HARM * in_noise(tests, &before) {
         return false;
     }
-    let closed = gap_closed(tests, &before, &after).unwrap_or(0.0);
+    let gap = gap_closed(tests, &before, &after);
+    if !left.is_empty() && gap.is_some_and(|closed| closed < LEAST_CLOSED) {
+        return false;
+    }
+    let closed = gap.unwrap_or(0.0);
     if !left.is_empty() && closed < MANY_CLOSED && found.added.iter().any(|a| a.evidence.free >= MANY) {
         return false;
     }
@@ -246,6 +252,24 @@ fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option
     (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))
 }
 
+/// Times its allowed error from which one test is missed where all together are not, and most such tests told.
+const LOUD: f64 = 1.8;
+const LOUDEST: usize = 4;
+
+/// What to say of single tests that are missed where nothing is missing all in all.
+fn loud(mut tests: Vec<(&Test, f64)>) -> Option<String> {
+    tests.retain(|(test, error)| *error > LOUD * test.segment.scale);
+    tests.sort_by(|a, b| (b.1 / b.0.segment.scale).total_cmp(&(a.1 / a.0.segment.scale)));
+    let words: Vec<String> = tests
+        .iter()
+        .take(LOUDEST)
+        .map(|(test, error)| format!("{} ({error:.1} N, allowed {:.1} N)", test.segment.name, test.segment.scale))
+        .collect();
+    (!words.is_empty()).then(|| {
+        format!("too rare or too small all in all to be named, but these tests are missed: {}", words.join(", "))
+    })
+}
+
 impl Answer<'_> {
     fn diagnosis(&self) -> Diagnosis {
         let found = self.found;
@@ -283,6 +307,11 @@ impl Answer<'_> {
         };
         let names: Vec<&str> = found.added.iter().map(|a| a.candidate.effect).collect();
         let invisible = found.rounds.first().map_or(&[][..], |r| &r.invisible);
+        let mut notes = judged.notes.clone();
+        if judged.verdict == Verdict::NothingMissing {
+            let all = self.fitted.iter().zip(&fitted_before).chain(self.left.iter().zip(&left_before));
+            notes.extend(loud(all.map(|(test, errors)| (test, rms(errors))).collect()));
+        }
         let mut diagnosis = Diagnosis {
             verdict: judged.verdict,
             summary: judged.summary.clone(),
@@ -295,7 +324,7 @@ impl Answer<'_> {
             next_tests: self.next_tests(&judged),
             could_not_test: untestable::list(self.situation, invisible, &names, self.heat_span),
             shifts: self.shifts(),
-            notes: judged.notes.clone(),
+            notes,
             tests: Vec::new(),
             rounds: found
                 .rounds

@@ -303,3 +303,41 @@ pub fn without(from: &Hypothesis, theta: &[f64], added: &Added) -> Hypothesis {
     to.numbers.drain(added.numbers.clone());
     to
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::extend::extend;
+    use crate::diagnosis::situation::Situation;
+    use crate::diagnosis::vocabulary::{base_numbers, candidates};
+    use dashpot_core::elements::GROUPS;
+    use dashpot_core::parameter::{Shape, table};
+    use dashpot_core::{Model, Params};
+
+    #[test]
+    fn an_effect_that_is_taken_out_leaves_the_damper_as_it_was() {
+        let mut params = Params::new();
+        params.enable("stribeck_friction", false).unwrap();
+        params.enable("coulomb_friction", true).unwrap();
+        let base = Hypothesis { base: params, numbers: base_numbers(&params), heating: None };
+        let theta = base.start();
+        let all = candidates(&Situation::new(&params, &[], &[]));
+        assert!(all.iter().any(|c| c.fixed.contains(&("series_load", 1.0))));
+        for candidate in all {
+            let to = extend(&base, &theta, &candidate, &candidate.starts[0]);
+            assert!(Model::new(&to.base).is_ok(), "{} {}", candidate.effect, candidate.form);
+            let evidence = Evidence::default();
+            let numbers = base.numbers.len()..to.numbers.len();
+            let added = Added { candidate: candidate.clone(), evidence, confidence: 1.0, numbers };
+            let back = without(&to, &to.start(), &added);
+            assert_eq!(back.numbers.len(), base.numbers.len());
+            for row in table() {
+                let (name, group) = (row.parameter.name, GROUPS[row.group].name);
+                assert_eq!(back.base.is_on(group), params.is_on(group), "{group} after {}", candidate.effect);
+                if params.is_on(group) && !matches!(row.parameter.shape, Shape::List(_)) {
+                    assert_eq!(back.base.scalar(name), params.scalar(name), "{name} after {}", candidate.effect);
+                }
+            }
+        }
+    }
+}

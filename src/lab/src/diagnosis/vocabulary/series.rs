@@ -97,7 +97,8 @@ const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 /// then the oil behind it, which carries the hydraulic force alone.
 fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
     let carries_more = ["coulomb_friction", "stribeck_friction", "side_force_friction", "gas_preload"];
-    if s.base.is_on("oil_compressibility") || !carries_more.iter().any(|name| s.base.is_on(name)) {
+    let carries_it = s.base.scalar("series_load") == 1.0;
+    if carries_it || s.base.is_on("oil_compressibility") || !carries_more.iter().any(|name| s.base.is_on(name)) {
         return;
     }
     let stiffness = s.base.scalar("series_stiffness");
