@@ -39,8 +39,11 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         ..candidate(
             "oil_compressibility",
             &["oil_compressibility"],
-            // A twin tube yields by the area of its rod alone.
-            vec![log("oil_stiffness", (3e5, 5e7)), held("oil_compression", (0.03, 30.0), 1.0)],
+            // A twin tube yields by the area of its rod alone. What is softer than any oil is something else.
+            vec![
+                log("oil_stiffness", (3e5, 5e7)).telling((1e5, f64::INFINITY)),
+                held("oil_compression", (0.03, 30.0), 1.0),
+            ],
             [(4.0, 0.25, 2.0), (4.0, 0.25, 6.0), (1.3, 3.0, 3.0), (1.3, 8.0, 6.0)]
                 .map(|(rebound, share, stiffer)| {
                     Start::moving(&[rebound * stiffness, share], &[("series_stiffness", stiffer)])
@@ -51,10 +54,11 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(candidate(
         "aeration",
         &["aeration"],
+        // Air that no oil holds is play, a mount, or a chamber that yields.
         vec![
-            log("aeration_stroke", (2e-5, 4.5e-3)),
-            held("aeration_force", (40.0, 1500.0), 0.8),
-            held("aeration_compression", (0.1, 10.0), 0.7),
+            log("aeration_stroke", (2e-5, 4.5e-3)).telling((0.0, 4.5e-3)),
+            held("aeration_force", (40.0, 1500.0), 0.8).telling((10.0, 3000.0)),
+            held("aeration_compression", (0.1, 10.0), 0.7).telling((0.1, 10.0)),
         ],
         [[1e-4, 120.0], [1e-4, 300.0], [4e-4, 120.0], [4e-4, 300.0]]
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
