@@ -2,19 +2,19 @@
 //!
 //! These belong to the measurement. They are taken out of the comparison and never put into the model.
 
-mod delay;
 mod force_loop;
 mod guide;
 mod low_pass;
+mod motion;
 mod resonance;
 mod second_order;
 
 use super::samples::Test;
-pub use delay::{earlier, finer};
 use force_loop::loop_over_force;
 pub use guide::Load;
 use guide::guide;
 pub use low_pass::low_pass;
+pub use motion::{earlier, finer};
 use resonance::resonance;
 
 /// An artefact of the measurement.

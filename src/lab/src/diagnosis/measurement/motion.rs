@@ -1,9 +1,9 @@
-//! A force channel that is late by a time.
+//! The motion of a test at other times than its samples: what a late or filtered force channel is a force of.
 
 use crate::identification::segment::Segment;
 use dashpot_core::Input;
 
-/// The motion at which the damper was when it made the force that is read: that of τ before.
+/// The motion at which the damper was when it made a force that is read so late: that of τ before.
 ///
 /// The motion is smooth and may be interpolated; the force, where friction turns over within a sample, may not.
 pub fn earlier(segment: &Segment, tau: f64) -> Segment {
