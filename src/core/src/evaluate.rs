@@ -52,7 +52,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
-    let Outer { friction, preload } = if e.carries_whole() { Outer::NONE } else { e.outer(&outer) };
+    let Outer { friction, preload } = e.beside(&outer);
     let stops = e.stops(&outer);
     let mut output = Output {
         friction_force: friction.force,

@@ -85,7 +85,7 @@ impl Output {
     #[inline(always)]
     pub(crate) fn hand_out(&mut self, e: &Elements, mass: &Motion) {
         if e.carries_whole() {
-            let Outer { friction, preload } = e.outer(mass);
+            let Outer { friction, preload } = e.behind(mass);
             self.friction_force = friction.force;
             self.gas_force = preload.force;
             self.spring_force -= friction.force + preload.force;

@@ -99,8 +99,7 @@ impl Integration {
         }
         // Elements in the paths bend the forces more sharply within a step; a column that turns from soft to hard as the
         // force changes its sign, more than those; and friction that turns over behind a spring, most of all.
-        let turns = elements.has_aeration() && !elements.aeration.is_even()
-            || elements.has_column() && !elements.oil_compressibility.is_even();
+        let turns = !elements.aeration.is_even() || !elements.oil_compressibility.is_even();
         let sharpness = match (elements.carries_whole(), turns, acting::is_sharp(elements)) {
             (true, ..) => 20.0,
             (_, true, _) => 8.0,
@@ -694,7 +693,7 @@ fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
     let through = paths::advance(&drive, state, output, follow);
     state.displacement = x;
     state.velocity = v;
-    let Outer { friction, preload } = if e.carries_whole() { Outer::NONE } else { e.outer(&outer) };
+    let Outer { friction, preload } = e.beside(&outer);
     output.friction_force = friction.force;
     output.gas_force = preload.force;
     output.hand_out(e, &Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer });

@@ -369,16 +369,25 @@ macro_rules! elements {
             pub fn on_the_mass(&self, at: &Motion) -> Response {
                 let mut sum = self.inner(at);
                 if self.carries_whole() {
-                    let beside = self.outer(at);
-                    sum.add(beside.friction);
-                    sum.add(beside.preload);
+                    let behind = self.behind(at);
+                    sum.add(behind.friction);
+                    sum.add(behind.preload);
                 }
                 sum
             }
 
-            /// Friction and preload apart, out of the way of dampers that have them beside the mass.
+            /// Friction and preload of a damper whose series compliance carries the whole, out of the way of all others.
             #[inline(never)]
-            pub fn outer(&self, at: &Motion) -> Outer {
+            pub fn behind(&self, at: &Motion) -> Outer {
+                Outer { friction: self.friction(at), preload: self.preload(at) }
+            }
+
+            /// Friction and preload beside the whole damper: nothing where they act on the mass.
+            #[inline(always)]
+            pub fn beside(&self, at: &Motion) -> Outer {
+                if self.carries_whole() {
+                    return Outer::NONE;
+                }
                 Outer { friction: self.friction(at), preload: self.preload(at) }
             }
 

@@ -160,11 +160,7 @@ impl Hypothesis {
     fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
         if let Some(tau) = self.of_the_rig(Artefact::LowPass, theta) {
             low_pass(tau, &segment.dt, values);
-            let mut place = 0;
-            values.retain(|_| {
-                place += 1;
-                (place - 1) % PARTS == 0
-            });
+            *values = values.iter().step_by(PARTS).copied().collect();
         }
     }
 
@@ -176,9 +172,9 @@ impl Hypothesis {
         }
     }
 
-    /// Computed forces of one test at its scored samples; `place` counts the tests.
-    fn forces_of(&self, model: &Model, test: &Test, place: usize, theta: &[f64]) -> Vec<f64> {
-        let segment = self.gone_through(test, Some(place), theta);
+    /// Computed forces of one test at its scored samples; `place` counts the tests where there are records of them.
+    fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
+        let segment = self.gone_through(test, place, theta);
         let mut all = forces(model, &segment);
         self.filtered(&segment, theta, &mut all);
         self.adjust(test, theta, &mut all);
@@ -187,11 +183,7 @@ impl Hypothesis {
 
     /// Forces of a prepared model in a test of one's own, with what the rig adds.
     pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
-        let segment = self.gone_through(test, None, theta);
-        let mut all = forces(model, &segment);
-        self.filtered(&segment, theta, &mut all);
-        self.adjust(test, theta, &mut all);
-        all.split_off(test.segment.from)
+        self.forces_of(model, test, None, theta)
     }
 
     /// Computed forces at the scored samples of all tests, as the model's own steps give them; `None` where the numbers make
@@ -202,7 +194,7 @@ impl Hypothesis {
 
     fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
-            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, k, theta)).collect();
+            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
@@ -232,6 +224,7 @@ impl Hypothesis {
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
         let (mut unknowns, values, places) = self.unknowns(theta);
         self.take_heat_as_measured(&mut unknowns.base);
+        let is_filtered = self.of_the_rig(Artefact::LowPass, theta).is_some();
         let run = Run::new(&unknowns, &values, accuracy)?;
         let parts: Vec<DMatrix<f64>> = tests
             .par_iter()
@@ -239,11 +232,16 @@ impl Hypothesis {
             .map(|(place, test)| {
                 let segment = self.gone_through(test, Some(place), theta);
                 let (_, rows) = run.jacobian(&segment, &unknowns, &values);
-                let mut columns = DMatrix::zeros(test.segment.input.len(), rows.nrows());
-                for (mut column, row) in columns.column_iter_mut().zip(rows.row_iter()) {
-                    let mut along: Vec<f64> = row.iter().copied().collect();
-                    self.filtered(&segment, theta, &mut along);
-                    column.copy_from_slice(&along);
+                let mut columns = rows.transpose();
+                if is_filtered {
+                    // A filtered force has filtered derivatives.
+                    let mut at_samples = DMatrix::zeros(test.segment.input.len(), columns.ncols());
+                    for (mut to, from) in at_samples.column_iter_mut().zip(columns.column_iter()) {
+                        let mut along = from.as_slice().to_vec();
+                        self.filtered(&segment, theta, &mut along);
+                        to.copy_from_slice(&along);
+                    }
+                    columns = at_samples;
                 }
                 for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
                     row /= *allowed;

@@ -359,8 +359,8 @@ impl<const ON: u32> Equation for Stage<'_, ON> {
     }
 }
 
-/// What acts on the mass beside the oil; straight where it is further from the driven end than a series spring reaches, as in the
-/// plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
+/// What acts on the mass beside the oil; straight where it is further from the driven end than a series spring reaches, as
+/// in the plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
 #[inline(always)]
 fn springs(e: &Elements, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };

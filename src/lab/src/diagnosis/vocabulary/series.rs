@@ -1,7 +1,18 @@
 //! What yields between the ends and the piston: mounts, play.
 
-use super::{Candidate, Start, candidate, grid, held, linear, log};
+use super::{Candidate, Fresh, Start, candidate, grid, held, linear, log};
 use crate::diagnosis::situation::Situation;
+
+/// How rubber loses energy: what switches the other way off, and the number of this one.
+type Loss = ((&'static str, f64), Fresh);
+
+fn by_time() -> Loss {
+    (("bushing_slip", 1e3), held("bushing_loss_time", (1e-3, 0.3), 1.0))
+}
+
+fn by_friction() -> Loss {
+    (("bushing_loss_time", 1e3), held("bushing_slip", (5e-6, 2e-3), 1.0))
+}
 
 /// Adds them.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
@@ -14,10 +25,9 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     if !s.base.is_on("series_compliance") {
         return;
     }
-    for (form, fixed, last, lasts) in [
-        ("relaxes", ("bushing_slip", 1e3), held("bushing_loss_time", (1e-3, 0.3), 1.0), [5e-3, 3e-2]),
-        ("friction in the rubber", ("bushing_loss_time", 1e3), held("bushing_slip", (5e-6, 2e-3), 1.0), [3e-5, 2e-4]),
-    ] {
+    for (form, (fixed, last), lasts) in
+        [("relaxes", by_time(), [5e-3, 3e-2]), ("friction in the rubber", by_friction(), [3e-5, 2e-4])]
+    {
         all.push(Candidate {
             form,
             // Two stiffnesses and a time follow any lag.
@@ -117,19 +127,9 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
                 .to_vec(),
         )
     });
-    for (form, fixed, last, at) in [
-        (
-            "relaxes, and all of the force goes through it",
-            ("bushing_slip", 1e3),
-            held("bushing_loss_time", (1e-3, 0.3), 1.0),
-            1e-2,
-        ),
-        (
-            "friction in the rubber, and all of the force goes through it",
-            ("bushing_loss_time", 1e3),
-            held("bushing_slip", (5e-6, 2e-3), 1.0),
-            1e-4,
-        ),
+    for (form, (fixed, last), at) in [
+        ("relaxes, and all of the force goes through it", by_time(), 1e-2),
+        ("friction in the rubber, and all of the force goes through it", by_friction(), 1e-4),
     ] {
         let starts = BEHIND.iter().flat_map(|(behind, series)| {
             [5e-4, 3e-3].map(|d| Start::moving(&[d, 0.5, at, behind * stiffness], &[("series_stiffness", *series)]))
