@@ -120,7 +120,7 @@ pub fn diagnose(
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
     progress(0.0, "preparing records");
-    let all = samples::tests(records);
+    let all = samples::as_long_as_remembered(samples::tests(records), params);
     let out = |test: &Test| held_out.get(test.record).copied().unwrap_or(false);
     let fitted: Vec<Test> = all.iter().filter(|t| !out(t)).cloned().collect();
     let left: Vec<Test> = all.iter().filter(|t| out(t)).cloned().collect();
@@ -161,10 +161,10 @@ pub fn diagnose(
 }
 
 /// Share of the excess that all names together must explain: names that leave more stand for something else.
-const TOGETHER: f64 = 0.55;
-/// A smaller share will do where so much of the gap is closed on tests that no refit has seen.
-const LESS_TOGETHER: f64 = 0.4;
-const GAP_CLOSED: f64 = 0.4;
+const TOGETHER: f64 = 0.67;
+/// A smaller share will do where left-out tests are predicted so much better (mean fall of the logarithm of their error).
+const LESS_TOGETHER: f64 = 0.5;
+const PREDICTED: f64 = 1.0;
 /// Free numbers from which an effect fits much by itself, and the share that it must close on such tests then.
 const MANY: f64 = 3.0;
 const MANY_CLOSED: f64 = 0.35;
@@ -197,7 +197,8 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
         return false;
     }
     let together = found.together(fitted);
-    together >= TOGETHER || (together >= LESS_TOGETHER && closed >= GAP_CLOSED)
+    let predicted = found.added.iter().map(|a| a.evidence.left_out_gain).sum::<f64>();
+    together >= TOGETHER || (together >= LESS_TOGETHER && predicted >= PREDICTED)
 }
 
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.
@@ -519,7 +520,7 @@ pub fn meaning(effect: &str) -> String {
 /// A model refitted to noise-free records, and what it leaves of every sample in units of the noise stated for each record.
 /// `None` where the model gives no finite force.
 pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(Params, Vec<f64>)> {
-    let mut tests = samples::tests(records);
+    let mut tests = samples::as_long_as_remembered(samples::tests(records), params);
     for test in &mut tests {
         let noise = noise[test.record];
         test.allowed.iter_mut().for_each(|a| *a = noise);

@@ -1,7 +1,7 @@
 //! The mean of a test's cycles.
 
 use super::noise::{Repeat, independence, mean_variance, repeat};
-use super::{Test, allowed, segment};
+use super::{Test, allowed, lead_in, segment};
 use crate::motion::Motion;
 use crate::records::Record;
 use dashpot_core::Input;
@@ -11,15 +11,6 @@ use std::ops::Range;
 const PER_CYCLE: usize = 120;
 /// Share of a cycle over which the force is averaged at most: a wider window would blur the knee.
 const WINDOW: f64 = 1.0 / 400.0;
-/// Time that the motion runs ahead of the scored samples, s, and the same in cycles at least and at most: what the damper
-/// remembers is then its own, and what remembers longer begins at rest in the middle of the stroke, as it does on a rig.
-const LEAD_IN: f64 = 0.15;
-const LEAD_IN_CYCLES: (f64, f64) = (1.5, 3.5);
-/// Share of a cycle just before the scored samples in which it takes every sample, and of how many one before that: an error
-/// there has died out.
-const LEAD_IN_FINE: f64 = 0.25;
-const COARSER: usize = 4;
-
 /// When the displacement rises through its mean near a sample: cycles are cut at samples, and a mean cycle needs better.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
@@ -130,14 +121,10 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
             (input, force)
         })
         .collect();
-    let (least, most) = LEAD_IN_CYCLES;
-    let half_cycles = (2.0 * (LEAD_IN / period).clamp(least, most)).round();
-    let lead = (0.5 * half_cycles * count as f64) as usize;
+    let lead = lead_in::usual(period, count);
     // Scored is one turn from the first phase on; the motion before it is the end of the same turn.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
-    let near = (LEAD_IN_FINE * count as f64) as usize;
-    let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
-    let places: Vec<usize> = (0..lead + count).filter(is_taken).collect();
+    let places = lead_in::places(lead, count);
     let (input, force) = places.iter().map(|k| cycle[turned(*k)]).unzip();
     let apart = |before: usize, here: usize| period * (phases[turned(here)] - phases[turned(before)]).rem_euclid(1.0);
     let dt = std::iter::once(0.0).chain(places.windows(2).map(|pair| apart(pair[0], pair[1]))).collect();

@@ -5,10 +5,12 @@
 
 mod allowed;
 mod cycle;
+mod lead_in;
 mod noise;
 mod road;
 mod thin;
 
+pub use lead_in::as_long_as_remembered;
 pub use thin::Thin;
 
 use crate::identification::segment::Segment;
