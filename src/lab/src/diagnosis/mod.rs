@@ -10,6 +10,7 @@
 //! | [`vocabulary`] | the effects that can be named, with their starts |
 //! | [`screening`] | which of them are worth a refit |
 //! | [`race`] | refits in heats |
+//! | [`edges`] | numbers that say where the force jumps |
 //! | [`nearby`] | cheap residuals beside an explanation that is known exactly |
 //! | [`unbent`] | a series element that the base bent is tried straight |
 //! | [`spring_end`] | a stop that a lookup spring has taken up |
@@ -25,6 +26,7 @@
 //! | [`outcome`] | the answer |
 
 mod deviations;
+mod edges;
 mod evidence;
 mod extend;
 mod far_fetched;
@@ -142,7 +144,10 @@ pub fn diagnose(
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let mut found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
     let stands = |found: &Search| holds(found, records, &fitted, &left);
-    if found.ended_contrary() || (!stands(&found) && !found.stands_in_another_form(&fitted, &stands)) {
+    let as_it_is = |found: &mut Search| {
+        !found.ended_contrary() && (stands(found) || found.stands_in_another_form(&fitted, &stands))
+    };
+    if !as_it_is(&mut found) && !found.stands_as_two(records, &fitted, &limits, &stands) {
         found.take_back();
     }
     progress(0.92, "looking at what is left");

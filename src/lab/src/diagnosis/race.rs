@@ -1,5 +1,6 @@
 //! Refits in heats, so that the unlikely cost little.
 
+use super::edges::settle;
 use super::nearby::Nearby;
 use super::refit::{Effort, Refit, refit, refit_by};
 use super::samples::{Test, Thin};
@@ -115,7 +116,14 @@ pub fn race(started: Vec<Started>, course: &Course, before: (f64, f64), excess: 
                 return one;
             }
             let (place, known) = one;
-            let judged = refit(of(place), tests, &known.theta, None, Effort::JUDGE).unwrap_or(known);
+            let candidate = &list[screened[place].candidate];
+            let start = if candidate.jumps {
+                let fresh = known.theta.len() - candidate.fresh.len()..known.theta.len();
+                settle(of(place), &known, fresh, &|theta| nearby.residual(of(place), tests, theta))
+            } else {
+                known.theta.clone()
+            };
+            let judged = refit(of(place), tests, &start, None, Effort::JUDGE).unwrap_or(known);
             let straight =
                 if is_bent(of(place), tests, &judged.theta) { unbent(of(place), tests, judged) } else { judged };
             (place, straight)

@@ -74,7 +74,8 @@ pub fn chi2(residual: &Residual) -> f64 {
         .sum()
 }
 
-fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
+/// What leaving the expected values costs.
+pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     hypothesis
         .numbers
         .iter()

@@ -238,6 +238,31 @@ impl Search {
         false
     }
 
+    /// Whether, where a single name does not stand, two at once do, which then take its place.
+    pub fn stands_as_two(
+        &mut self,
+        records: &[&Record],
+        tests: &[Test],
+        limits: &Limits,
+        stands: &dyn Fn(&Search) -> bool,
+    ) -> bool {
+        let ([only], true) = (&self.added[..], limits.effects >= 2) else { return false };
+        let single = (self.last.clone(), vec![only.clone()], self.by_points, self.rounds.len());
+        let original = self.base.1.chi2 - self.floor;
+        let ground = Ground { records, tests, floor: self.floor, original, allowed: limits.allowed };
+        let Some(pair) = two_at_once(&ground, &self.base, &[], &self.rounds[0]) else { return false };
+        (self.last, self.added, self.by_points) = (pair.last, pair.added, 0.0);
+        self.rounds.extend(pair.rounds);
+        self.refine_curve(tests);
+        if stands(self) {
+            return true;
+        }
+        let rounds;
+        (self.last, self.added, self.by_points, rounds) = single;
+        self.rounds.truncate(rounds);
+        false
+    }
+
     /// Takes all names back.
     pub fn take_back(&mut self) {
         self.taken_back = self.added.drain(..).map(|a| a.candidate.effect).collect();

@@ -81,6 +81,8 @@ pub struct Candidate {
     pub starts: Vec<Start>,
     /// Whether it fits a little of everything: it must then explain more than others to be named.
     pub sponge: bool,
+    /// Whether it makes the force jump at places that its numbers say.
+    pub jumps: bool,
     /// Whether it makes the force change from cycle to cycle.
     pub remembers: bool,
     /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
@@ -137,6 +139,7 @@ fn candidate(
         fresh,
         starts,
         sponge: false,
+        jumps: false,
         remembers: false,
         unnamed: None,
     }

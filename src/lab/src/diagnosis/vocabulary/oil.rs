@@ -111,12 +111,13 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     });
     all.push(Candidate {
         form: "foot valve does not refill",
+        jumps: true,
         fixed: vec![("cavitation_form", 1.0), ("cavitation_side", 1.0)],
         ..candidate(
             "cavitation",
             &["cavitation"],
             vec![log("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
-            grid(&[0.01, 0.025, 0.06, 0.15], &[0.1, 0.25, 0.5]),
+            grid(&[0.01, 0.02, 0.04, 0.08, 0.15, 0.25, 0.4], &[0.1, 0.2, 0.35, 0.5]),
         )
     });
     let fade = |source: f64, reference: f64| {

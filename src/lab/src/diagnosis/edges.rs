@@ -1,0 +1,46 @@
+//! The numbers of an effect that makes the force jump, moved one by one.
+//!
+//! Where the place of a jump is off, the force is wrong between the place computed and that measured, but its derivative is
+//! felt at the place computed alone: a step by derivatives moves a jump by a sample or two, and ends long before it is where
+//! it belongs. A search by pattern (Hooke & Jeeves, J. ACM 8, 1961) sees the whole.
+
+use super::hypothesis::{Hypothesis, Residual};
+use super::refit::{Refit, chi2, prior_cost};
+use std::ops::Range;
+
+/// Steps, in units of a number's typical one.
+const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
+/// Most runs of the model.
+const RUNS: usize = 60;
+
+/// The numbers at which `residual` costs least, the numbers at `places` moved alone.
+pub fn settle(
+    hypothesis: &Hypothesis,
+    at: &Refit,
+    places: Range<usize>,
+    residual: &dyn Fn(&[f64]) -> Option<Residual>,
+) -> Vec<f64> {
+    let cost = |theta: &[f64]| residual(theta).map_or(f64::INFINITY, |r| chi2(&r) + prior_cost(hypothesis, theta));
+    let (mut theta, mut best) = (at.theta.clone(), at.cost);
+    let mut runs = 0;
+    for step in STEPS {
+        let mut moves = true;
+        while moves && runs < RUNS {
+            moves = false;
+            for place in places.clone() {
+                let number = &hypothesis.numbers[place];
+                for sign in [1.0, -1.0] {
+                    let mut tried = theta.clone();
+                    tried[place] = (tried[place] + sign * step * number.step).clamp(number.bounds.0, number.bounds.1);
+                    runs += 1;
+                    let there = cost(&tried);
+                    if there < best {
+                        (theta, best, moves) = (tried, there, true);
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    theta
+}
