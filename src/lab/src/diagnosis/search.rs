@@ -31,7 +31,7 @@ const BESIDE: f64 = 0.045;
 const BESIDE_LEFT: f64 = 0.3;
 const ALONE: f64 = 0.4;
 /// The same share from which the two are one to these records.
-const AS_MUCH: f64 = 0.9;
+const AS_MUCH: f64 = 0.85;
 /// Share of the excess that the name leaves, counted the same way, from which what has no name may be what it stands for: two
 /// that explain nearly as much, and neither of them all.
 const INSTEAD: f64 = 0.075;

@@ -93,7 +93,11 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
         vec![log("free_play_gap", (2e-5, 1e-3)), held("free_play_force", (0.0, 40.0), 0.5)],
         grid(&[5e-5, 2e-4], &[8.0])
             .into_iter()
-            .chain([Start::moving(&[1e-4, 8.0], &[("series_stiffness", 1.3)])])
+            // The wider the gap, the softer the base had to be.
+            .chain(
+                [(1e-4, 1.3), (3e-4, 2.0), (8e-4, 4.0)]
+                    .map(|(gap, stiffer)| Start::moving(&[gap, 8.0], &[("series_stiffness", stiffer)])),
+            )
             .collect(),
     ));
     carrying_the_whole(s, all);
