@@ -44,3 +44,33 @@ pub fn settle(
     }
     theta
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::hypothesis::number;
+    use crate::identification::unknowns::Unknown;
+    use dashpot_core::Params;
+    use nalgebra::{DMatrix, DVector};
+
+    #[test]
+    fn a_jump_is_found_where_no_derivative_tells_of_it() {
+        let mut base = Params::new();
+        base.enable("free_play", false).unwrap();
+        base.set("free_play_gap", 1e-4).unwrap();
+        let number = number(&base, Unknown::Log("free_play_gap"), None);
+        let hypothesis = Hypothesis { base, numbers: vec![number], heating: None };
+        // The force jumps at a sample that the gap says, and is the same on either side of it.
+        let jump = |theta: &[f64]| (4e5 * theta[0].exp()) as usize;
+        let residual = |theta: &[f64]| {
+            let (from, to) = (jump(theta).min(90), jump(theta).max(90));
+            Some(DVector::from_fn(400, |k, _| if (from..to).contains(&k) { 30.0 } else { 0.1 }))
+        };
+        for gap in [0.4e-4f64, 1.5e-4, 2.2e-4, 6e-4] {
+            let start = vec![gap.ln()];
+            let at = Refit::at(&hypothesis, start.clone(), residual(&start).unwrap(), DMatrix::zeros(400, 1));
+            let found = settle(&hypothesis, &at, 0..1, &residual);
+            assert!(jump(&found).abs_diff(90) <= 1, "{gap}: {} of 90", jump(&found));
+        }
+    }
+}

@@ -147,8 +147,11 @@ pub fn diagnose(
     let as_it_is = |found: &mut Search| {
         !found.ended_contrary() && (stands(found) || found.stands_in_another_form(&fitted, &stands))
     };
-    if !as_it_is(&mut found) && !found.stands_as_two(records, &fitted, &limits, &stands) {
-        found.take_back();
+    if !as_it_is(&mut found) {
+        progress(0.9, "looking for two effects at once");
+        if !found.stands_as_two(records, &fitted, &limits, &stands) {
+            found.take_back();
+        }
     }
     progress(0.92, "looking at what is left");
     let answer = Answer {

@@ -247,19 +247,20 @@ impl Search {
         stands: &dyn Fn(&Search) -> bool,
     ) -> bool {
         let ([only], true) = (&self.added[..], limits.effects >= 2) else { return false };
-        let single = (self.last.clone(), vec![only.clone()], self.by_points, self.rounds.len());
+        let single = (self.last.clone(), vec![only.clone()], self.by_points);
         let original = self.base.1.chi2 - self.floor;
         let ground = Ground { records, tests, floor: self.floor, original, allowed: limits.allowed };
         let Some(pair) = two_at_once(&ground, &self.base, &[], &self.rounds[0]) else { return false };
         (self.last, self.added, self.by_points) = (pair.last, pair.added, 0.0);
+        let beside_the_single = self.rounds.split_off(1);
         self.rounds.extend(pair.rounds);
         self.refine_curve(tests);
         if stands(self) {
             return true;
         }
-        let rounds;
-        (self.last, self.added, self.by_points, rounds) = single;
-        self.rounds.truncate(rounds);
+        (self.last, self.added, self.by_points) = single;
+        self.rounds.truncate(1);
+        self.rounds.extend(beside_the_single);
         false
     }
 
