@@ -147,7 +147,11 @@ pub fn diagnose(
     let as_it_is = |found: &mut Search| {
         !found.ended_contrary() && (stands(found) || found.stands_in_another_form(&fitted, &stands))
     };
-    if !as_it_is(&mut found) {
+    let mut do_stand = as_it_is(&mut found);
+    while !do_stand && found.without_the_last_name(&fitted) {
+        do_stand = as_it_is(&mut found);
+    }
+    if !do_stand {
         progress(0.9, "looking for two effects at once");
         if !found.stands_as_two(records, &fitted, &limits, &stands) {
             found.take_back();
@@ -170,6 +174,8 @@ pub fn diagnose(
 
 /// Share of the excess that all names together must explain: names that leave more stand for something else.
 const TOGETHER: f64 = 0.67;
+/// The same of several names, of which one is there because of what another left.
+const SEVERAL_TOGETHER: f64 = 0.8;
 /// A smaller share will do where left-out tests are predicted so much better (mean fall of the logarithm of their error).
 const LESS_TOGETHER: f64 = 0.5;
 const PREDICTED: f64 = 1.0;
@@ -178,6 +184,9 @@ const MANY: f64 = 3.0;
 const MANY_CLOSED: f64 = 0.35;
 /// Share of the gap on such tests, where they show one, that names close at least.
 const LEAST_CLOSED: f64 = 0.1;
+/// Confidence below which a single name must close so much of the gap there.
+const UNSURE: f64 = 0.8;
+const UNSURE_CLOSED: f64 = 0.6;
 /// Rise of the error on left-out tests at which names are taken back.
 const HARM: f64 = 1.03;
 
@@ -204,9 +213,16 @@ fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) ->
     if !left.is_empty() && closed < MANY_CLOSED && found.added.iter().any(|a| a.evidence.free >= MANY) {
         return false;
     }
+    if let ([only], Some(closed)) = (&found.added[..], gap.filter(|_| !left.is_empty()))
+        && only.confidence < UNSURE
+        && closed < UNSURE_CLOSED
+    {
+        return false;
+    }
     let together = found.together(fitted);
+    let needed = if found.added.len() > 1 { SEVERAL_TOGETHER } else { TOGETHER };
     let predicted = found.added.iter().map(|a| a.evidence.left_out_gain).sum::<f64>();
-    together >= TOGETHER || (together >= LESS_TOGETHER && predicted >= PREDICTED)
+    together >= needed || (together >= LESS_TOGETHER && predicted >= PREDICTED)
 }
 
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.

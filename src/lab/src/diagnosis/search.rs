@@ -238,6 +238,21 @@ impl Search {
         false
     }
 
+    /// Takes the last of several names back, with the look at what it left; false where there is one name or none.
+    pub fn without_the_last_name(&mut self, tests: &[Test]) -> bool {
+        let last = self.added.len().saturating_sub(1);
+        if last == 0 {
+            return false;
+        }
+        let Some(explained) = leave(&self.last, &self.added, last, tests) else { return false };
+        let gone = self.added[last].candidate.effect;
+        (self.last, self.added) = explained;
+        // The look in which it was found is then the last.
+        let found_in = self.rounds.iter().position(|r| r.tried.first().is_some_and(|t| t.candidate.effect == gone));
+        self.rounds.truncate(found_in.map_or(self.rounds.len(), |place| place + 1));
+        true
+    }
+
     /// Whether, where a single name does not stand, two at once do, which then take its place.
     pub fn stands_as_two(
         &mut self,
