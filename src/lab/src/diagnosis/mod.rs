@@ -21,6 +21,7 @@
 //! | [`tie`] | which of several that explain the same leads furthest |
 //! | [`pair`] | two effects that hide each other's share |
 //! | [`search`] | adding, looking again, taking out |
+//! | [`stands`], [`gap`] | whether the names found stand, and the gap that they close |
 //! | [`regions`] | where, in words and figures |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
 //! | [`outcome`] | the answer |
@@ -31,6 +32,7 @@ mod evidence;
 mod extend;
 mod far_fetched;
 mod finer_curve;
+mod gap;
 mod heating;
 mod hold_out;
 mod hypothesis;
@@ -49,6 +51,7 @@ mod screening;
 mod search;
 mod situation;
 mod spring_end;
+mod stands;
 mod tie;
 mod unbent;
 mod untestable;
@@ -66,12 +69,13 @@ use dashpot_core::Params;
 use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::find;
 use deviations::deviations;
+use gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use heating::Heating;
 use hypothesis::{Free, Hypothesis};
-use refit::Refit;
 use samples::Test;
 use search::{Limits, Search, physical, search};
 use situation::Situation;
+use stands::holds;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -172,59 +176,6 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
-/// Share of the excess that all names together must explain: names that leave more stand for something else.
-const TOGETHER: f64 = 0.67;
-/// The same of several names, of which one is there because of what another left.
-const SEVERAL_TOGETHER: f64 = 0.8;
-/// A smaller share will do where left-out tests are predicted so much better (mean fall of the logarithm of their error).
-const LESS_TOGETHER: f64 = 0.5;
-const PREDICTED: f64 = 1.0;
-/// Free numbers from which an effect fits much by itself, and the share that it must close on such tests then.
-const MANY: f64 = 3.0;
-const MANY_CLOSED: f64 = 0.35;
-/// Share of the gap on such tests, where they show one, that names close at least.
-const LEAST_CLOSED: f64 = 0.1;
-/// Confidence below which a single name must close so much of the gap there.
-const UNSURE: f64 = 0.8;
-const UNSURE_CLOSED: f64 = 0.6;
-/// Rise of the error on left-out tests at which names are taken back.
-const HARM: f64 = 1.03;
-
-/// Whether the names stand: together they explain enough, left-out tests do not suffer, and nothing without a name does as
-/// well.
-fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]) -> bool {
-    if found.added.is_empty() {
-        return true;
-    }
-    if found.may_have_no_name(fitted) {
-        return false;
-    }
-    let tests = if left.is_empty() { fitted } else { left };
-    let of = |(h, r): &(Hypothesis, Refit)| errors(h, &r.theta, records, tests);
-    let (Some(before), Some(after)) = (of(&found.base), of(&found.last)) else { return false };
-    if in_noise(tests, &after) > HARM * in_noise(tests, &before) {
-        return false;
-    }
-    let gap = gap_closed(tests, &before, &after);
-    if !left.is_empty() && gap.is_some_and(|closed| closed < LEAST_CLOSED) {
-        return false;
-    }
-    let closed = gap.unwrap_or(0.0);
-    if !left.is_empty() && closed < MANY_CLOSED && found.added.iter().any(|a| a.evidence.free >= MANY) {
-        return false;
-    }
-    if let ([only], Some(closed)) = (&found.added[..], gap.filter(|_| !left.is_empty()))
-        && only.confidence < UNSURE
-        && closed < UNSURE_CLOSED
-    {
-        return false;
-    }
-    let together = found.together(fitted);
-    let needed = if found.added.len() > 1 { SEVERAL_TOGETHER } else { TOGETHER };
-    let predicted = found.added.iter().map(|a| a.evidence.left_out_gain).sum::<f64>();
-    together >= needed || (together >= LESS_TOGETHER && predicted >= PREDICTED)
-}
-
 /// Stops are looked for as far as the tests reach, and what lies beyond is told.
 fn is_stop(effect: &str) -> bool {
     matches!(effect, "bump_stop" | "rebound_stop")
@@ -239,42 +190,6 @@ struct Answer<'a> {
     situation: &'a Situation,
     heat_span: f64,
     most_effects: usize,
-}
-
-/// Residuals in N of an explanation on tests of its own choice.
-fn errors(hypothesis: &Hypothesis, theta: &[f64], records: &[&Record], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
-    let mut own = hypothesis.clone();
-    if own.heating.is_some() {
-        own.heating = Some(Arc::new(Heating::new(records, tests)));
-    }
-    let forces = own.forces(tests, theta)?;
-    Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
-}
-
-fn rms(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
-}
-
-/// Root mean square over tests of each test's root mean square.
-fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
-    rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
-}
-
-/// Errors in units of what each test's noise and form allow: root mean square over tests, so that a slow test of small
-/// forces counts like a fast one.
-fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
-    rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
-}
-
-/// The same of noise alone.
-fn noise_alone(tests: &[Test]) -> f64 {
-    rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
-}
-
-/// Share of the gap between model and noise that is closed.
-fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
-    let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
-    (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))
 }
 
 /// Times its allowed error from which one test is missed where all together are not, and most such tests told.
