@@ -322,10 +322,7 @@ impl Answer<'_> {
             .added
             .iter()
             .map(|added| {
-                let round = found
-                    .rounds
-                    .iter()
-                    .find(|r| r.tried.first().is_some_and(|t| t.candidate.effect == added.candidate.effect));
+                let round = found.found_in(added.candidate.effect).map(|place| &found.rounds[place]);
                 let mut parameters = BTreeMap::new();
                 for (fresh, place) in added.candidate.fresh.iter().zip(added.numbers.clone()) {
                     let (value, deviation) = (end.theta[place], deviations[place]);
@@ -352,7 +349,7 @@ impl Answer<'_> {
                     parameters,
                     gap_closed: self.gap_of(added),
                     evidence: added.evidence,
-                    rivals: round.map_or(Vec::new(), |r| verdict::rivals(r)),
+                    rivals: round.map_or(Vec::new(), verdict::rivals),
                 }
             })
             .collect()

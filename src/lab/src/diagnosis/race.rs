@@ -53,8 +53,8 @@ pub struct Course<'a> {
 
 /// Refits in three heats: by the cheap integration a few steps for all at half of the samples, and more at all samples for
 /// the best; then exactly, with a Jacobian of their own, the best forms of the likeliest effects, since an updated one stops
-/// short of the best; those that make the force jump from where a search without derivatives has put the jump. `before` is the cost without any of them, at all samples and at half of them, `excess` what of it is
-/// no noise.
+/// short of the best; those that make the force jump from where a search without derivatives has put the jump. `before` is
+/// the cost without any of them, at all samples and at half of them, `excess` what of it is no noise.
 pub fn race(started: Vec<Started>, course: &Course, before: (f64, f64), excess: f64) -> Vec<(usize, Refit)> {
     let Course { screened, list, tests, nearby, thin, roughly } = *course;
     let of = |place: usize| &screened[place].hypothesis;

@@ -79,6 +79,17 @@ pub struct Limits<'a> {
     pub allowed: &'a (dyn Fn(&str) -> bool + Sync),
 }
 
+/// What is looked at, from a base explanation that is refitted.
+fn ground<'a>(
+    base: &Refit,
+    floor: f64,
+    records: &'a [&'a Record],
+    tests: &'a [Test],
+    limits: &Limits<'a>,
+) -> Ground<'a> {
+    Ground { records, tests, floor, original: base.chi2 - floor, allowed: limits.allowed }
+}
+
 /// Runs the search from a base explanation.
 pub fn search(
     base: Hypothesis,
@@ -94,7 +105,7 @@ pub fn search(
     let floor = noise_chi2(tests);
     let quiet = QUIET + SURE * noise_chi2_deviation(tests) / effective_count(tests);
     let (base, first) = with_enough_points((base, first), tests, floor);
-    let ground = Ground { records, tests, floor, original: first.chi2 - floor, allowed: limits.allowed };
+    let ground = ground(&first, floor, records, tests, limits);
     let mut found = Search {
         base: (base.clone(), first.clone()),
         last: (base, first),
@@ -217,25 +228,33 @@ impl Search {
     /// Whether a single effect that does not stand does so in another form, which then takes its place.
     pub fn stands_in_another_form(&mut self, tests: &[Test], stands: &dyn Fn(&Search) -> bool) -> bool {
         let [only] = &self.added[..] else { return false };
-        let (last, added, by_points) = (self.last.clone(), self.added.clone(), self.by_points);
         let others: Vec<Tried> = self.rounds[0]
             .other_forms
             .iter()
             .filter(|t| t.candidate.effect == only.candidate.effect && t.evidence.is_admissible())
             .map(|t| Tried { confidence: only.confidence, ..t.clone() })
             .collect();
-        for other in &others {
-            if let Some(explained) = with(other, &self.base.0, &[], tests) {
-                (self.last, self.added) = explained;
-                self.by_points = 0.0;
-                self.refine_curve(tests);
-                if stands(self) {
-                    return true;
-                }
-            }
+        others.iter().any(|other| {
+            with(other, &self.base.0, &[], tests).is_some_and(|explained| self.stands_instead(explained, tests, stands))
+        })
+    }
+
+    /// Whether other names stand, which then take the place of those there are.
+    fn stands_instead(&mut self, explained: Explained, tests: &[Test], stands: &dyn Fn(&Search) -> bool) -> bool {
+        let before = (self.last.clone(), self.added.clone(), self.by_points);
+        (self.last, self.added) = explained;
+        self.by_points = 0.0;
+        self.refine_curve(tests);
+        let do_stand = stands(self);
+        if !do_stand {
+            (self.last, self.added, self.by_points) = before;
         }
-        (self.last, self.added, self.by_points) = (last, added, by_points);
-        false
+        do_stand
+    }
+
+    /// Place of the look in which an effect was found.
+    pub fn found_in(&self, effect: &str) -> Option<usize> {
+        self.rounds.iter().position(|r| r.tried.first().is_some_and(|t| t.candidate.effect == effect))
     }
 
     /// Takes the last of several names back, with the look at what it left; false where there is one name or none.
@@ -248,8 +267,9 @@ impl Search {
         let gone = self.added[last].candidate.effect;
         (self.last, self.added) = explained;
         // The look in which it was found is then the last.
-        let found_in = self.rounds.iter().position(|r| r.tried.first().is_some_and(|t| t.candidate.effect == gone));
-        self.rounds.truncate(found_in.map_or(self.rounds.len(), |place| place + 1));
+        if let Some(place) = self.found_in(gone) {
+            self.rounds.truncate(place + 1);
+        }
         true
     }
 
@@ -261,22 +281,17 @@ impl Search {
         limits: &Limits,
         stands: &dyn Fn(&Search) -> bool,
     ) -> bool {
-        let ([only], true) = (&self.added[..], limits.effects >= 2) else { return false };
-        let single = (self.last.clone(), vec![only.clone()], self.by_points);
-        let original = self.base.1.chi2 - self.floor;
-        let ground = Ground { records, tests, floor: self.floor, original, allowed: limits.allowed };
-        let Some(pair) = two_at_once(&ground, &self.base, &[], &self.rounds[0]) else { return false };
-        (self.last, self.added, self.by_points) = (pair.last, pair.added, 0.0);
-        let beside_the_single = self.rounds.split_off(1);
-        self.rounds.extend(pair.rounds);
-        self.refine_curve(tests);
-        if stands(self) {
-            return true;
+        if self.added.len() != 1 || limits.effects < 2 {
+            return false;
         }
-        (self.last, self.added, self.by_points) = single;
-        self.rounds.truncate(1);
-        self.rounds.extend(beside_the_single);
-        false
+        let ground = ground(&self.base.1, self.floor, records, tests, limits);
+        let Some(pair) = two_at_once(&ground, &self.base, &[], &self.rounds[0]) else { return false };
+        let do_stand = self.stands_instead((pair.last, pair.added), tests, stands);
+        if do_stand {
+            self.rounds.truncate(1);
+            self.rounds.extend(pair.rounds);
+        }
+        do_stand
     }
 
     /// Takes all names back.

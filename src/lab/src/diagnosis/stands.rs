@@ -42,13 +42,16 @@ pub fn holds(found: &Search, records: &[&Record], fitted: &[Test], left: &[Test]
     if in_noise(tests, &after) > HARM * in_noise(tests, &before) {
         return false;
     }
-    // Left-out tests that hardly show the disagreement say little of how much of it is closed: a stop that they do not reach.
-    let Some(in_fitted) = errors(&found.base.0, &found.base.1.theta, records, fitted) else { return false };
-    let shown = beyond_noise(tests, &before) >= SHOWN * beyond_noise(fitted, &in_fitted);
-    if let Some(closed) = gap_closed(tests, &before, &after).filter(|_| shown && !left.is_empty()) {
+    if let Some(closed) = if left.is_empty() { None } else { gap_closed(left, &before, &after) } {
+        let Some(in_fitted) = errors(&found.base.0, &found.base.1.theta, records, fitted) else { return false };
+        // Left-out tests that hardly show the disagreement say little of how much of it is closed: a stop that they do not
+        // reach.
+        let shown = beyond_noise(left, &before) >= SHOWN * beyond_noise(fitted, &in_fitted);
         let has_many = found.added.iter().any(|a| a.evidence.free >= MANY);
         let is_unsure = matches!(&found.added[..], [only] if only.confidence < UNSURE);
-        if closed < LEAST_CLOSED || has_many && closed < MANY_CLOSED || is_unsure && closed < UNSURE_CLOSED {
+        let too_little =
+            closed < LEAST_CLOSED || has_many && closed < MANY_CLOSED || is_unsure && closed < UNSURE_CLOSED;
+        if shown && too_little {
             return false;
         }
     }

@@ -11,6 +11,7 @@ use std::ops::Range;
 const PER_CYCLE: usize = 120;
 /// Share of a cycle over which the force is averaged at most: a wider window would blur the knee.
 const WINDOW: f64 = 1.0 / 400.0;
+
 /// When the displacement rises through its mean near a sample: cycles are cut at samples, and a mean cycle needs better.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
