@@ -2,13 +2,10 @@
 
 use super::hypothesis::{Free, Hypothesis, Number, number};
 use super::spring_end::straighten;
-use super::vocabulary::{Candidate, Fresh, Start};
+use super::vocabulary::{Candidate, DrawnOn, Fresh, Start};
 use crate::identification::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
-
-/// Speed up to which a branch of the FV curve is trusted when it is drawn on straight, m/s.
-const TRUSTED: f64 = 0.3;
 
 /// The explanation at `theta` with a candidate added at one of its starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
@@ -31,8 +28,8 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
     for (name, factor) in &start.moves {
         scale(&mut to, name, *factor);
     }
-    if let Some(stroke) = start.unbend {
-        unbend(&mut to, stroke);
+    if let Some(drawn) = &start.unbend {
+        unbend(&mut to, drawn);
     }
     if let Some(side) = start.straighten {
         straighten(&mut to, side);
@@ -117,34 +114,33 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Draws one stroke's branch of the FV curve on with the slope that it has at moderate speed.
-fn unbend(to: &mut Hypothesis, stroke: f64) {
+/// Draws one stroke's branch of the FV curve on from where it is trusted.
+fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
     let velocity = to.base.list("fv_velocity").to_vec();
     let zero = anchor(&velocity);
-    let rises = |to: &Hypothesis| -> Vec<(usize, usize, f64)> {
-        let mut list: Vec<(usize, usize, f64)> = to
-            .numbers
-            .iter()
-            .enumerate()
-            .filter_map(|(place, n)| match &n.free {
-                Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) if (velocity[*point] * stroke) > 0.0 => {
-                    Some((place, *point, n.start))
-                }
-                _ => None,
-            })
-            .collect();
-        list.sort_by(|a, b| velocity[a.1].abs().total_cmp(&velocity[b.1].abs()));
-        list
-    };
-    let list = rises(to);
-    let span = |point: usize| (velocity[point] - velocity[towards_zero(point, zero)]).abs();
-    // The branch turns into a cap somewhere: the slope before that is the last that is not far below the one before.
-    let trusted: Vec<f64> = list.iter().filter(|r| velocity[r.1].abs() <= TRUSTED).map(|r| r.2 / span(r.1)).collect();
-    let Some(slope) = trusted.last().copied().or_else(|| list.first().map(|r| r.2 / span(r.1))) else { return };
+    let mut list: Vec<(usize, usize, f64)> = to
+        .numbers
+        .iter()
+        .enumerate()
+        .filter_map(|(place, n)| match &n.free {
+            Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) if (velocity[*point] * drawn.stroke) > 0.0 => {
+                Some((place, *point, n.start))
+            }
+            _ => None,
+        })
+        .collect();
+    list.sort_by(|a, b| velocity[a.1].abs().total_cmp(&velocity[b.1].abs()));
+    let (mut force, mut slope) = (0.0, None);
     for (place, point, rise) in list {
-        if velocity[point].abs() > TRUSTED {
-            let number = &mut to.numbers[place];
-            number.start = rise.max(0.7 * slope * span(point)).clamp(number.bounds.0, number.bounds.1);
+        let span = (velocity[point] - velocity[towards_zero(point, zero)]).abs();
+        force += rise;
+        match slope {
+            Some(slope) if force > drawn.from => {
+                let number = &mut to.numbers[place];
+                number.start = rise.max(drawn.steepness * slope * span).clamp(number.bounds.0, number.bounds.1);
+                force += number.start - rise;
+            }
+            _ => slope = Some(rise / span),
         }
     }
 }

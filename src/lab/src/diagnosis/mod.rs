@@ -196,7 +196,10 @@ struct Answer<'a> {
 const LOUD: f64 = 1.8;
 const LOUDEST: usize = 4;
 
-/// What to say of single tests that are missed where nothing is missing all in all.
+/// Times its allowed error from which a fitted test is missed by so much that something is missing, rare as it may be.
+const MISSED: f64 = 2.2;
+
+/// What to say of single tests that are missed where little is missing all in all.
 fn loud(mut tests: Vec<(&Test, f64)>) -> Option<String> {
     tests.retain(|(test, error)| *error > LOUD * test.segment.scale);
     tests.sort_by(|a, b| (b.1 / b.0.segment.scale).total_cmp(&(a.1 / a.0.segment.scale)));
@@ -215,12 +218,14 @@ impl Answer<'_> {
         let found = self.found;
         let (base, first) = &found.base;
         let (last, end) = &found.last;
-        let judged = verdict::judge(found, self.fitted, self.most_effects);
         let of = |h: &Hypothesis, theta: &[f64], tests: &[Test]| {
             errors(h, theta, self.records, tests).unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
         };
         let (fitted_before, left_before) = (of(base, &first.theta, self.fitted), of(base, &first.theta, self.left));
         let (fitted_after, left_after) = (of(last, &end.theta, self.fitted), of(last, &end.theta, self.left));
+        let is_missed = |(test, errors): (&Test, &Vec<f64>)| rms(errors) > MISSED * test.segment.scale;
+        let missed = self.fitted.iter().zip(&fitted_before).any(is_missed);
+        let judged = verdict::judge(found, self.fitted, self.most_effects, missed);
         let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
         let noise = noise_of(self.fitted);
         let figures = |fitted: &[Vec<f64>], left: &[Vec<f64>]| {
@@ -248,7 +253,7 @@ impl Answer<'_> {
         let names: Vec<&str> = found.added.iter().map(|a| a.candidate.effect).collect();
         let invisible = found.rounds.first().map_or(&[][..], |r| &r.invisible);
         let mut notes = judged.notes.clone();
-        if judged.verdict == Verdict::NothingMissing {
+        if judged.is_quiet {
             let all = self.fitted.iter().zip(&fitted_before).chain(self.left.iter().zip(&left_before));
             notes.extend(loud(all.map(|(test, errors)| (test, rms(errors))).collect()));
         }

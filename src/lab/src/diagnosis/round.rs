@@ -210,7 +210,7 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), added: &[Added], progre
 }
 
 /// Starts of each form that moved the base: what they answer to a step says little of where they end.
-const MOVED: usize = 3;
+const MOVED: usize = 4;
 /// Forms of an effect, and the share of the best start's gain from which a second one of the same form is tried as well.
 const FORMS: usize = 2;
 const NEARLY: f64 = 0.7;

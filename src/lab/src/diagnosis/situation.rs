@@ -40,18 +40,20 @@ pub struct Situation {
 /// Speeds, m/s, between which a curve without friction is straight enough to be drawn back to standstill.
 const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
+/// What an FV curve has at a speed; beyond its ends what it has there.
+fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
+    let right = v.partition_point(|x| *x < speed).clamp(1, v.len() - 1);
+    let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
+    f[right - 1] + share * (f[right] - f[right - 1])
+}
+
 /// Half the step that an FV curve makes about standstill: the force at creeping speed less what the slope beyond makes.
 fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
-    let at = |speed: f64| {
-        let right = v.partition_point(|x| *x < speed).clamp(1, v.len() - 1);
-        let share = (speed - v[right - 1]) / (v[right] - v[right - 1]);
-        f[right - 1] + share * (f[right] - f[right - 1])
-    };
     if v.len() < 3 {
         return 0.0;
     }
     let (slow, fast) = DRAWN_BACK;
-    let half = |speed: f64| 0.5 * (at(speed) - at(-speed));
+    let half = |speed: f64| 0.5 * (at(v, f, speed) - at(v, f, -speed));
     (half(slow) - slow * (half(fast) - half(slow)) / (fast - slow)).max(0.0)
 }
 
@@ -78,13 +80,8 @@ impl Situation {
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let fastest = span(&mut inputs().map(|i| i.velocity));
-        // What the FV curve has at the fastest: friction and gas act beside the valves.
-        let driven = |velocity: f64| {
-            let (v, f) = (base.list("fv_velocity"), base.list("fv_force"));
-            let right = v.partition_point(|x| *x < velocity).clamp(1, v.len() - 1);
-            let share = ((velocity - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
-            f[right - 1] + share * (f[right] - f[right - 1])
-        };
+        // Friction and gas act beside the valves.
+        let driven = |speed: f64| at(base.list("fv_velocity"), base.list("fv_force"), speed);
         let mut friction = 0.0;
         if base.is_on("coulomb_friction") {
             friction += base.scalar("coulomb_force");
@@ -131,5 +128,10 @@ impl Situation {
             pauses,
             side_force_span: side.1 - side.0,
         }
+    }
+
+    /// What the FV curve has at a speed, N.
+    pub fn driven(&self, speed: f64) -> f64 {
+        at(self.base.list("fv_velocity"), self.base.list("fv_force"), speed)
     }
 }

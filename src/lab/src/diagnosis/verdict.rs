@@ -25,10 +25,12 @@ pub struct Judged {
     pub suspects: Vec<Rival>,
     /// Remarks.
     pub notes: Vec<String>,
+    /// Whether all in all the model is within the noise.
+    pub is_quiet: bool,
 }
 
-/// Judges a finished search.
-pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
+/// Judges a finished search; `missed` where single tests are missed by more than noise, whatever all in all says.
+pub fn judge(found: &Search, tests: &[Test], most_effects: usize, missed: bool) -> Judged {
     let count = effective_count(tests);
     let excess = |chi2: f64| ((chi2 - found.floor) / count).max(0.0);
     let (before, after) = (excess(found.base.1.chi2), excess(found.last.1.chi2));
@@ -70,6 +72,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             ),
             suspects,
             notes,
+            is_quiet: false,
         };
     }
     if !found.taken_back.is_empty() {
@@ -84,16 +87,15 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
     let convincing = best.is_some_and(Tried::convinces);
     let looks_like = found.rounds.first().and_then(looks_like);
     if before < found.quiet || (before < FORM && !convincing) {
-        return Judged {
-            verdict: Verdict::NothingMissing,
-            summary: format!(
-                "nothing is missing: the model is within {} of these records beyond the noise itself, and no effect is \
-                 justified by them",
-                in_noise(before)
-            ),
-            suspects: Vec::new(),
-            notes,
+        let within = format!("the model is within {} of these records beyond the noise itself", in_noise(before));
+        let (verdict, summary) = if missed {
+            let says = "all in all, but misses single tests by far more, and none of the known effects explains that";
+            (Verdict::UnknownEffect, format!("{within} {says}"))
+        } else {
+            let says = "no effect is justified by them";
+            (Verdict::NothingMissing, format!("nothing is missing: {within}, and {says}"))
         };
+        return Judged { verdict, summary, suspects: Vec::new(), notes, is_quiet: true };
     }
     if suspects.len() >= 2 && suspects[0].share >= SUSPECT_SHARE && looks_like.is_none() {
         let names: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
@@ -106,6 +108,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             ),
             suspects,
             notes,
+            is_quiet: false,
         };
     }
     if most_effects == 0 {
@@ -114,6 +117,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
             summary: format!("model and records disagree by {} beyond it; no effect was to be added", in_noise(before)),
             suspects,
             notes,
+            is_quiet: false,
         };
     }
     let percent = |t: &Tried| 100.0 * t.evidence.share.clamp(0.0, 1.0);
@@ -130,6 +134,7 @@ pub fn judge(found: &Search, tests: &[Test], most_effects: usize) -> Judged {
         ),
         suspects,
         notes,
+        is_quiet: false,
     }
 }
 

@@ -40,13 +40,23 @@ pub struct Start {
     pub values: Vec<f64>,
     /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
     pub moves: Vec<(&'static str, f64)>,
-    /// A stroke (+1 rebound, −1 compression) whose FV branch is drawn on straight from its middle: a capped branch hides the
-    /// cap.
-    pub unbend: Option<f64>,
+    /// A branch of the FV curve that is drawn on: a capped branch hides the cap.
+    pub unbend: Option<DrawnOn>,
     /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
     pub straighten: Option<f64>,
     /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
     pub level: f64,
+}
+
+/// A branch of the FV curve drawn on straight.
+#[derive(Debug, Clone)]
+pub struct DrawnOn {
+    /// +1 rebound, −1 compression.
+    pub stroke: f64,
+    /// Force up to which it is trusted, N, positive.
+    pub from: f64,
+    /// Share of its slope there that it goes on with at least.
+    pub steepness: f64,
 }
 
 impl Start {

@@ -1,6 +1,6 @@
 //! The oil column: compressibility, air, voids, temperature.
 
-use super::{Candidate, Fresh, Start, candidate, fresh, grid, held, linear, log, near};
+use super::{Candidate, DrawnOn, Fresh, Start, candidate, fresh, grid, held, linear, log, near};
 use crate::diagnosis::hypothesis::Free;
 use crate::diagnosis::situation::Situation;
 
@@ -8,6 +8,22 @@ use crate::diagnosis::situation::Situation;
 const COLUMN: f64 = 6.0;
 /// C of Vogel's law for damper oils, °C.
 const VOGEL: f64 = 95.0;
+
+/// Caps tried, as shares of the largest force of their stroke.
+const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
+/// Share of a cap up to which the branch that hides it is trusted, and the speed, m/s, up to which it is in any case: voids
+/// bend it well below the cap.
+const TRUSTED: f64 = 0.85;
+const SLOW: f64 = 0.3;
+
+/// Caps, as shares of the largest force of a stroke, each with the branches that may hide them.
+fn capped(s: &Situation, stroke: f64, shares: &[f64]) -> Vec<(f64, DrawnOn)> {
+    let top = if stroke > 0.0 { s.top_rebound } else { s.top_compression };
+    let slow = s.driven(stroke * SLOW).abs();
+    let drawn =
+        |cap: f64| [(TRUSTED * cap, 1.0), (slow, 0.7)].map(|(from, steepness)| DrawnOn { stroke, from, steepness });
+    shares.iter().flat_map(|share| drawn(share * top).map(|drawn| (share * top, drawn))).collect()
+}
 
 /// Oil that yields, tears off or thins.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
@@ -84,9 +100,9 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                     "cavitation",
                     &["cavitation"],
                     vec![log("cavitation_force", (100.0, 5000.0))],
-                    [0.98, 0.93, 0.85, 0.7]
-                        .map(|share| Start { unbend: Some(stroke), ..Start::at(&[share * top]) })
+                    capped(s, stroke, &CAPS)
                         .into_iter()
+                        .map(|(cap, drawn)| Start { unbend: Some(drawn), ..Start::at(&[cap]) })
                         .chain([Start::at(&[0.9 * top])])
                         .collect(),
                 )
@@ -104,9 +120,10 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 linear("cavitation_onset", (0.0, 1.0)),
                 held("cavitation_expansion", (3e-5, 0.02), 1.2),
             ],
-            [1.05, 0.98, 0.93, 0.85, 0.7]
-                .map(|share| Start { unbend: Some(-1.0), ..Start::at(&[share * s.top_compression, 0.85, 5e-4]) })
-                .to_vec(),
+            capped(s, -1.0, &CAPS)
+                .into_iter()
+                .map(|(cap, drawn)| Start { unbend: Some(drawn), ..Start::at(&[cap, 0.85, 5e-4]) })
+                .collect(),
         )
     });
     all.push(Candidate {
