@@ -66,7 +66,8 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 ..candidate(
                     effect,
                     elements,
-                    vec![log(names[2], (100.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
+                    // A gap that closes faster and faster has hardly a slope at its mouth.
+                    vec![log(names[2], (1.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (0.0, 0.2), 1.0)],
                     clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c, 0.02]))).collect(),
                 )
             });
