@@ -2,7 +2,7 @@
 
 use crate::ProvingError;
 use crate::case::{Case, Measured};
-use dashpot_lab::diagnosis::{Diagnosis, Evidence, Options, Verdict, diagnose};
+use dashpot_lab::diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
 use dashpot_lab::records::Record;
 use dashpot_rig::TestPoint;
 use serde::Serialize;
@@ -39,6 +39,8 @@ pub struct Outcome {
     /// Where no name was given: the name given first once the proposed test was run as well; empty where there is none yet.
     /// `None` where no test was proposed or the rig cannot run it.
     pub with_proposed: Option<String>,
+    /// The same once all sines proposed have been run.
+    pub with_all_proposed: Option<String>,
 }
 
 impl Outcome {
@@ -87,7 +89,8 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
             .map(|round| round.iter().map(|t| (t.effect.to_owned(), t.confidence, t.evidence)).collect())
             .collect(),
         could_not_test: found.could_not_test.iter().map(|c| c.effect.to_owned()).collect(),
-        with_proposed: if block == "poor" { with_proposed(case, &measured, &found) } else { None },
+        with_proposed: if block == "poor" { with_proposed(case, &measured, &found, 1) } else { None },
+        with_all_proposed: if block == "poor" { with_proposed(case, &measured, &found, usize::MAX) } else { None },
     };
     Ok((outcome, measured, found))
 }
@@ -95,24 +98,27 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
 /// Amplitudes that the rig drives, m, and speeds, m/s.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// The name given first once the test that the diagnosis proposes has been run too.
-fn with_proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> Option<String> {
+/// The name given first once the tests that the diagnosis proposes, at most so many, have been run too.
+fn with_proposed(case: &Case, measured: &Measured, found: &Diagnosis, most: usize) -> Option<String> {
     if !found.findings.is_empty() {
         return None;
     }
-    let test = found.next_tests.iter().find(|t| t.amplitude_m.is_some() && t.frequency_hz.is_some())?;
-    let (amplitude, frequency) = (test.amplitude_m?, test.frequency_hz?);
-    let speed = std::f64::consts::TAU * amplitude * frequency;
-    if amplitude < DRIVES.0 || speed > DRIVES.1 {
+    let point = |(k, test): (usize, &NextTest)| {
+        let (amplitude, frequency) = (test.amplitude_m?, test.frequency_hz?);
+        let speed = std::f64::consts::TAU * amplitude * frequency;
+        (amplitude >= DRIVES.0 && speed <= DRIVES.1).then(|| TestPoint {
+            mean_displacement_m: test.mean_displacement_m.unwrap_or(0.0),
+            side_force_n: test.side_force_n.unwrap_or(0.0),
+            cycles: 3,
+            ..TestPoint::at_peak_velocity(format!("proposed_{}", k + 1), amplitude, speed)
+        })
+    };
+    let sines = found.next_tests.iter().filter(|t| t.amplitude_m.is_some() && t.frequency_hz.is_some());
+    let points: Vec<TestPoint> = sines.take(most).enumerate().filter_map(point).collect();
+    if points.is_empty() {
         return None;
     }
-    let point = TestPoint {
-        mean_displacement_m: test.mean_displacement_m.unwrap_or(0.0),
-        side_force_n: test.side_force_n.unwrap_or(0.0),
-        cycles: 3,
-        ..TestPoint::at_peak_velocity("proposed".to_owned(), amplitude, speed)
-    };
-    let again = case.measure_at(measured.strengths.clone(), &[point]).ok()?;
+    let again = case.measure_at(measured.strengths.clone(), &points).ok()?;
     let records: Vec<&Record> = again.records.iter().collect();
     let found = diagnose(&records, &again.held_out, &again.base, &Options::default(), &|_, _| ()).ok()?;
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))

@@ -106,13 +106,16 @@ pub fn table(all: &[Outcome]) -> String {
         })
         .count();
     let _ = writeln!(out, "poor plans, named right or said so: {}", share(honest, poor.len()));
-    let after: Vec<bool> =
-        poor.iter().filter_map(|o| o.with_proposed.as_ref().map(|name| Some(name.as_str()) == o.truth())).collect();
-    let _ = writeln!(
-        out,
-        "  the test proposed, run as well, decides: {}",
-        share(after.iter().filter(|right| **right).count(), after.len())
-    );
+    for (label, name) in [
+        (
+            "the test proposed first, run as well, decides",
+            (|o| o.with_proposed.as_deref()) as fn(&Outcome) -> Option<&str>,
+        ),
+        ("all sines proposed, run as well, decide", |o| o.with_all_proposed.as_deref()),
+    ] {
+        let after: Vec<bool> = poor.iter().filter_map(|o| name(o).map(|name| Some(name) == o.truth())).collect();
+        let _ = writeln!(out, "  {label}: {}", share(after.iter().filter(|right| **right).count(), after.len()));
+    }
     if let Some(m) = median(all.iter().map(|o| o.seconds).collect()) {
         let _ = writeln!(out, "seconds per diagnosis, median: {m:.2}");
     }
