@@ -23,14 +23,27 @@
 // positive, compression negative. Tension is positive: a damper that resists extension answers with a positive
 // force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
 //
+// Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
+// program.c libdashpot.a, and nothing behind it; a linker takes in what is called. Neither needs another library. The shared one
+// imports no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+// runtime has; there is no allocator, file, lock or thread behind it.
+//
 // Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
 // on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
 // be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
 // sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
 //
+// Sizes. A state is 96 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
+// caller's stack (dashpot_model_init() 13 KB, a step 8 KB); keep models and parameter sets off a small stack. A list has at
+// most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
+//
+// Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
+// told), and an array of no elements.
+//
 // Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
 // Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-// blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (above 1e9).
+// blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (DASHPOT_BAD_INPUT says which).
+// An answer that is not a refusal is finite in all its numbers.
 //
 // Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 // of them write the same block and none writes what another reads. One model serves any number of dampers; each
@@ -59,11 +72,24 @@ extern "C" {
 // Version
 // ==============================================================================================================
 
-// The interface version counts changes of the structures and functions below. Programs written for one interface
-// version run with every library of the same interface version.
+// The interface version counts changes of the structures and functions below. Programs built for one interface version run
+// with every library of the same interface version; with another one every function that takes a parameter set refuses it
+// (DASHPOT_ABI_MISMATCH), and the program has to be built again. Parameters and elements may be added within one
+// interface version: a model file or a program that does not name them gets what it got before. The version of the
+// library tells results apart: from one to the next the digits of a force may change within the accuracy promised. States and
+// models are not exchanged between versions; parameter sets are exchanged as model files.
 
 // Version of this interface.
-#define DASHPOT_ABI_VERSION 8
+#define DASHPOT_ABI_VERSION 9
+
+// Version of the library that this header belongs to: DASHPOT_VERSION_MAJOR.DASHPOT_VERSION_MINOR.DASHPOT_VERSION_PATCH.
+#define DASHPOT_VERSION_MAJOR 0
+
+// See DASHPOT_VERSION_MAJOR.
+#define DASHPOT_VERSION_MINOR 1
+
+// See DASHPOT_VERSION_MAJOR.
+#define DASHPOT_VERSION_PATCH 0
 
 // The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 uint32_t dashpot_abi_version(void);
@@ -103,13 +129,14 @@ const char *dashpot_version(void);
 // The parameters or the model were not initialised, or by another build of the library.
 #define DASHPOT_NOT_SET -5
 
-// An input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9.
+// An input is NaN or infinite, or far beyond all dampers: displacement and velocity (m, m/s) together above 1000, side force
+// above 1e9 N, temperature above 1e5 degrees.
 #define DASHPOT_BAD_INPUT -6
 
-// The state holds NaN or infinity: it was not initialised.
+// The state holds NaN, infinity or a number beyond 1e60: it was not initialised.
 #define DASHPOT_BAD_STATE -7
 
-// dt is NaN, negative, above 1e9 s, or above 0 but below 1e-15 s.
+// dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
 #define DASHPOT_BAD_TIME_STEP -8
 
 // known has a bit that this library does not know.
@@ -180,6 +207,18 @@ const char *dashpot_version(void);
 
 // Free play or a bushing is on, and series_compliance, which they belong to, is off.
 #define DASHPOT_NEEDS_SERIES -31
+
+// Two points of a curve are nearer than 1e-6 m/s or m.
+#define DASHPOT_TOO_CLOSE -32
+
+// A curve rises from one point to the next by more than 1e8 N s/m or N/m.
+#define DASHPOT_TOO_STEEP -33
+
+// The step cannot be computed in numbers of this size: an input or a state is far from what a damper meets.
+#define DASHPOT_NOT_COMPUTABLE -34
+
+// The model has no state with this number.
+#define DASHPOT_NO_SUCH_STATE -35
 
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
@@ -265,11 +304,33 @@ int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault)
 // A model is a parameter set that was checked and made ready. It is constant while it runs, and one model serves any
 // number of dampers.
 
+// Most states that a model has: what dashpot_partials has room for.
+#define DASHPOT_MOST_STATES 10
+
 // A prepared model. Nothing in it is for the host.
 typedef struct DASHPOT_ALIGNED(16) dashpot_model {
   // The library's.
   uint64_t opaque[3072];
 } dashpot_model;
+
+// Name and unit of one state. Set struct_size before the call.
+typedef struct dashpot_state_name {
+  // sizeof(dashpot_state_name).
+  uint32_t struct_size;
+  // Its place among the states, from 0.
+  uint32_t state;
+  // Name, zero-terminated.
+  char name[48];
+  // SI unit; "-" for a pure number.
+  char unit[16];
+} dashpot_state_name;
+
+// Number of states that a solver of the host's own integrates (see Evaluation): those of the internal mass and the private
+// states of the elements that are on; from 2 to DASHPOT_MOST_STATES. Negative: a refusal.
+int32_t dashpot_model_states(const dashpot_model *model);
+
+// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->memory[k - 2].
+int32_t dashpot_model_state_name(const dashpot_model *model, uint32_t state, dashpot_state_name *name);
 
 // Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
 // to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
@@ -379,6 +440,12 @@ typedef struct dashpot_output {
 // gives the static force.
 int32_t dashpot_state_init(const dashpot_model *model, double initial_position, dashpot_state *state);
 
+// The state of a damper that has long moved steadily as *input says: start here where the simulation starts in motion, so that
+// the first steps show no jump of the velocity. Without DASHPOT_KNOWS_DISPLACEMENT it is at displacement 0.
+int32_t dashpot_state_init_motion(const dashpot_model *model,
+                                  const dashpot_input *input,
+                                  dashpot_state *state);
+
 
 // ==============================================================================================================
 // Step
@@ -407,7 +474,8 @@ int32_t dashpot_step(const dashpot_model *model,
 // One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
 // same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
 // the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
-// damper leaves every output untouched. Returns all warnings together.
+// damper leaves every output untouched. Only what shows in the computing itself comes later: DASHPOT_NOT_COMPUTABLE leaves the
+// dampers before the one concerned moved on, and that one and those after it as they were. Returns all warnings together.
 int32_t dashpot_step_batch(uint32_t count,
                            const dashpot_model *const *models,
                            const dashpot_state *from,
@@ -425,7 +493,9 @@ int32_t dashpot_step_batch(uint32_t count,
 // state is read and not changed.
 //
 // The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-// eight private states. A host that gives no displacement integrates that too (rate->displacement is the velocity).
+// private states. dashpot_model_states() tells how many the model has, dashpot_model_state_name() what they are; what lies behind
+// them in a structure is 0 and stays 0. Without series_compliance the internal mass moves with the driven end: its two
+// rates are 0. A host that gives no displacement integrates that too (rate->displacement is the velocity).
 // state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
 
 // All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
@@ -674,7 +744,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   rebound_stop_flow            hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
 //
 // integration: settings of the fixed-step integration
-//   method                       method inside a step [0 fourth_order, 1 second_order, 2 euler]
+//   method                       method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth [0 automatic, 1 second_order, 2 euler, 3 third_order, 4 fourth_order]
 //   substeps                     substeps inside one host step; 0: as many as the model's stiffness asks for [-, 0 to 64, default 0]
 
 

@@ -212,7 +212,7 @@ pub const PLAIN_STATES: u32 = 2;
 pub const FULL_STATES: u32 = 3;
 
 /// Everything that makes a force.
-pub const ROUTINES: [&str; 4] = ["gse", "sfo", "gfo", "car"];
+pub const ROUTINES: [&str; 3] = ["gse", "sfo", "gfo"];
 
 /// The kernel's model of a model file.
 pub fn model_of(text: &str) -> Model {

@@ -1,13 +1,44 @@
 //! FMUs that tests export.
 
-use crate::cli::done;
-use crate::library::directory;
+use crate::cli::{done, program, run};
+use crate::library::{directory, root, succeed};
 use std::path::Path;
+use std::process::Command;
+use std::sync::OnceLock;
+
+/// Makes sure that the command holds the FMU runtime and the Adams library: where it was built without, they are compiled and it is
+/// built again.
+pub fn runtimes() {
+    static HELD: OnceLock<()> = OnceLock::new();
+    HELD.get_or_init(|| {
+        let at = tempfile::tempdir().expect("a directory");
+        std::fs::write(at.path().join("m.toml"), "format = 1\nelements = [\"fv_curve\"]\n").expect("a model file");
+        let export = ["export", "fmu", "m.toml", "-o", "m.fmu"];
+        let ran = run(at.path(), &export);
+        let holds_none = ran.err.contains("holds no compiled FMU runtime") || ran.err.contains("holds no FMU runtime");
+        if ran.code == Some(0) && !holds_none {
+            return;
+        }
+        assert!(holds_none, "{}", ran.err);
+        succeed(Command::new("sh").arg(root().join("vi-crt-bridge/runtimes.sh")).env(
+            "DASHPOT_RUNTIMES",
+            // target/<profile>/dashpot
+            program().ancestors().nth(2).expect("a target directory").join("runtimes"),
+        ));
+        succeed(
+            Command::new(env!("CARGO"))
+                .args(["build", "--release", "--quiet", "-p", "dashpot-cli"])
+                .current_dir(root()),
+        );
+        done(at.path(), &export);
+    });
+}
 
 /// Exports `damper.fmu` of one corner or four of a model, beside its model file.
 pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
-    // The static library beside the command.
+    // The static library beside the command, for what is compiled here.
     directory();
+    runtimes();
     std::fs::write(at.join("model.toml"), text).expect("a model file");
     let mut export = vec!["export", "fmu", "model.toml", "-o", "damper.fmu", "--fmi", fmi];
     export.extend(four.then_some("--four"));

@@ -1,7 +1,7 @@
 //! Campaigns measured on the kernel itself, with steps finer than the samples: the truth is then known exactly.
 
 use dashpot_core::{Input, Model, Params, State, evaluate, step};
-use dashpot_lab::records::{Noise, Record};
+use dashpot_records::{Noise, Record};
 use std::f64::consts::TAU;
 
 /// A small generator of its own (xorshift64*), so that the data never changes with a library.

@@ -8,4 +8,5 @@ pub mod fmu;
 pub mod header;
 pub mod kernel_campaign;
 pub mod library;
+pub mod measured;
 pub mod python;

@@ -44,3 +44,20 @@ pub fn python() -> PathBuf {
         })
         .clone()
 }
+
+/// An interpreter with one package in an environment of its own, or none, after a line that says so, where it cannot be installed here.
+pub fn python_with(package: &str) -> Option<PathBuf> {
+    let test = std::env::current_exe().expect("the path of this test");
+    let target = test.ancestors().nth(3).expect("a target directory");
+    let environment = target.join(format!("{}-venv", package.split('=').next().unwrap_or(package)));
+    let (python, done) = (environment.join("bin/python"), environment.join(package));
+    let runs = |command: &mut Command| command.output().is_ok_and(|out| out.status.success());
+    let made = done.exists()
+        || runs(Command::new("python3").args(["-m", "venv"]).arg(&environment))
+            && runs(Command::new(&python).args(["-m", "pip", "install", "--quiet", package]))
+            && std::fs::write(&done, "").is_ok();
+    if !made {
+        println!("skipped: {package} does not install here");
+    }
+    made.then_some(python)
+}

@@ -104,30 +104,18 @@ static int read_model(int element, int string, damper_model *damper)
 
 void damper_model_find_states(damper_model *damper)
 {
-    /* A state is used where its rate answers to anything, here at a few ordinary motions. */
-    static const double MOTIONS[][2] = {{0.003, 0.02}, {-0.011, -0.3}, {0.02, 0.7}};
-    size_t k;
-    int i, j;
+    dashpot_state state;
+    dashpot_partials partials;
+    const dashpot_input input = dashpot_input_motion(0.003, 0.02);
+    int i;
+    damper->states = (int)dashpot_model_states(&damper->model);
     memset(damper->used, 0, sizeof damper->used);
-    for (k = 0; k < sizeof MOTIONS / sizeof MOTIONS[0]; k++) {
-        dashpot_state state;
-        dashpot_partials partials;
-        dashpot_input input = dashpot_input_motion(MOTIONS[k][0], MOTIONS[k][1]);
-        if (dashpot_state_init(&damper->model, 0.9 * MOTIONS[k][0], &state) < 0 ||
-            dashpot_jacobian(&damper->model, &state, &input, &partials) < 0)
-            continue;
-        for (i = 0; i < MOST_STATES; i++) {
-            if (partials.rate_by_input[i][0] != 0 || partials.rate_by_input[i][1] != 0)
-                damper->used[i] = 1;
-            for (j = 0; j < MOST_STATES; j++)
-                if (partials.rate_by_state[i][j] != 0)
-                    damper->used[i] = 1;
-        }
-    }
-    damper->states = 2;
-    for (i = 2; i < MOST_STATES; i++)
-        if (damper->used[i])
-            damper->states = i + 1;
+    for (i = 0; i < damper->states && i < MOST_STATES; i++)
+        damper->used[i] = 1;
+    /* Without the series compliance the mass moves with the driven end: its velocity is none of its displacement's rate. */
+    if (dashpot_state_init(&damper->model, 0.0, &state) >= 0 &&
+        dashpot_jacobian(&damper->model, &state, &input, &partials) >= 0 && partials.rate_by_state[0][1] == 0)
+        damper->used[0] = damper->used[1] = 0;
 }
 
 const damper_model *damper_model_of(int element, int npar, const double *par, int units_at, int again)

@@ -19,8 +19,6 @@ ENTRY_POINT void Dashpot_gse_samp(const adams_gse *, double time, int iflag, dou
 ENTRY_POINT void Dashpot_sfosub(const adams_sforce *, double time, int dflag, int iflag, double *result);
 ENTRY_POINT void Dashpot_gfosub(const adams_gforce *, double time, int dflag, int iflag, double *result);
 ENTRY_POINT void Dashpot_reqsub(const adams_request *, double time, int iflag, double *output);
-ENTRY_POINT void Dashpot_sfo2001(const int *id, const double *time, const double *par, const int *npar,
-                                 const int *dflag, const int *iflag, double *result);
 /* Answers without a solver: 0 where the library computes as it should; otherwise a number that selftest.c explains. */
 ENTRY_POINT int dashpot_adams_selftest(void);
 

@@ -12,9 +12,12 @@
 #include <windows.h>
 #else
 #include <dlfcn.h>
+#include <link.h>
 #if defined(__GNUC__) && defined(__x86_64__) && defined(__GLIBC__)
 /* The name that older systems have too: a library built on a new one must load on those that Adams supports. */
 __asm__(".symver dlsym, dlsym@GLIBC_2.2.5");
+__asm__(".symver dlopen, dlopen@GLIBC_2.2.5");
+__asm__(".symver dlclose, dlclose@GLIBC_2.2.5");
 #endif
 #endif
 
@@ -58,6 +61,26 @@ static const entry ENTRIES[] = {
 
 typedef void (*any_function)(void);
 
+#if !defined(_WIN32)
+typedef struct {
+    const char *name;
+    void *address;
+} search;
+
+/* One library of the process. */
+static int look_into(struct dl_phdr_info *info, size_t size, void *looked_for)
+{
+    search *for_it = (search *)looked_for;
+    void *library = info->dlpi_name && *info->dlpi_name ? dlopen(info->dlpi_name, RTLD_LAZY | RTLD_NOLOAD) : NULL;
+    (void)size;
+    if (!library)
+        return 0;
+    for_it->address = dlsym(library, for_it->name);
+    dlclose(library); /* it was there before */
+    return for_it->address != NULL;
+}
+#endif
+
 static any_function find(const char *name)
 {
     any_function function = NULL;
@@ -66,8 +89,11 @@ static any_function find(const char *name)
     if (utilities)
         function = (any_function)GetProcAddress(utilities, name);
 #else
-    void *address = dlsym(RTLD_DEFAULT, name);
-    memcpy(&function, &address, sizeof function);
+    search for_it = {name, dlsym(RTLD_DEFAULT, name)};
+    /* A host may have loaded the solver for itself alone (RTLD_LOCAL): it is in the process, and not in the global scope. */
+    if (!for_it.address)
+        dl_iterate_phdr(look_into, &for_it);
+    memcpy(&function, &for_it.address, sizeof function);
 #endif
     return function;
 }

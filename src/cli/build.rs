@@ -1,4 +1,5 @@
-//! Lists the kernel's own sources for the command, which writes them into an FMU's source folder.
+//! Lists the kernel's own sources for the command, which writes them into an FMU's source folder, and takes in what
+//! `vi-crt-bridge/runtimes.sh` has compiled of them.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -28,6 +29,77 @@ fn main() {
     let _ = writeln!(out, "pub const LIBM: &str = {:?};", libm(&fs::read_to_string(lock).expect("Cargo.lock")));
     let to = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts")).join("kernel.rs");
     fs::write(to, out).expect("a file");
+    runtimes(src.parent().expect("the project"));
+}
+
+/// What is compiled for a platform, by its name in FMI 2.0.
+const COMPILED: [(&str, &str); 5] = [
+    ("linux64", "dashpot_damper.so"),
+    ("linux64", "kernel.o"),
+    ("linux64", "dashpot_adams.so"),
+    ("win64", "dashpot_damper.dll"),
+    ("win64", "dashpot_adams.dll"),
+];
+
+/// Takes in what lies in target/runtimes, or where DASHPOT_RUNTIMES points, if it was compiled of the sources as they are now.
+fn runtimes(project: &Path) {
+    println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
+    // OUT_DIR is target/<profile>/build/<package>/out; a target triple may come between.
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
+    let usual = out.ancestors().find(|a| a.join("CACHEDIR.TAG").is_file()).unwrap_or(project).join("runtimes");
+    let folder = env::var_os("DASHPOT_RUNTIMES").map_or(usual, |path| project.join(path));
+    println!("cargo::rerun-if-changed={}", folder.join("sources.txt").display());
+    for part in ["include", "vi-crt-bridge/bridge", "vi-crt-bridge/fmu", "adams-usersub/src"] {
+        println!("cargo::rerun-if-changed={}", project.join(part).display());
+    }
+    let built_of = fs::read(folder.join("sources.txt")).ok();
+    let current = built_of.as_ref().is_some_and(|text| *text == sources(project));
+    if built_of.is_some() && !current {
+        println!(
+            "cargo::warning=what lies in {} was compiled of other sources and is not taken in: run sh vi-crt-bridge/runtimes.sh again",
+            folder.display()
+        );
+    }
+    let mut list = String::from("/// Platform, file and content.\npub const COMPILED: &[(&str, &str, &[u8])] = &[\n");
+    for (platform, file) in COMPILED {
+        let path = folder.join(platform).join(file);
+        if current && path.is_file() {
+            let _ = writeln!(list, "    ({platform:?}, {file:?}, include_bytes!({path:?})),");
+        }
+    }
+    list.push_str("];\n");
+    fs::write(out.join("runtimes.rs"), list).expect("a file");
+}
+
+/// The sources in one text, in the order and the form in which runtimes.sh writes them.
+fn sources(project: &Path) -> Vec<u8> {
+    let mut files = Vec::new();
+    for part in ["core", "abi", "dll"] {
+        files.push(project.join("src").join(part).join("Cargo.toml"));
+        collect(&project.join("src").join(part).join("src"), &mut files);
+    }
+    for folder in ["vi-crt-bridge/fmu", "adams-usersub/src"] {
+        let entries = fs::read_dir(project.join(folder)).expect("a folder of sources");
+        let c = |path: &PathBuf| path.extension().is_some_and(|e| e == "c" || e == "h");
+        files.extend(entries.map(|e| e.expect("an entry").path()).filter(c));
+    }
+    for file in ["include/dashpot.h", "vi-crt-bridge/bridge/corner.c", "vi-crt-bridge/bridge/corner.h"] {
+        files.push(project.join(file));
+    }
+    let mut named: Vec<(String, PathBuf)> = files
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(project).expect("below the project").to_str().expect("a name in UTF-8");
+            (name.replace('\\', "/"), path)
+        })
+        .collect();
+    named.sort();
+    let mut all = Vec::new();
+    for (name, path) in named {
+        all.extend(format!("== {name}\n").into_bytes());
+        all.extend(fs::read(path).expect("a source"));
+    }
+    all
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) {

@@ -3,7 +3,7 @@
  *
  *     solver LIBRARY ROUTINE key=value ...
  *
- * ROUTINE: gse, sfo, gfo, car (the Fortran-style entry). Keys: see `settings`. Prints "t x v sforce" in s, mm, mm/s, N at
+ * ROUTINE: gse, sfo, gfo. Keys: see `settings`. Prints "t x v sforce" in s, mm, mm/s, N at
  * accepted instants, then "calls ..." with counts. Ends with 3 where a routine stopped the run; its message is printed.
  * Towards the routine everything is in the model's units, which may be any; every call of a routine must ask for the same
  * quantities as the call that declared its dependencies.
@@ -249,7 +249,6 @@ static void (*output)(const adams_gse *, double, int, int, int, double *);
 static void (*sfosub)(const adams_sforce *, double, int, int, double *);
 static void (*gfosub)(const adams_gforce *, double, int, int, double *);
 static void (*reqsub)(const adams_request *, double, int, double *);
-static void (*car)(const int *, const double *, const double *, const int *, const int *, const int *, double *);
 
 static int is(const char *name) { return strcmp(routine, name) == 0; }
 
@@ -354,13 +353,6 @@ static double force(double t, int dflag, int iflag)
         adams_sforce s = {SFORCE, 0, par, I_MARKER, J_MARKER, 0, type};
         s.npar = line_values(par, 0);
         sfosub(&s, of_time(t), dflag, iflag, r);
-        check_questions(0, iflag);
-        return r[0] * force_unit;
-    }
-    if (is("car")) {
-        double par[16] = {2001, I_MARKER, end_marker}, model_time = of_time(t);
-        int id = SFORCE, npar = line_values(par, 3);
-        car(&id, &model_time, par, &npar, &dflag, &iflag, r);
         check_questions(0, iflag);
         return r[0] * force_unit;
     }
@@ -956,7 +948,6 @@ int main(int argc, char **argv)
     *(void **)&output = entry(library, "Dashpot_gse_output");
     *(void **)&sfosub = entry(library, "Dashpot_sfosub");
     *(void **)&gfosub = entry(library, "Dashpot_gfosub");
-    *(void **)&car = entry(library, "Dashpot_sfo2001");
     *(void **)&reqsub = entry(library, "Dashpot_reqsub");
     {
         int (*selftest)(void);

@@ -29,7 +29,33 @@ const char *iGetStrOpt(struct tInfos *inf, const char *key, const char *otherwis
 double iGetDblOpt(struct tInfos *inf, const char *key, double otherwise)
 {
     (void)inf;
-    return strstr(key, "Length") ? 0.45 : otherwise;
+    return strstr(key, "Length") ? 0.45 : strstr(key, "Far.position_offset") ? 12.0 : strstr(key, "Off.position_offset") ? -0.01 : otherwise;
+}
+
+static int asked, told;
+
+const char *SimCore_GetKindInfo(struct tInfos *inf, int model_class, const char *kind_key, int unused, int this_version, int *version)
+{
+    (void)inf;
+    (void)unused;
+    CHECK(model_class == ModelClass_Susp_Damper || model_class == ModelClass_Susp_DamperSystem);
+    *version = 1;
+    asked++;
+    return this_version == 1 && !strstr(kind_key, "Newer") ? "dashpot" : NULL;
+}
+
+int Susp_Damper_GetCfgOutIF(struct tInfos *inf, struct tSusp_DamperCfgIF *config, const char *kind)
+{
+    (void)inf;
+    told += config && !strcmp(kind, "dashpot");
+    return 0;
+}
+
+int Susp_DamperSystem_GetCfgOutIF(struct tInfos *inf, struct tSusp_DamperSystemCfgIF *config, const char *kind)
+{
+    (void)inf;
+    told += config && !strcmp(kind, "dashpot");
+    return 0;
 }
 
 void LogErrF(int where, const char *format, ...)
@@ -68,7 +94,10 @@ int main(int argc, char **argv)
     CHECK(!NEW(one.Susp_Damper, &config, "Missing") && errors == 1);
     model = NEW(one.Susp_Damper, &config, "SuspF.Damp");
     car = NEW(four.Susp_DamperSystem, &system_config, "Damp");
-    CHECK(model && car);
+    CHECK(model && car && asked == 3 && told == 2);
+    CHECK(one.Susp_Damper.DeclQuants && four.Susp_DamperSystem.DeclQuants);
+    /* A version that CarMaker does not take, and an offset in mm. */
+    CHECK(!NEW(one.Susp_Damper, &config, "Newer") && !NEW(one.Susp_Damper, &config, "Far") && told == 2);
     if (!model || !car)
         return 1;
     CHECK(dashpot_corner_load(&kernel, file, &fault) == 0);
@@ -109,6 +138,13 @@ int main(int argc, char **argv)
             CHECK(all.Force[i] == io.Force);
     }
     CHECK(energy < -10.0);
+    /* With an offset the damper stands at -10 mm where the vehicle's zero is. */
+    DELETE(one.Susp_Damper, model);
+    model = NEW(one.Susp_Damper, &config, "Off");
+    io.length = 0.45;
+    io.vel = 0.0;
+    CALC(one.Susp_Damper, model, &io, 0.0);
+    CHECK(dashpot_corner_rest(&kernel, -0.01) == 0 && io.Force == -kernel.now.output.force && io.Force != rest);
     DELETE(one.Susp_Damper, model);
     DELETE(four.Susp_DamperSystem, car);
     return failures != 0;

@@ -14,31 +14,53 @@ static const char *const names[12] = {"CMPD_L1", "CMPRD_L1", "CMPD_R1", "CMPRD_R
 static vs_real values[12];
 static int imports, errors;
 
-void vs_install_calc_function(void (*calculate)(vs_real, vs_ext_loc))
+void (*vs_install_calc_function)(void (*)(vs_real, vs_ext_loc));
+vs_real *(*vs_get_var_ptr)(char *);
+int (*vs_statement)(const char *, const char *, int);
+void (*vs_printf_error)(const char *, ...);
+void (*vs_set_stop_run)(vs_real, const char *, ...);
+static int stops, hidden;
+
+static void install(void (*calculate)(vs_real, vs_ext_loc))
 {
     call = calculate;
 }
 
-vs_real *vs_get_var_ptr(const char *name)
+static vs_real *variable(char *name)
 {
     int i;
-    for (i = 0; i < 12; i++)
+    for (i = 0; i < 12 - hidden; i++)
         if (!strcmp(names[i], name))
             return &values[i];
     return NULL;
 }
 
-int vs_statement(const char *keyword, const char *line, int stop)
+static int statement(const char *keyword, const char *line, int stop)
 {
     CHECK(!strcmp(keyword, "IMPORT") && !strncmp(line, "IMP_FD_", 7) && strstr(line, " vs_replace") && stop == 1);
     imports++;
     return 0;
 }
 
-void vs_set_error_message(const char *text)
+static void error(const char *format, ...)
 {
-    (void)text;
+    (void)format;
     errors++;
+}
+
+static void stop_run(vs_real now, const char *format, ...)
+{
+    (void)format;
+    stops += now > 0.0;
+}
+
+static void get_api(void)
+{
+    vs_install_calc_function = install;
+    vs_get_var_ptr = variable;
+    vs_statement = statement;
+    vs_printf_error = error;
+    vs_set_stop_run = stop_run;
 }
 
 int main(int argc, char **argv)
@@ -50,8 +72,18 @@ int main(int argc, char **argv)
 
     if (argc != 3)
         return 2;
+    /* Before the API is there nothing can be installed. */
+    CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == -2);
+    get_api();
     CHECK(dashpot_vs_install("missing.toml", argv[1], argv[2]) < 0 && errors == 1 && !call);
+    /* A solver that lacks an import stops the run and says so. */
     CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == 0 && call);
+    hidden = 1;
+    call(0.0, VS_EXT_EQ_INIT);
+    CHECK(stops == 1 && errors == 2);
+    hidden = 0;
+    dashpot_vs_end();
+    CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == 0);
     CHECK(dashpot_corner_load(&kernel, argv[1], &fault) == 0);
     if (!call)
         return 1;

@@ -218,14 +218,118 @@ def parameters_act():
     after = damper.get(outputs)
     check(abs(abs(after[0] - before[0]) - 200.0) < 1e-6, f"gas force: {before} {after}")
     check(after[1:] == before[1:], "another corner was tuned")
-    # A set that is refused leaves the old one.
-    damper.set([name], [math.nan])
-    try:
-        damper.step(2 * DT)
-        check(False, "a parameter that is not finite is taken")
-    except Exception:
-        pass
+    # A number that cannot be is refused at once, and the old one stays.
+    for wrong in (math.nan, 1e12):
+        refused(lambda: damper.set([name], [wrong]), f"gas force {wrong}")
+    damper.set(inputs, still)
+    damper.step(2 * DT)
+    check(damper.get(outputs) == after, "a refused parameter acts")
     damper.end()
+
+
+def refused(call, what):
+    try:
+        call()
+    except Exception:
+        return
+    check(False, f"{what}: accepted")
+
+
+def calls_in_the_wrong_order_are_refused():
+    for prepare in (lambda d: None, lambda d: d.begin()):
+        damper = Damper("order")
+        prepare(damper)
+        refused(lambda: damper.step(0.0), "a step before initialization has ended")
+        refused(damper.fmu.terminate, "terminate before initialization has ended")
+        damper.fmu.freeInstance()
+
+
+def the_zero_of_the_rig():
+    """With an offset the damper is where it is without, at a displacement that is larger by it."""
+    prefix, sign, offset = ("L1.", -1.0, -0.012) if four else ("", 1.0, -0.012)
+    forces = []
+    for own in (0.0, offset):
+        damper = Damper("zero")
+        damper.set([prefix + "position_offset"], [own])
+        refused(lambda: damper.set([prefix + "position_offset"], [12.0]), "an offset in mm")
+        def rows(k):
+            first = [sign * (0.02 * math.sin(0.03 * k) + offset - own), sign * 0.6 * math.cos(0.03 * k)]
+            return first + [0.0] * (len(inputs) - 2)
+        damper.set(inputs, rows(0))
+        damper.begin()
+        damper.run()
+        got = [damper.get(outputs)[0]]
+        for k in range(1, 200):
+            damper.set(inputs, rows(k))
+            damper.step((k - 1) * DT)
+            got.append(damper.get(outputs)[0])
+        damper.end()
+        forces.append(got)
+    # A sum in another order.
+    apart = max(abs(a - b) for a, b in zip(*forces))
+    check(apart < 1e-6, f"position_offset: {apart} N apart")
+
+
+def inputs_between_points():
+    """An importer that sets what it knows at the beginning of a step, as the standard has it: 10 mm, 3 Hz, steps of 1 ms. The delay of
+    the force is that shift of the right one which comes nearest."""
+    w, amplitude = 2 * math.pi * 3.0, 0.01
+    sign = -1.0 if four else 1.0
+
+    def rows(t):
+        return [sign * -amplitude * math.cos(w * t), sign * amplitude * w * math.sin(w * t)] * len(outputs)
+
+    def forces(choice, derivatives=False, ahead=0.0, cut=1):
+        damper = Damper("between")
+        if damper.three:
+            damper.fmu.setInt64([references["inputs_between_points"]], [choice])
+        else:
+            damper.fmu.setInteger([references["inputs_between_points"]], [choice])
+        damper.set(inputs, rows(0.0))
+        damper.begin()
+        damper.run()
+        got = []
+        for k in range(1000 * cut):
+            t, h = k * DT / cut, DT / cut
+            damper.set(inputs, rows(t + ahead * h))
+            if derivatives:
+                slope = [sign * amplitude * w * math.sin(w * t), sign * amplitude * w * w * math.cos(w * t)] * len(outputs)
+                vr = (ctypes.c_uint32 * len(inputs))(*(references[n] for n in inputs))
+                damper.fmu.fmi2SetRealInputDerivatives(
+                    damper.fmu.component, vr, len(inputs), (ctypes.c_int * len(inputs))(*[1] * len(inputs)),
+                    (ctypes.c_double * len(inputs))(*slope))
+            damper.step(t, h)
+            if (k + 1) % cut == 0:
+                got.append(damper.get(outputs)[0])
+        damper.end()
+        return got
+
+    fine = forces(1, ahead=1.0, cut=20)
+    peak = max(map(abs, fine))
+
+    def told(name, got):
+        worst = max(abs(a - b) for a, b in zip(got[5:], fine[5:]))
+
+        def off(delay):
+            # The right force, `delay` steps late, by straight lines between the steps.
+            whole, part = math.floor(delay), delay - math.floor(delay)
+            late = [(1 - part) * fine[i - whole] + part * fine[i - whole - 1] for i in range(10, len(fine) - 2)]
+            return sum((a - b) ** 2 for a, b in zip(got[10:-2], late))
+
+        delay = min((off(d / 50), d / 50) for d in range(-50, 101))[1]
+        print(f"{name}: {worst:.1f} N of {peak:.0f} N off at most, {delay:.2f} steps late")
+        return worst / peak, delay
+
+    hold, late = told("hold", forces(1))
+    run_on, in_time = told("extrapolate", forces(2))
+    check(hold > 0.05 and abs(late - 1.0) < 0.1, "held inputs are one step late")
+    check(run_on < 0.01 and abs(in_time) < 0.1, "extrapolated inputs are in time")
+    automatic, _ = told("automatic", forces(0))
+    check(automatic == hold, "automatic is hold in co-simulation")
+    if not description.fmiVersion.startswith("3"):
+        check(description.coSimulation.canInterpolateInputs, "canInterpolateInputs")
+        given, in_time = told("derivatives", forces(1, derivatives=True))
+        check(given < 0.01 and abs(in_time) < 0.1, "input derivatives are in time")
 
 
 def solve(rows_of, seconds, h):
@@ -265,7 +369,7 @@ def what_is_fixed_stays():
     damper.set([prefix + "motion_scale"], [-1.0 if four else 1.0])
     damper.begin()
     damper.run()
-    for name in ("motion_scale", "force_scale", "initial_position"):
+    for name in ("motion_scale", "force_scale", "initial_position", "position_offset"):
         before = damper.get([prefix + name])
         try:
             damper.set([prefix + name], [0.5])
@@ -322,12 +426,12 @@ def derivatives_of_exchange():
     damper.begin()
     damper.run()
     prefix = "L1." if four else ""
-    states = [prefix + s for s in ("mass_displacement", "mass_velocity")]
+    states = [prefix + s for s in ("deflection", "mass_velocity")]
     rates = [f"der({s})" for s in states]
     x = damper.states()
     values = [0.01, 0.21] * len(outputs)
-    place = {prefix + "mass_displacement": 1, prefix + "mass_velocity": 2}
-    x[1], x[2] = (0.0101, 0.2) if not four else (-0.0101, -0.2)
+    place = {prefix + "deflection": 1, prefix + "mass_velocity": 2}
+    x[1], x[2] = (0.0001, 0.2) if not four else (-0.0001, -0.2)
 
     def at(known, by):
         moved_x, moved_u = list(x), list(values)
@@ -433,5 +537,8 @@ try:
     derivatives_of_exchange()
     derivatives_of_steps()
     velocity_alone()
+    calls_in_the_wrong_order_are_refused()
+    the_zero_of_the_rig()
+    inputs_between_points()
 finally:
     shutil.rmtree(folder, ignore_errors=True)

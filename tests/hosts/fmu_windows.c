@@ -1,5 +1,5 @@
 /* Runs the co-simulation of a one-corner FMI 2.0 FMU on Windows. Arguments: library, GUID, trace of the bridge (lines of jounce,
- * rate, force). Every force must be the bridge's bit for bit. */
+ * rate, force), resources folder as the importer names it. Every force must be the bridge's bit for bit. */
 #include "fmi2.h"
 #include <stdio.h>
 #include <windows.h>
@@ -27,15 +27,15 @@ int main(int argc, char **argv)
 {
     const fmi2ValueReference inputs[2] = {1, 2}, force = 5;
     fmi2CallbackFunctions calls = {0};
-    HMODULE library = argc == 4 ? LoadLibraryA(argv[1]) : NULL;
-    FILE *trace = argc == 4 ? fopen(argv[3], "r") : NULL;
+    HMODULE library = argc == 5 ? LoadLibraryA(argv[1]) : NULL;
+    FILE *trace = argc == 5 ? fopen(argv[3], "r") : NULL;
     fmi2Component damper;
     double row[3], got;
     int k;
 
     if (!library || !trace)
         return 2;
-    damper = ((instantiate *)look(library, "fmi2Instantiate"))("w", fmi2CoSimulation, argv[2], "", &calls, 0, 0);
+    damper = ((instantiate *)look(library, "fmi2Instantiate"))("w", fmi2CoSimulation, argv[2], argv[4], &calls, 0, 0);
     if (!damper)
         return 3;
     for (k = 0; fscanf(trace, "%lf %lf %lf", &row[0], &row[1], &row[2]) == 3; k++) {

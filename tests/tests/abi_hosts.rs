@@ -172,6 +172,16 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
+/// The header promises 16 KB; the program measures each function on a stack of its own.
+#[test]
+fn no_function_takes_more_than_16_kilobytes_of_stack() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let program = host("stack.c", C, Linkage::Static, &["-pthread"], directory.path());
+    let depths = succeed(&mut Command::new(program));
+    assert!(depths.lines().count() >= 13, "{depths}");
+    println!("{depths}");
+}
+
 /// The example at the top of the header, as it stands there.
 #[test]
 fn the_headers_example_runs() {

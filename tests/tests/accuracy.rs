@@ -1,8 +1,8 @@
 //! The fixed step against the converged solution, over the whole test matrix up to 25 Hz.
 
 use dashpot_core::{Model, Params};
-use dashpot_lab::accuracy::{Given, References, Sine, radau::reference_forces, worst};
 use dashpot_rig::Matrix;
+use dashpot_simulation::accuracy::{Given, References, Sine, radau::reference_forces, worst};
 
 fn matrix() -> Vec<Sine> {
     let mut tests: Vec<Sine> = Matrix::default()

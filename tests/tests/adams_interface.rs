@@ -14,7 +14,7 @@ fn exports_only_entry_names_and_they_hold_both_cases() {
     let text = String::from_utf8(listed.stdout).unwrap();
     let mut names: Vec<&str> = text.lines().filter_map(|l| l.split(' ').nth(2)).collect();
     names.sort_unstable();
-    let entries = ["gfosub", "gse_deriv", "gse_output", "gse_samp", "gse_update", "reqsub", "sfo2001", "sfosub"];
+    let entries = ["gfosub", "gse_deriv", "gse_output", "gse_samp", "gse_update", "reqsub", "sfosub"];
     let mut want: Vec<String> = entries.iter().map(|e| format!("Dashpot_{e}")).collect();
     want.push("dashpot_adams_selftest".into());
     assert_eq!(names, want);
@@ -71,8 +71,6 @@ fn misuse_stops_the_run_with_a_message_that_helps() {
         ("gfo", &["other=12.5"], &["first three USER values", "marker ids"]),
         ("gfo", &["joint=-1"], &["first three USER values", "marker ids"]),
         ("gfo", &["other=99"], &["no motion between markers 11 and 99"]),
-        ("car", &["other=12.5"], &["USER values 2 and 3", "12.5"]),
-        ("car", &["other=99"], &["no distance and speed between markers 11 and 99"]),
         ("sfo", &["kind=3", "end=0.001"], &["USER(kind, element", "1 for an SFORCE"]),
         ("sfo", &["page=3", "end=0.001"], &["page is 1 or 2"]),
         ("sfo", &["save=2", "mass=1", "end=0.01"], &["saved state", "another version"]),
@@ -165,8 +163,6 @@ int main(int count, char **words)
     adams_gforce g = {2, 5, par, 11, 14, 13};
     adams_request q = {3, 2, par, "", {0}};
     adams_gse e = {4, 1, par, 2, 1, 0, 0, 2, 0, 0, 0, 0};
-    int id = 5, npar = 5, no = 0;
-    double t = 0;
     if (!library || count != 2)
         return 9;
     GET(int (*selftest)(void), dashpot_adams_selftest);
@@ -177,7 +173,6 @@ int main(int count, char **words)
     GET(void (*output)(const adams_gse *, double, int, int, int, double *), Dashpot_gse_output);
     GET(void (*update)(const adams_gse *, double, int, int, int, double *), Dashpot_gse_update);
     GET(void (*samp)(const adams_gse *, double, int, double *), Dashpot_gse_samp);
-    GET(void (*car)(const int *, const double *, const double *, const int *, const int *, const int *, double *), Dashpot_sfo2001);
     printf("selftest %d\n", selftest());
     for (int iflag = 0; iflag < 12; iflag++) {
         sfo(&s, 0, 0, iflag, r);
@@ -187,7 +182,6 @@ int main(int count, char **words)
         output(&e, 0, 0, iflag, 1, r);
         update(&e, 0, 0, iflag, 0, r);
         samp(&e, 0, iflag, r + 1);
-        car(&id, &t, par, &npar, &no, &iflag, r);
     }
     printf("force %g, sample %d\n", r[0], r[1] > 1e6);
     return 0;
@@ -209,6 +203,48 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     for name in ["c_sysary", "c_sysfnc", "c_errmes"] {
         assert!(words.contains(&format!("no function {name}")), "{words}");
     }
+}
+
+/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does: they are in the process, and not in
+/// the global scope.
+#[test]
+fn utilities_loaded_for_another_library_alone_are_found() {
+    const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";
+    const HOST: &str = r#"
+#include "../adams-usersub/src/solver.h"
+#include <dlfcn.h>
+#include <stddef.h>
+int main(int count, char **words)
+{
+    void *utilities = dlopen(words[2], RTLD_NOW | RTLD_LOCAL), *library = dlopen(words[1], RTLD_NOW | RTLD_LOCAL);
+    static double par[2] = {7, 400}, r[8];
+    adams_sforce s = {1, 2, par, 11, 12, 0, "TRANSLATIONAL"};
+    void (*sfo)(const adams_sforce *, double, int, int, double *);
+    if (count != 3 || !utilities || !library || dlsym(RTLD_DEFAULT, "c_errmes"))
+        return 9;
+    *(void **)&sfo = dlsym(library, "Dashpot_sfosub");
+    sfo(&s, 0, 0, 0, r);
+    return 0;
+}
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    std::fs::write(at("utilities.c"), UTILITIES).unwrap();
+    std::fs::write(at("host.c"), format!("#define _GNU_SOURCE\n{HOST}")).unwrap();
+    let gcc = || Command::new(std::env::var_os("CC").unwrap_or("gcc".into()));
+    succeed(gcc().args(["-shared", "-fPIC"]).arg(at("utilities.c")).arg("-o").arg(at("libutilities.so")));
+    succeed(
+        gcc()
+            .args(["-std=gnu99", "-I"])
+            .arg(root().join("tests"))
+            .arg(at("host.c"))
+            .arg("-o")
+            .arg(at("host"))
+            .arg("-ldl"),
+    );
+    let told = succeed(Command::new(at("host")).arg(library()).arg(at("libutilities.so")));
+    // What it complains of is said by the utility, and it is not the utility that is missing.
+    assert!(told.contains("no function") && !told.contains("c_errmes"), "{told}");
 }
 
 #[test]
@@ -385,7 +421,7 @@ fn the_gse_is_declared_threadsafe_and_is() {
             assert_eq!(alone.to_bits(), together.to_bits());
         }
     }
-    for (routine, declared) in [("gse", true), ("sfo", false), ("gfo", false), ("car", false)] {
+    for (routine, declared) in [("gse", true), ("sfo", false), ("gfo", false)] {
         let run = started(&solver, routine, &with(&path, &["end=0.001"]));
         assert_eq!(run.count("threadsafe") > 0, declared, "{routine}");
     }
@@ -408,7 +444,7 @@ fn a_request_shows_what_makes_the_force() {
     for (text, has_memory) in [(PLAIN, false), (text.as_str(), true)] {
         let path = written(folder.path(), text);
         let model = model_of(text);
-        for routine in ["sfo", "gfo", "car"] {
+        for routine in ["sfo", "gfo"] {
             let page = |more: &[&str]| -> Run {
                 started(&solver, routine, &with(&path, &[&["amplitude=20", "frequency=2", "end=0.13"], more].concat()))
             };

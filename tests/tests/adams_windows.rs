@@ -56,7 +56,7 @@ fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     let folder = tempfile::tempdir().unwrap();
     let library = built(folder.path());
     let (exported, needed) = tables(&library);
-    let entries = ["gfosub", "gse_deriv", "gse_output", "gse_samp", "gse_update", "reqsub", "sfo2001", "sfosub"];
+    let entries = ["gfosub", "gse_deriv", "gse_output", "gse_samp", "gse_update", "reqsub", "sfosub"];
     let mut want: Vec<String> = entries.iter().map(|e| format!("Dashpot_{e}")).collect();
     want.push("dashpot_adams_selftest".into());
     assert_eq!(exported, want);

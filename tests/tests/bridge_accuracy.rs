@@ -1,9 +1,9 @@
 //! What the bridge answers at the host's step, from 0.25 to 2 ms, against the converged solution over the test matrix.
 
 use dashpot_core::{Model, Params, model_file};
-use dashpot_lab::accuracy::radau::Motion as _;
-use dashpot_lab::accuracy::{Errors, References, Sine, errors, worst};
 use dashpot_rig::Matrix;
+use dashpot_simulation::accuracy::radau::Motion as _;
+use dashpot_simulation::accuracy::{Errors, References, Sine, errors, worst};
 use dashpot_tests::bridge::bridge_host;
 use std::fs::File;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! The example C program runs a model file as the kernel does, and says what is wrong with a bad one.
 
 use dashpot_core::{Input, Model, Params, step};
-use dashpot_lab::model_file::flat;
+use dashpot_identification::model_file::flat;
 use dashpot_tests::library;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -171,6 +171,127 @@ fn a_property_file_comes_back_as_it_was() {
     assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
 }
 
+/// Our own XML comes back with curve and gas force, and both forms say what they leave out and of which model.
+#[test]
+fn what_a_property_file_leaves_out_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    std::fs::write(folder.path().join("damper.toml"), MODEL).unwrap();
+    for (name, held) in [("a.dpr", false), ("a.xml", true)] {
+        let said = done(folder.path(), &["export", "dpr", "damper.toml", "-o", name]);
+        for text in [&said, &at(name)] {
+            let left_out = text.lines().find(|l| l.to_lowercase().contains("left out")).expect("told");
+            assert!(left_out.contains("series_compliance") && left_out.contains("stribeck_friction"), "{left_out}");
+            assert_eq!(left_out.contains("gas_preload"), !held, "{left_out}");
+        }
+        assert!(at(name).contains("damper.toml"));
+        done(folder.path(), &["import", "dpr", name, "-o", "back.toml"]);
+        let back = at("back.toml");
+        assert_eq!(back.contains("gas_force = 141.5"), held, "{back}");
+        assert!(back.contains(&format!("# Read from {name}.")), "{back}");
+        // And out again: the same numbers.
+        let again = format!("again-{name}");
+        done(folder.path(), &["export", "dpr", "back.toml", "-o", &again]);
+        let numbers = |text: String| -> Vec<f64> {
+            let table = text.split(if held { "<![CDATA[" } else { "force}" }).nth(1).expect("a table").to_owned();
+            let end = table.split("]]>").next().unwrap_or_default().to_owned();
+            end.split_whitespace().map(|n| n.parse().expect("a number")).collect()
+        };
+        for (a, b) in numbers(at(name)).iter().zip(numbers(at(&again))) {
+            assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
+        }
+    }
+    assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
+}
+
+/// A result that nobody can receive is no success; one that is thrown away on purpose is.
+#[test]
+fn a_closed_standard_output_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), MODEL).unwrap();
+    for (to, code) in [(">&-", 2), (">/dev/null", 0)] {
+        let line = format!("\"$0\" export dpr damper.toml -o - {to}");
+        let ran = std::process::Command::new("sh")
+            .args(["-c", &line])
+            .arg(dashpot_tests::cli::program())
+            .current_dir(folder.path())
+            .output()
+            .expect("a shell");
+        assert_eq!(ran.status.code(), Some(code), "{to}: {}", String::from_utf8_lossy(&ran.stderr));
+    }
+}
+
+/// Real files of Adams Car, where a folder of them is named (such as dampers.tbl of the public wokomm/PropertyView-mechanics): all are
+/// read, and what is left out is said.
+#[test]
+fn real_property_files_are_read() {
+    let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
+        println!("skipped: DASHPOT_ADAMS_PROPERTY_FILES names no folder of real .dpr and .xml files");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let mut read = 0;
+    for entry in std::fs::read_dir(&from).expect("the folder") {
+        let path = entry.expect("an entry").path();
+        if !path.extension().is_some_and(|e| e == "dpr" || e == "xml") {
+            continue;
+        }
+        let said = done(folder.path(), &["import", "dpr", path.to_str().unwrap(), "-o", "m.toml"]);
+        println!("{}: {}", path.file_name().unwrap().to_string_lossy(), said.replace('\n', " | "));
+        for out in ["m.dpr", "m.xml"] {
+            done(folder.path(), &["export", "dpr", "m.toml", "-o", out]);
+            done(folder.path(), &["import", "dpr", out, "-o", "again.toml"]);
+        }
+        read += 1;
+    }
+    println!("{read} real property files read");
+    assert!(read > 0);
+}
+
+/// The library comes out of the command, without a compiler; where it holds none, the folder says so.
+#[test]
+fn a_run_folder_holds_its_library() {
+    dashpot_tests::fmu::runtimes();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), MODEL).unwrap();
+    let ran =
+        dashpot_tests::cli::run_with(folder.path(), &["export", "adams", "damper.toml", "-o", "run"], &[("PATH", "")]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let library = std::fs::read(folder.path().join("run/dashpot_adams.so")).expect("the library");
+    assert!(library.starts_with(b"\x7fELF"));
+    assert!(!std::fs::read_to_string(folder.path().join("run/README.txt")).unwrap().contains("NOT HERE"));
+}
+
+#[test]
+fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let sforce = |id: u32, tail: &str| {
+        format!(
+            "SFORCE/{id}\n, TRANSLATIONAL\n, I = {id}1\n, J = {id}2\n, FUNCTION = akispl(vr({id}1,{id}2),0,9){tail}\n"
+        )
+    };
+    let spline = "SPLINE/9\n, X = -100, 0, 100\n, Y = 500, 0, -900\nEND\n";
+    std::fs::write(folder.path().join("car.adm"), format!("Car\n{}{}{spline}", sforce(1, ""), sforce(2, "+150")))
+        .unwrap();
+    let named = ["export", "adm", "car.adm", "-o", "new.adm"];
+    let with = |more: &[&'static str]| -> Vec<&'static str> { named.iter().chain(more).copied().collect() };
+    let words = refused(folder.path(), &with(&["--damper", "SFORCE/2=400"]));
+    assert!(words.contains("adds 150") && words.contains("--replace-preload"), "{words}");
+    let words = refused(folder.path(), &with(&["--damper", "SFORCE/1=400", "--model-file", "a\n, X = 1"]));
+    assert!(words.contains("line break"), "{words}");
+    let both = ["--damper", "SFORCE/1=400,front.toml", "--damper", "SFORCE/2=388", "--replace-preload"];
+    let said = done(folder.path(), &with(&both));
+    assert!(said.contains("at rest, 150"), "{said}");
+    let new = statements(&std::fs::read_to_string(folder.path().join("new.adm")).unwrap());
+    assert!(new["SFORCE/1"].contains("USER(1, 400") && new["STRING/1"].contains("front.toml"), "{new:?}");
+    assert!(new["SFORCE/2"].contains("USER(2, 388") && new["STRING/2"].contains("damper.toml"), "{new:?}");
+    // 28,000 brackets are no reason to fall over.
+    let deep = format!("Car\n{}{spline}", sforce(1, &format!("*{}1{}", "(".repeat(28_000), ")".repeat(28_000))));
+    std::fs::write(folder.path().join("car.adm"), deep).unwrap();
+    let words = refused(folder.path(), &with(&["--damper", "SFORCE/1=400"]));
+    assert!(words.contains("nested"), "{words}");
+}
+
 #[test]
 fn a_property_file_that_is_none_is_refused_with_its_line() {
     let folder = tempfile::tempdir().unwrap();

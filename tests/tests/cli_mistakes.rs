@@ -1,6 +1,6 @@
 //! Mistakes of a hurried engineer: each ends in a message that names the cause, or in a model that says what it lacks.
 
-use dashpot_tests::cli::{done, json, refused, rewrite, small_campaign, table};
+use dashpot_tests::cli::{done, json, refused, rewrite, run, small_campaign, table};
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -44,9 +44,29 @@ fn wrong_units_are_refused_or_told() {
         let message = fit_refused(dir);
         assert!(message.contains(wanted) && message.contains(".csv"), "{message}");
     }
-    rewrite(&records, &data, "time_s,displacement_m,force_N", |[t, x, _, f]| format!("{},{x},{f}", 1e3 * t));
-    let told = done(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
-    assert!(told.contains("are the units of time and motion right?"), "{told}");
+    type SlipTold = (&'static str, fn([f64; 4]) -> String, [&'static str; 2]);
+    let told: [SlipTold; 3] = [
+        ("time_s,displacement_m,force_N", |[t, x, _, f]| format!("{},{x},{f}", 1e3 * t), ["time=ms", "time=s"]),
+        ("time_s,displacement_m,force_N", |[t, x, _, f]| format!("{t},{x},{}", 1e-3 * f), ["force=kN", "force=N"]),
+        (
+            "time_s,displacement_mm,force_N",
+            |[t, x, _, f]| format!("{t},{x},{f}"),
+            ["displacement=m", "displacement=mm"],
+        ),
+    ];
+    for (header, slip, [likely, insist]) in told {
+        rewrite(&records, &data, header, slip);
+        let message = fit_refused(dir);
+        let wanted = format!("Give --unit {likely}, or --unit {insist} to insist");
+        assert!(message.contains(&wanted), "{header}: {message}");
+        let told = done(dir, &["fit", "data", "-o", "m.toml", "--model", "fv", "--unit", insist]);
+        assert!(told.contains("right?"), "{told}");
+        std::fs::remove_file(dir.join("m.toml")).unwrap();
+    }
+    let swapped = |[t, x, _, f]: [f64; 4]| format!("{t},{f},{x}");
+    rewrite(&records, &data, "time_s,displacement_mm,force_N", swapped);
+    let message = fit_refused(dir);
+    assert!(message.contains("'displacement_mm' and 'force_N' look swapped"), "{message}");
 }
 
 #[test]
@@ -63,7 +83,8 @@ fn a_load_cell_that_is_turned_or_dead_is_refused() {
     assert!(fit_refused(dir).contains("frozen"));
     // Dead but for noise of a few newtons that has nothing to do with the motion.
     rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, (1e6 * f + 1e7 * t).sin()]));
-    assert!(fit_refused(dir).contains("tests show no force"));
+    let message = fit_refused(dir);
+    assert!(message.contains("tests show no force"), "{message}");
 }
 
 #[test]
@@ -76,9 +97,14 @@ fn gaps_stubs_and_strays_are_named() {
     assert!(fit_refused(dir).contains("holds no record"));
     copy();
     std::fs::write(data.join("b.csv"), format!("{HEADER}\n0,0,0,0\n1,0,0,0\n")).unwrap();
-    assert!(fit_refused(dir).contains("b.csv: has only 2 usable samples"));
+    let strict = |dir: &Path| refused(dir, &["fit", "data", "-o", "m.toml", "--strict"]);
+    let left_out = |dir: &Path| run(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]).err;
+    assert!(strict(dir).contains("b.csv: has only 2 usable samples"));
+    assert!(left_out(dir).contains("b.csv: has only 2 usable samples"));
     std::fs::write(data.join("b.csv"), "").unwrap();
-    assert!(fit_refused(dir).contains("b.csv"));
+    assert!(strict(dir).contains("b.csv: is empty"));
+    assert!(left_out(dir).contains("left out, as it is no record: data/b.csv: is empty"));
+    std::fs::remove_file(dir.join("m.toml")).unwrap();
     std::fs::remove_file(data.join("b.csv")).unwrap();
     let of = |r: [f64; 4], hole: bool| if hole { row(r).replace(&format!("{:.9}", r[3]), "NaN") } else { row(r) };
     rewrite(&records, &data, HEADER, |r| of(r, true));
@@ -130,6 +156,10 @@ fn flags_that_leave_nothing_are_refused() {
         (&["--unit", "force=parsec"], "--unit"),
         (&["--column", "force=nope"], "no column 'nope'"),
         (&["--flip", "time"], "--flip"),
+        (&["--exclude", "nothing*"], "matches no file and no test"),
+        (&["--exclude", "*"], "leaves no record"),
+        (&["--delay", "12"], "delay of 12 s"),
+        (&["--gain", "0"], "gain of 0"),
         (&["--json", "none/fit.json"], "there is no folder none"),
     ] {
         let message = refused(dir, &[&["fit", "records", "-o", "m.toml"], more].concat());

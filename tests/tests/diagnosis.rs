@@ -1,8 +1,8 @@
 //! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
 
 use dashpot_core::Params;
-use dashpot_lab::diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
-use dashpot_lab::records::Record;
+use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{Sine, campaign};
 use std::f64::consts::TAU;
 
@@ -59,8 +59,13 @@ fn told(d: &Diagnosis) -> String {
                 .take(5)
                 .map(|t| {
                     format!(
-                        "{} {} p {:.2} bic {:.0} share {:.2} loo {:.3}",
-                        t.effect, t.form, t.confidence, t.evidence.bic_fall, t.evidence.share, t.evidence.left_out_gain
+                        "{} {} p {:.2} odds {:.1} share {:.2} strange {:.1}",
+                        t.effect,
+                        t.form,
+                        t.confidence,
+                        t.evidence.log_odds,
+                        t.evidence.share,
+                        t.evidence.implausibility
                     )
                 })
                 .collect::<Vec<_>>()

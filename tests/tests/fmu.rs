@@ -2,10 +2,10 @@
 
 use dashpot_core::elements::{COUNT, GROUPS};
 use dashpot_core::parameter::{Shape, table};
-use dashpot_core::{Params, State, model_file};
+use dashpot_core::{Model, Params, model_file};
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
-use dashpot_tests::cli::refused;
-use dashpot_tests::fmu::exported;
+use dashpot_tests::cli::{refused, run_with};
+use dashpot_tests::fmu::{exported, runtimes};
 use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::python;
 use serde_json::Value;
@@ -41,8 +41,88 @@ fn export_refuses_in_words() {
     assert!(refused(at, &["export", "fmu", "broken.toml", "-o", "x.fmu"]).contains("gas_forse"));
     let zero = ["export", "fmu", "model.toml", "-o", "x.fmu", "--motion-scale", "0"];
     assert!(refused(at, &zero).contains("--motion-scale"));
-    let library = ["export", "fmu", "model.toml", "-o", "x.fmu", "--library", "none.a"];
+    let library = ["export", "fmu", "model.toml", "-o", "x.fmu", "--from-source", "--library", "none.a"];
     assert!(refused(at, &library).contains("none.a"));
+}
+
+fn entries(fmu: &Path) -> Vec<String> {
+    let list = "import sys, zipfile; print('\\n'.join(zipfile.ZipFile(sys.argv[1]).namelist()))";
+    succeed(Command::new(python()).args(["-c", list]).arg(fmu)).lines().map(str::to_owned).collect()
+}
+
+/// No compiler is there: the runtime is in the command, and reads the model from the FMU's resources.
+#[test]
+fn no_compiler_is_needed_and_sources_may_stay_at_home() {
+    runtimes();
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
+    for fmi in ["2", "3"] {
+        for (name, more) in [("all.fmu", None), ("closed.fmu", Some("--no-sources"))] {
+            let mut export = vec!["export", "fmu", "model.toml", "-o", name, "--fmi", fmi];
+            export.extend(more);
+            let ran = run_with(at, &export, &[("PATH", "")]);
+            assert_eq!(ran.code, Some(0), "{}", ran.err);
+        }
+        let (all, closed) = (entries(&at.join("all.fmu")), entries(&at.join("closed.fmu")));
+        assert!(
+            all.iter().any(|n| n == "sources/kernel/core/src/lib.rs")
+                && all.iter().any(|n| n == "sources/lib/kernel.o")
+        );
+        assert!(!closed.iter().any(|n| n.starts_with("sources/")), "{closed:?}");
+        let platform = if fmi == "2" { "linux64" } else { "x86_64-linux" };
+        for names in [&all, &closed] {
+            assert!(names.contains(&format!("binaries/{platform}/dashpot_damper.so")), "{names:?}");
+            assert!(names.contains(&"resources/model.toml".to_owned()));
+        }
+        unpacked(&at.join("closed.fmu"), &at.join("closed"));
+        let description = std::fs::read_to_string(at.join("closed/modelDescription.xml")).expect("the description");
+        assert!(!description.contains("SourceFiles"));
+        std::fs::remove_dir_all(at.join("closed")).expect("removed");
+    }
+}
+
+/// A compiler that makes a library for another system is not taken for one of this computer.
+#[test]
+fn a_library_for_another_system_is_refused() {
+    runtimes();
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    std::fs::write(at.join("model.toml"), MODEL).expect("a model file");
+    let cross = at.join("cross-cc");
+    std::fs::write(&cross, "#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -o ] && printf MZ >\"$2\"; shift; done\n")
+        .expect("a script");
+    std::fs::set_permissions(&cross, std::os::unix::fs::PermissionsExt::from_mode(0o755)).expect("may run");
+    dashpot_tests::library::directory();
+    let export = ["export", "fmu", "model.toml", "-o", "x.fmu", "--from-source"];
+    let ran = run_with(at, &export, &[("CC", cross.to_str().expect("a path in UTF-8"))]);
+    assert!(ran.code == Some(2) && ran.err.contains("another platform"), "{ran:?}");
+    assert!(!at.join("x.fmu").exists());
+}
+
+/// An importer that compiles (`fmpy compile`) finds what it needs in the description, and what it makes is the damper.
+#[test]
+fn fmpy_compiles_it() {
+    if Command::new("cmake").arg("--version").output().is_err() {
+        println!("skipped: needs cmake");
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    let bridge = bridge_host("bridge.c", &[], at);
+    for fmi in ["2", "3"] {
+        exported(at, MODEL, fmi, false, &[]);
+        let trace = succeed(Command::new(&bridge).arg(at.join("model.toml")).arg(map(at)).arg("1"));
+        std::fs::write(at.join("trace.txt"), trace).expect("a file");
+        let build = "import os, sys, fmpy, fmpy.util, shutil\nfrom fmpy.build import build_platform_binary\n\
+                     folder = fmpy.extract(sys.argv[1])\nshutil.rmtree(os.path.join(folder, 'binaries'))\n\
+                     build_platform_binary(folder)\nshutil.make_archive(sys.argv[2], 'zip', folder)\n";
+        succeed(Command::new(python()).args(["-c", build]).arg(at.join("damper.fmu")).arg(at.join("compiled")));
+        std::fs::rename(at.join("compiled.zip"), at.join("compiled.fmu")).expect("renamed");
+        let mut host = Command::new(python());
+        host.arg(root().join("tests/hosts/fmu.py")).arg(at.join("compiled.fmu")).arg(at.join("trace.txt")).arg("quick");
+        succeed(host.current_dir(at));
+    }
 }
 
 fn unpacked(fmu: &Path, to: &Path) {
@@ -74,9 +154,11 @@ fn the_description_is_the_parameter_table() {
             assert!(!can("canBeInstantiatedOnlyOncePerProcess") && !can("needsExecutionTool"));
             assert!(kind == "me" || can("canHandleVariableCommunicationStepSize"));
         }
-        // The kernel's states: all numbers of a state but the velocity of the last step, which is an input.
+        // The states that this model has: travel, deflection and velocity of the internal mass, and those of its elements.
         let corners: &[&str] = if four { &["L1.", "R1.", "L2.", "R2."] } else { &[""] };
-        let states = corners.len() * (size_of::<State>() / size_of::<f64>() - 1);
+        let memories = Model::new(&params).expect("a model").elements().memories();
+        assert!(memories > 1);
+        let states = corners.len() * (3 + memories);
         assert_eq!(told["states"], states);
 
         let page = {
@@ -123,9 +205,10 @@ fn the_description_is_the_parameter_table() {
                 }
             }
         }
-        let own = ["motion_scale", "force_scale", "displacement_given", "initial_position"];
+        let own = ["motion_scale", "force_scale", "position_offset", "displacement_given", "initial_position"];
         let parameters = variables.values().filter(|v| v["causality"] == "parameter").count();
-        assert_eq!(parameters, expected + corners.len() * own.len(), "parameters that are in no table");
+        // And inputs_between_points, of the whole FMU.
+        assert_eq!(parameters, expected + corners.len() * own.len() + 1, "parameters that are in no table");
         assert!(rows > 30 * corners.len(), "{rows}");
         for (name, v) in variables {
             assert!(!v["description"].as_str().unwrap_or("").is_empty(), "{name} is not described");
@@ -176,24 +259,59 @@ fn its_sources_are_all_it_needs() {
     }
 }
 
-/// Where wine is there, the library runs, and gives the bridge's forces bit for bit.
-fn runs_on_windows(at: &Path, dll: &Path) {
-    if Command::new("wine").arg("--version").output().is_err() {
-        println!("not run: needs wine");
-        return;
+/// The host program for Windows beside the trace of the bridge, or none where wine or mingw-w64 is missing.
+fn windows_host(at: &Path) -> Option<String> {
+    let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
+    if !there("wine") || !there("x86_64-w64-mingw32-gcc") {
+        println!("skipped: needs wine and mingw-w64");
+        return None;
     }
     let bridge = bridge_host("bridge.c", &[], at);
     let trace = succeed(Command::new(bridge).arg(at.join("model.toml")).arg(map(at)).arg("1"));
     std::fs::write(at.join("trace.txt"), trace).expect("a file");
-    let description = std::fs::read_to_string(at.join("unpacked/modelDescription.xml")).expect("the description");
-    let guid = description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a GUID");
     let mut build = Command::new("x86_64-w64-mingw32-gcc");
     build.args(["-O1", "-Wall", "-Wextra"]).arg(format!("-I{}", root().join("vi-crt-bridge/fmu").display()));
     succeed(build.arg(root().join("tests/hosts/fmu_windows.c")).arg("-o").arg(at.join("host.exe")));
+    let description = std::fs::read_to_string(at.join("unpacked/modelDescription.xml")).expect("the description");
+    description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).map(str::to_owned)
+}
+
+/// The library runs in wine and gives the bridge's forces bit for bit.
+fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     let mut wine = Command::new("wine");
     wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
-    wine.arg("host.exe").arg(dll.strip_prefix(at).expect("below")).args([guid, "trace.txt"]);
-    assert!(succeed(&mut wine).contains("1001 steps"));
+    wine.arg("host.exe").arg(dll.strip_prefix(at).expect("below")).args([guid, "trace.txt", resources]);
+    assert!(succeed(&mut wine).contains("1001 steps"), "{resources}");
+}
+
+/// The runtime that the command holds finds the model in whatever way an importer on Windows names the folder.
+#[test]
+fn the_runtime_for_windows_reads_its_resources() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    exported(at, MODEL, "2", false, &["--no-sources"]);
+    unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
+    let dll = at.join("unpacked/binaries/win64/dashpot_damper.dll");
+    if !dll.is_file() {
+        println!("skipped: the command holds no runtime for Windows");
+        return;
+    }
+    let Some(guid) = windows_host(at) else { return };
+    std::fs::create_dir(at.join("a folder")).expect("a folder");
+    for file in ["contents.txt", "model.toml"] {
+        std::fs::copy(at.join("unpacked/resources").join(file), at.join("a folder").join(file)).expect("copied");
+    }
+    // Wine's Z: is the root.
+    let slashes = at.join("a folder").display().to_string();
+    let backslashes = slashes.replace('/', "\\");
+    for resources in [
+        format!("file:///Z:{}", slashes.replace(' ', "%20")),
+        format!("Z:{slashes}/"),
+        format!("\\\\?\\Z:{backslashes}"),
+        format!("\\\\?\\Z:{backslashes}/"),
+    ] {
+        runs_on_windows(at, &guid, &dll, &resources);
+    }
 }
 
 /// For Windows, where a cross compiler is installed; the result goes into the FMU beside the one for this computer.
@@ -233,7 +351,9 @@ fn a_binary_for_another_platform_goes_inside() {
         needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),
         "{needs:?}"
     );
-    runs_on_windows(at, &dll);
+    if let Some(guid) = windows_host(at) {
+        runs_on_windows(at, &guid, &dll, "");
+    }
     exported(at, MODEL, "2", false, &["--binary", &format!("win64={}", dll.display())]);
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu_description.py")).arg(at.join("damper.fmu"));

@@ -1,8 +1,8 @@
 //! The rig matrix through the FMU, in FMPy: co-simulation is the kernel's step bit for bit, model exchange its converged solution.
 
 use dashpot_core::{Model, Params, model_file};
-use dashpot_lab::accuracy::{Given, References, Sine, errors, step_forces};
 use dashpot_rig::Matrix;
+use dashpot_simulation::accuracy::{Given, References, Sine, errors, step_forces};
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{Language, compiler, root, succeed};

@@ -1,7 +1,8 @@
 //! Directional derivatives of an FMU whose dampers have elements with memory, against differences, in FMPy.
 
 use dashpot_tests::cli::done;
-use dashpot_tests::library::{directory, root, succeed};
+use dashpot_tests::fmu::runtimes;
+use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::python;
 use std::process::Command;
 
@@ -28,7 +29,7 @@ const DAMPERS: [(&str, &str, u32); 16] = [
 fn derivatives(fmi: &str) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    directory();
+    runtimes();
     for four in DAMPERS.chunks_exact(4) {
         let names = ["l1.toml", "r1.toml", "l2.toml", "r2.toml"];
         for ((elements, more, _), name) in four.iter().zip(names) {

@@ -1,7 +1,7 @@
 //! Dampers with an effect hidden in them, measured by the virtual rig whose laws are not the model's: a fixed handful of the
 //! benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs all of it).
 
-use dashpot_lab::diagnosis::Verdict;
+use dashpot_diagnosis::Verdict;
 use dashpot_proving::case::Case;
 use dashpot_proving::outcome::{Outcome, run};
 use dashpot_proving::score;

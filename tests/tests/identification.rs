@@ -1,8 +1,9 @@
 //! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
 
 use dashpot_core::{Model, Params};
-use dashpot_lab::identification::{Fit, FitOptions, Standing, first_guess, fit, segment::segments};
-use dashpot_lab::records::Record;
+use dashpot_estimation::segment::segments;
+use dashpot_identification::{Fit, FitOptions, Standing, first_guess, fit};
+use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -125,7 +126,7 @@ fn the_side_force_slope_comes_from_tests_with_side_force() {
 
 #[test]
 fn the_comparison_models_fit_too_and_are_worse() {
-    use dashpot_lab::identification::Family;
+    use dashpot_identification::Family;
     let records = campaign(&truth(), 7, 0.01, |_| None);
     let refs: Vec<&Record> = records.iter().collect();
     let of = |family| fit(&refs, &FitOptions { family, elements: None }, |_| ()).unwrap();

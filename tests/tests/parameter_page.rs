@@ -3,8 +3,19 @@
 use dashpot_core::Params;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
+use dashpot_estimation::priors::{self, PRIORS, Usual};
 use std::fmt::Write as _;
 use std::path::Path;
+
+/// What is usual of a parameter, in words; empty where nothing is known.
+fn usual(name: &str) -> String {
+    match priors::of(name).map(|p| p.usual) {
+        Some(Usual::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
+        Some(Usual::Strength(median, factor)) => format!("strength {median} × {factor}"),
+        Some(Usual::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
+        None => String::new(),
+    }
+}
 
 fn page() -> String {
     let default = Params::new();
@@ -13,7 +24,10 @@ fn page() -> String {
          Written from the kernel's parameter table by `UPDATE_DOCS=1 cargo test --release --test parameter_page`.\n\n\
          SI units; extension (rebound) velocity and tension force positive. Names are those of the model file, of\n\
          `dashpot_params_set` in C, and of reports. A model file names the elements that are on; parameters that it does\n\
-         not name keep their defaults.\n",
+         not name keep their defaults.\n\n\
+         Usual is what dampers show before any record is seen: a size (median, and the factor by which one damper in three lies\n\
+         off it), a strength (median of those that have the effect, and the factor by which one in six lies above it) or a place\n\
+         (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. Sources stand below.\n",
     );
     for (g, group) in GROUPS.iter().enumerate() {
         let on = if g >= elements::COUNT {
@@ -24,7 +38,7 @@ fn page() -> String {
             "off by default"
         };
         let _ = write!(out, "\n## `{}`\n\n{}; {on}.\n\n", group.name, group.meaning);
-        out += "| parameter | meaning | unit | default | bounds |\n|---|---|---|---|---|\n";
+        out += "| parameter | meaning | unit | default | bounds | usual |\n|---|---|---|---|---|---|\n";
         for row in parameter::table().filter(|r| r.group == g) {
             let p = row.parameter;
             let (default, bounds) = match p.shape {
@@ -37,12 +51,25 @@ fn page() -> String {
             };
             let _ = writeln!(
                 out,
-                "| `{}` | {} | {} | {default} | {bounds} |",
+                "| `{}` | {} | {} | {default} | {bounds} | {} |",
                 p.name,
                 p.meaning.replace('|', "\\|"),
-                p.unit.replace('|', "\\|")
+                p.unit.replace('|', "\\|"),
+                usual(p.name)
             );
         }
+    }
+    out += "\n## What is usual, and where that comes from\n\n| parameters | source |\n|---|---|\n";
+    let mut sources: Vec<&str> = Vec::new();
+    for prior in PRIORS {
+        if !sources.contains(&prior.source) {
+            sources.push(prior.source);
+        }
+    }
+    for source in sources {
+        let names: Vec<String> =
+            PRIORS.iter().filter(|p| p.source == source).map(|p| format!("`{}`", p.name)).collect();
+        let _ = writeln!(out, "| {} | {source} |", names.join(", "));
     }
     out
 }

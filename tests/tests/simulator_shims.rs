@@ -37,6 +37,27 @@ fn carsim_in_its_own_units() {
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
 }
 
+/// The same key in the maps of CarSim, the S-function and a plain host.
+#[test]
+fn the_zero_of_the_rig_is_where_the_map_says() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let at = directory.path();
+    std::fs::write(
+        at.join("model.toml"),
+        MODEL.replace("gas_force = 141.5", "gas_force = 141.5\nspring_linear = 5000"),
+    )
+    .expect("a model file");
+    let text = "format = 1\nmotion_positive = \"compression\"\nforce_positive = \"compression\"\njounce = \"x_{corner}\"\n\
+                jounce_rate = \"v_{corner}\"\nforce = \"f_{corner}\"\nposition_offset_1 = -0.012\nposition_offset_R2 = 0.02\n";
+    std::fs::write(at.join("map.toml"), text).expect("a map");
+    let host = bridge_host("offset.c", &SANITIZERS, at);
+    succeed(Command::new(&host).arg(at.join("model.toml")).arg(at.join("map.toml")));
+    // In mm it is refused.
+    std::fs::write(at.join("mm.toml"), text.replace("-0.012", "-12")).expect("a map");
+    let ran = Command::new(&host).arg(at.join("model.toml")).arg(at.join("mm.toml")).status().expect("the host runs");
+    assert_eq!(ran.code(), Some(2));
+}
+
 /// The S-function includes its host, as it includes Simulink's own in Simulink.
 #[test]
 fn simulink_tries_steps_and_takes_them() {

@@ -2,7 +2,7 @@
 //! bit that of the kernel, with the host's signs in between.
 
 use dashpot_core::{Model, Params, model_file};
-use dashpot_lab::vehicle::{Car, Dampers, Manoeuvre, run, run_with};
+use dashpot_simulation::vehicle::{Car, Dampers, Manoeuvre, run, run_with};
 use dashpot_tests::bridge::{MODEL, bridge_host};
 use std::io::{Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};

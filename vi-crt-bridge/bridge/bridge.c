@@ -84,7 +84,7 @@ dashpot_input dashpot_bridge_to_kernel(const dashpot_bridge *bridge, uint32_t co
 
     if (in->known & DASHPOT_CORNER_KNOWS_JOUNCE) {
         input.known |= DASHPOT_KNOWS_DISPLACEMENT;
-        input.displacement = scale * in->jounce;
+        input.displacement = scale * in->jounce + bridge->map.position_offset[corner];
     }
     if (in->known & DASHPOT_CORNER_KNOWS_SIDE_FORCE) {
         input.known |= DASHPOT_KNOWS_SIDE_FORCE;
@@ -115,7 +115,7 @@ int32_t dashpot_bridge_init(dashpot_bridge *bridge, const dashpot_corner_input *
     uint32_t i;
 
     for (i = 0; i < bridge->corners; i++) {
-        int32_t status = dashpot_corner_rest(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce);
+        int32_t status = dashpot_corner_rest(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce + bridge->map.position_offset[i]);
 
         status = status < 0 ? DASHPOT_BRIDGE_HELD : status;
         dashpot_bridge_to_host(bridge, i, status, &out[i]);

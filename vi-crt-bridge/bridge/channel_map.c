@@ -15,13 +15,19 @@ enum key {
     MOTION_RATIO_2,
     MOTION_RATIO_L1, /* then R1, L2, R2 */
     MOTION_RATIO_R2 = MOTION_RATIO_L1 + 3,
+    POSITION_OFFSET,
+    POSITION_OFFSET_1,
+    POSITION_OFFSET_2,
+    POSITION_OFFSET_L1, /* then R1, L2, R2 */
+    POSITION_OFFSET_R2 = POSITION_OFFSET_L1 + 3,
     FORMAT,
     KEYS
 };
 static const char *const NAMES[KEYS] = {
     "jounce",          "jounce_rate",    "jounce_acceleration", "side_force", "temperature",    "force",
     "motion_positive", "force_positive", "length_unit",         "force_unit", "motion_ratio_1", "motion_ratio_2",
-    "motion_ratio_L1", "motion_ratio_R1", "motion_ratio_L2",     "motion_ratio_R2", "format"};
+    "motion_ratio_L1", "motion_ratio_R1", "motion_ratio_L2",     "motion_ratio_R2", "position_offset", "position_offset_1",
+    "position_offset_2", "position_offset_L1", "position_offset_R1", "position_offset_L2", "position_offset_R2", "format"};
 
 struct found {
     int seen[KEYS];
@@ -193,10 +199,21 @@ int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t 
             return refuse(fault, 0, "%s must be from 0.05 to 20; signs belong into motion_positive and force_positive",
                           NAMES[key]);
     }
+    for (i = POSITION_OFFSET; i <= POSITION_OFFSET_R2; i++) {
+        int key = i;
+        if (!found.seen[key])
+            found.number[key] = key == POSITION_OFFSET    ? 0.0
+                                : key < POSITION_OFFSET_L1 ? found.number[POSITION_OFFSET]
+                                                           : found.number[POSITION_OFFSET_1 + (key - POSITION_OFFSET_L1) / 2];
+        /* A metre is longer than any damper's stroke: such a number is in mm. */
+        if (!(found.number[key] >= -1.0 && found.number[key] <= 1.0))
+            return refuse(fault, 0, "%s is in m and lies between -1 and 1", NAMES[key]);
+    }
     metre = length_unit ? 1e-3 : 1.0;
     newton = force_unit ? 1e-3 : 1.0;
     for (corner = 0; corner < 4; corner++) {
         double ratio = found.number[MOTION_RATIO_L1 + corner];
+        map->position_offset[corner] = found.number[POSITION_OFFSET_L1 + corner];
         map->motion_scale[corner] = (motion ? 1.0 : -1.0) * metre * ratio;
         /* The same power on both sides of the lever. */
         map->force_scale[corner] = (force ? 1.0 : -1.0) * newton * ratio;

@@ -10,6 +10,8 @@
  *   motion_ratio_1 = 1.0               damper stroke per unit of the host's stroke, axle 1; 1 where the host gives damper motion
  *   motion_ratio_2 = 1.0               the same, axle 2
  *   motion_ratio_L1 = 1.0              the same, for one corner that differs from its axle; also R1, L2, R2
+ *   position_offset = 0.0              damper extension, in m from the rig's zero, where the host's jounce is 0; all corners
+ *   position_offset_1 = 0.0            the same, for axle 1; also position_offset_2, and _L1, _R1, _L2, _R2 for one corner
  *   jounce = "Damper.Jounce.{corner}"  names of the channels; {corner} stands for L1, R1, L2, R2
  *   jounce_rate = "..."                always needed
  *   jounce_acceleration = ""           empty: the host has no such channel
@@ -40,6 +42,8 @@ enum dashpot_channel {
 typedef struct dashpot_channel_map {
     /* m of damper extension per unit of the host's motion, for each corner. */
     double motion_scale[4];
+    /* m of damper extension, from the rig's zero, where the host's jounce is 0. */
+    double position_offset[4];
     /* Units of the host's force at its own point per N of damper tension, for each corner. */
     double force_scale[4];
     /* N of side force per unit of the host's. */

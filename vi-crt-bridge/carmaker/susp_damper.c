@@ -7,10 +7,12 @@
  *   gcc -O2 -c -DDASHPOT_CARMAKER_HEADER='"dashpot_carmaker.h"' -DDASHPOT_CARMAKER_API=13 susp_damper.c
  *
  * 13: CarMaker 9 to 13, 15: CarMaker 15. dashpot_carmaker.h is a file of yours that includes CarMaker.h, InfoUtils and the
- * header of the suspension classes. Register both from User_Register() with dashpot_carmaker_register().
+ * header of the suspension classes. Register both from User_Register() with dashpot_carmaker_register(). What of the interface is
+ * used, and where it is public: ../FACTS.md.
  *
  * Keys of the model, after its kind key: DashpotModel (model file; for the system DashpotModel.FL, .FR, .RL and .RR),
- * DashpotLength (length of the damper at its design position, m; without it, the length of the first call).
+ * DashpotLength (length of the damper at its design position, m; without it, the length of the first call), position_offset
+ * (extension of the damper there, from the rig's zero, m; 0 without it). Both with .FL and so on for the system.
  *
  * CarMaker counts length and velocity positive in extension and force positive where the damper pushes. A call with
  * dt = 0 (preparation, model check) is answered statically and leaves the states. */
@@ -25,12 +27,16 @@
 #error "define DASHPOT_CARMAKER_API as 13 (CarMaker 9 to 13) or 15 (CarMaker 15)"
 #endif
 
+/* Of these two models, as the vendor's samples count theirs. */
+static const int ThisVersionId = 1;
+
 /* The one change of sign: tension to push. */
 #define PUSH (-1.0)
 
 struct damper {
     dashpot_corner corner;
     double design_length; /* NaN until it is known */
+    double position_offset;
     int running; /* a call has settled it */
 };
 
@@ -51,6 +57,12 @@ static int load(struct damper *damper, struct tInfos *inf, const char *kind, con
     }
     snprintf(key, sizeof key, "%s.DashpotLength%s", kind, corner);
     damper->design_length = iGetDblOpt(inf, key, NAN);
+    snprintf(key, sizeof key, "%s.position_offset%s", kind, corner);
+    damper->position_offset = iGetDblOpt(inf, key, 0.0);
+    if (!(fabs(damper->position_offset) <= 1.0)) {
+        LogErrF(EC_Init, "dashpot: %s is in m and lies between -1 and 1", key);
+        return -1;
+    }
     damper->running = 0;
     return 0;
 }
@@ -61,7 +73,7 @@ static double force(struct damper *damper, double length, double velocity, doubl
 
     if (isnan(damper->design_length))
         damper->design_length = length;
-    input = dashpot_input_motion(length - damper->design_length, velocity);
+    input = dashpot_input_motion(length - damper->design_length + damper->position_offset, velocity);
     if (!damper->running || dt == 0.0) {
         /* Settled at every static call, so that the run starts from the equilibrium that was found. */
         dashpot_corner_rest(&damper->corner, input.displacement);
@@ -79,16 +91,21 @@ static void *one_new(struct tInfos *inf, struct tSusp_DamperCfgIF *config, const
 static void *one_new(struct tInfos *inf, void *config, char const *kind, char const *id)
 #endif
 {
-    struct damper *damper = calloc(1, sizeof *damper);
+    struct damper *damper = NULL;
+    int version = 0;
+    const char *name = SimCore_GetKindInfo(inf, ModelClass_Susp_Damper, kind, 0, ThisVersionId, &version);
 
-    (void)config;
 #if DASHPOT_CARMAKER_API == 15
     (void)id;
 #endif
+    if (!name)
+        return NULL;
+    damper = calloc(1, sizeof *damper);
     if (damper && load(damper, inf, kind, "")) {
         free(damper);
         return NULL;
     }
+    Susp_Damper_GetCfgOutIF(inf, config, name);
     return damper;
 }
 
@@ -115,18 +132,23 @@ static void *four_new(struct tInfos *inf, void *config, char const *kind, char c
 #endif
 {
     static const char *const corner[4] = {".FL", ".FR", ".RL", ".RR"};
-    struct damper *damper = calloc(4, sizeof *damper);
+    struct damper *damper = NULL;
+    int version = 0;
+    const char *name = SimCore_GetKindInfo(inf, ModelClass_Susp_DamperSystem, kind, 0, ThisVersionId, &version);
     int i;
 
-    (void)config;
 #if DASHPOT_CARMAKER_API == 15
     (void)id;
 #endif
+    if (!name)
+        return NULL;
+    damper = calloc(4, sizeof *damper);
     for (i = 0; damper && i < 4; i++)
         if (load(&damper[i], inf, kind, corner[i])) {
             free(damper);
             return NULL;
         }
+    Susp_DamperSystem_GetCfgOutIF(inf, config, name);
     return damper;
 }
 
@@ -164,21 +186,50 @@ static void model_delete(void *model, char const *ident)
 }
 #endif
 
+/* Called before the first instance and for each: there are no quantities of our own in the dictionary. */
+#if DASHPOT_CARMAKER_API == 13
+static void one_quantities(void *model, int suspension)
+{
+    (void)model;
+    (void)suspension;
+}
+
+static void four_quantities(void *model)
+{
+    (void)model;
+}
+#else
+static void one_quantities(void *model, char const *ident)
+{
+    (void)model;
+    (void)ident;
+}
+
+static void four_quantities(void *model, char const *ident)
+{
+    (void)model;
+    (void)ident;
+}
+#endif
+
 int dashpot_carmaker_register(void)
 {
     tModelClassDescr description;
 
     memset(&description, 0, sizeof description);
-    description.Susp_Damper.VersionId = Susp_Damper_Version;
+    description.Susp_Damper.VersionId = ThisVersionId;
     description.Susp_Damper.New = one_new;
     description.Susp_Damper.Calc = one_calc;
     description.Susp_Damper.Delete = model_delete;
+    description.Susp_Damper.DeclQuants = one_quantities;
+    /* ParamsChanged stays empty: the vendor's ready one is for models that read no files of their own, and these do. */
     if (Model_Register(ModelClass_Susp_Damper, "dashpot", &description) < 0)
         return -1;
     memset(&description, 0, sizeof description);
-    description.Susp_DamperSystem.VersionId = Susp_DamperSystem_Version;
+    description.Susp_DamperSystem.VersionId = ThisVersionId;
     description.Susp_DamperSystem.New = four_new;
     description.Susp_DamperSystem.Calc = four_calc;
     description.Susp_DamperSystem.Delete = model_delete;
+    description.Susp_DamperSystem.DeclQuants = four_quantities;
     return Model_Register(ModelClass_Susp_DamperSystem, "dashpot", &description);
 }

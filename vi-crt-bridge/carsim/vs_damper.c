@@ -1,9 +1,17 @@
 /* dashpot as the dampers of a CarSim or TruckSim vehicle, by the VehicleSim API: the imports IMP_FD_L1, IMP_FD_R1,
  * IMP_FD_L2 and IMP_FD_R2 replace the forces of the solver's own dampers.
  *
- * Built against your own VS headers, named with DASHPOT_VS_HEADER. Call dashpot_vs_install(front, rear, map) from your
- * vs_setdef_and_read function, with two model files and the channel map (maps/carsim.toml), and dashpot_vs_end() when the
- * run is over. Set OPT_IO_SYNC_FM in the vehicle, so that the force belongs to the kinematics of its own step. */
+ * Built against your own VS headers, named with DASHPOT_VS_HEADER. In the wrapper program, behind vs_get_api(), which fills the
+ * API's function pointers, and before vs_run():
+ *
+ *     if (vs_get_api(vsDLL, pathDLL)) return 1;
+ *     if (dashpot_vs_install("front.toml", "rear.toml", "carsim.toml")) return 1;
+ *     vs_run(simfile);
+ *     dashpot_vs_end();
+ *
+ * A wrapper that installs a calc function of its own calls dashpot_vs_calculate() from there, behind dashpot_vs_install(). The
+ * map (maps/carsim.toml) holds units, signs and position_offset. Set OPT_IO_SYNC_FM in the vehicle, so that the force belongs
+ * to the kinematics of its own step. What of the API is used, and where it is public: ../FACTS.md. */
 #include DASHPOT_VS_HEADER
 #include "dashpot_bridge.h"
 #include <stdio.h>
@@ -14,6 +22,22 @@ static vs_real *input[DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS];
 static vs_real *output[DASHPOT_BRIDGE_CORNERS];
 static vs_real last_time;
 static int ready;
+
+/* The run ends, and says why. */
+static void stop(const char *text, const char *name)
+{
+    vs_printf_error("dashpot: %s%s\n", text, name);
+    vs_set_stop_run(1.0, "dashpot: %s%s", text, name);
+}
+
+static vs_real *variable(const char *name)
+{
+    /* The API of most releases takes a pointer to char and does not write to it. */
+    char copy[DASHPOT_CHANNEL_NAME];
+
+    snprintf(copy, sizeof copy, "%s", name);
+    return vs_get_var_ptr(copy);
+}
 
 static void import_forces(void)
 {
@@ -32,13 +56,13 @@ static int find_channels(void)
     uint32_t i;
 
     for (i = 0; i < dashpot_bridge_input_count(bridge); i++)
-        if (!(input[i] = vs_get_var_ptr(dashpot_bridge_input_name(bridge, i)))) {
-            vs_set_error_message("dashpot: the solver has no variable of the name in the channel map");
+        if (!(input[i] = variable(dashpot_bridge_input_name(bridge, i)))) {
+            stop("the channel map names a variable that the solver does not have: ", dashpot_bridge_input_name(bridge, i));
             return 0;
         }
     for (i = 0; i < dashpot_bridge_output_count(bridge); i++)
-        if (!(output[i] = vs_get_var_ptr(dashpot_bridge_output_name(bridge, i)))) {
-            vs_set_error_message("dashpot: the solver has no import of the name in the channel map");
+        if (!(output[i] = variable(dashpot_bridge_output_name(bridge, i)))) {
+            stop("the channel map names an import that the solver does not have: ", dashpot_bridge_output_name(bridge, i));
             return 0;
         }
     return 1;
@@ -61,7 +85,7 @@ static void dampers(vs_real time, int first)
         *output[i] = y[i];
 }
 
-static void calculate(vs_real time, vs_ext_loc where)
+void dashpot_vs_calculate(vs_real time, vs_ext_loc where)
 {
     if (!bridge)
         return;
@@ -89,12 +113,17 @@ int dashpot_vs_install(const char *front, const char *rear, const char *map)
     static dashpot_bridge_fault fault;
 
     ready = 0;
+    /* The API's functions are pointers that vs_get_api() fills. */
+    if (!vs_install_calc_function || !vs_printf_error) {
+        fputs("dashpot: call dashpot_vs_install() behind vs_get_api()\n", stderr);
+        return -2;
+    }
     bridge = dashpot_bridge_create(4, models, map, &fault);
     if (!bridge) {
-        vs_set_error_message(fault.text);
+        vs_printf_error("dashpot: %s\n", fault.text);
         return -1;
     }
-    vs_install_calc_function(calculate);
+    vs_install_calc_function(dashpot_vs_calculate);
     return 0;
 }
 

@@ -10,11 +10,11 @@
 set -eu
 cd "$(dirname "$0")"
 target=${TARGET:-}
-exported=$(cat lib/platform)
+exported=$(cat lib/platform 2>/dev/null || true)
 library=${LIBRARY:-}
 
-if [ -z "$library" ] && [ -z "$target" ] && [ "${KERNEL:-}" != cargo ] && [ "$(uname -s)-$(uname -m)" = "$(cat lib/system)" ]; then
-    library=lib/libdashpot.a
+if [ -z "$library" ] && [ -z "$target" ] && [ "${KERNEL:-}" != cargo ] && [ "$(uname -s)-$(uname -m)" = "$(cat lib/system 2>/dev/null)" ]; then
+    library=lib/kernel.o
 fi
 if [ -z "$library" ]; then
     command -v cargo >/dev/null || {
@@ -51,5 +51,5 @@ darwin* | *-darwin) end=.dylib position=-fPIC options= ;;
 esac
 
 mkdir -p "../binaries/$platform"
-${CC:-cc} -std=c99 -O2 $position -shared -fvisibility=hidden -I. ./*.c "$library" $options -s -lm -o "../binaries/$platform/dashpot_damper$end"
+${CC:-cc} -std=c99 -O2 $position -shared -fvisibility=hidden -I. ./*.c "$library" $options -s -o "../binaries/$platform/dashpot_damper$end"
 echo "binaries/$platform/dashpot_damper$end"

@@ -13,6 +13,16 @@ static void tell(struct instance *instance, int error, const char *text)
                      error ? "logStatusError" : "logStatusWarning", "%s", text);
 }
 
+static size_t states_of(const struct instance *instance)
+{
+    return (size_t)instance->contents->states;
+}
+
+static size_t corners_of(const struct instance *instance)
+{
+    return (size_t)instance->contents->corners;
+}
+
 static fmi2Status answer(int failed)
 {
     return failed ? fmi2Error : fmi2OK;
@@ -39,9 +49,8 @@ EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t n,
 EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                                      const fmi2CallbackFunctions *functions, fmi2Boolean visible, fmi2Boolean logging)
 {
-    (void)resources;
     (void)visible;
-    return instance_new(name, guid, type == fmi2ModelExchange, logging, tell, (void *)functions,
+    return instance_new(name, guid, resources, type == fmi2ModelExchange, logging, tell, (void *)functions,
                         functions ? functions->componentEnvironment : NULL);
 }
 
@@ -59,7 +68,7 @@ EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerance_def
     (void)tolerance;
     (void)stop_defined;
     (void)stop;
-    instance->data.value[0] = start;
+    instance_values(instance->data)[0] = start;
     return fmi2OK;
 }
 
@@ -67,7 +76,7 @@ EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c)
 {
     struct instance *instance = c;
 
-    return answer(instance_enter_initialization(instance, instance->data.value[0]));
+    return answer(instance_enter_initialization(instance, instance_values(instance->data)[0]));
 }
 
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c)
@@ -77,8 +86,7 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c)
 
 EXPORT fmi2Status fmi2Terminate(fmi2Component c)
 {
-    ((struct instance *)c)->data.phase = TERMINATED;
-    return fmi2OK;
+    return answer(instance_terminate(c));
 }
 
 EXPORT fmi2Status fmi2Reset(fmi2Component c)
@@ -132,16 +140,16 @@ EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], 
 EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
 {
     if (!*state)
-        *state = malloc(sizeof(struct data));
+        *state = malloc(instance_data_bytes(c));
     if (!*state)
         return fmi2Error;
-    memcpy(*state, &((struct instance *)c)->data, sizeof(struct data));
+    memcpy(*state, ((struct instance *)c)->data, instance_data_bytes(c));
     return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
 {
-    memcpy(&((struct instance *)c)->data, state, sizeof(struct data));
+    memcpy(((struct instance *)c)->data, state, instance_data_bytes(c));
     return fmi2OK;
 }
 
@@ -155,24 +163,22 @@ EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state)
 
 EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t *size)
 {
-    (void)c;
     (void)state;
-    *size = instance_bytes();
+    *size = instance_bytes(c);
     return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
 {
-    (void)c;
-    if (size < instance_bytes())
+    if (size < instance_bytes(c))
         return fmi2Error;
-    instance_serialize(state, (unsigned char *)bytes);
+    instance_serialize(c, state, (unsigned char *)bytes);
     return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
 {
-    struct data *data = *state ? *state : malloc(sizeof(struct data));
+    struct data *data = *state ? *state : malloc(instance_data_bytes(c));
 
     if (!data)
         return fmi2Error;
@@ -234,7 +240,7 @@ EXPORT fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind kind, fmi2Re
 {
     if (kind != fmi2LastSuccessfulTime)
         return fmi2Discard;
-    *value = ((struct instance *)c)->data.value[0];
+    *value = instance_values(((struct instance *)c)->data)[0];
     return fmi2OK;
 }
 
@@ -250,7 +256,7 @@ EXPORT fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi
 {
     if (kind != fmi2Terminated)
         return fmi2Discard;
-    *value = ((struct instance *)c)->data.phase == TERMINATED;
+    *value = ((struct instance *)c)->data->phase == TERMINATED;
     return fmi2OK;
 }
 
@@ -262,15 +268,15 @@ EXPORT fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind kind, fmi2
     return fmi2Discard;
 }
 
-/* Inputs are held from their instant on; the kernel runs from one velocity to the next by itself. */
 EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                                               const fmi2Integer order[], const fmi2Real value[])
 {
-    (void)c;
-    (void)vr;
-    (void)order;
-    (void)value;
-    return answer(n != 0);
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        if (instance_set_derivative(c, vr[i], order[i], value[i]))
+            return fmi2Error;
+    return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
@@ -287,46 +293,37 @@ EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueR
 
 EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time)
 {
-    ((struct instance *)c)->data.value[0] = time;
-    return fmi2OK;
+    return answer(instance_set_time(c, time));
 }
 
 EXPORT fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_set_states(c, x));
+    return answer(n != states_of(c) || instance_set_states(c, x));
 }
 
 EXPORT fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_states(c, x));
+    return answer(n != states_of(c) || instance_states(c, x));
 }
 
 EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real rates[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_rates(c, rates));
+    return answer(n != states_of(c) || instance_rates(c, rates));
 }
 
 EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real nominals[], size_t n)
 {
-    size_t i;
-
-    (void)c;
-    for (i = 0; i < n; i++)
-        nominals[i] = STATE_NOMINAL;
-    return answer(n != (size_t)STATES);
+    return answer(n != states_of(c) || instance_nominals(c, nominals));
 }
 
 EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real indicators[], size_t n)
 {
-    (void)c;
-    (void)indicators;
-    return answer(n != 0);
+    return answer(n != corners_of(c) || instance_indicators(c, indicators));
 }
 
 EXPORT fmi2Status fmi2EnterEventMode(fmi2Component c)
 {
-    (void)c;
-    return fmi2OK;
+    return answer(instance_enter_event_mode(c));
 }
 
 EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info)
@@ -337,7 +334,7 @@ EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info)
 
 EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c)
 {
-    return answer(instance_settle_parameters(c));
+    return answer(instance_enter_continuous_time(c));
 }
 
 EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean no_set_before, fmi2Boolean *enter_event,

@@ -18,12 +18,22 @@ static void tell(struct instance *instance, int error, const char *text)
                      error ? "logStatusError" : "logStatusWarning", text);
 }
 
+static size_t states_of(const struct instance *instance)
+{
+    return (size_t)instance->contents->states;
+}
+
+static size_t corners_of(const struct instance *instance)
+{
+    return (size_t)instance->contents->corners;
+}
+
 static fmi3Status answer(int failed)
 {
     return failed ? fmi3Error : fmi3OK;
 }
 
-static fmi3Instance instantiate(fmi3String name, fmi3String token, int exchange, bool logging,
+static fmi3Instance instantiate(fmi3String name, fmi3String token, fmi3String resources, int exchange, bool logging,
                                 fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
 {
     struct logger *logger = malloc(sizeof *logger);
@@ -32,7 +42,7 @@ static fmi3Instance instantiate(fmi3String name, fmi3String token, int exchange,
     if (!logger)
         return NULL;
     logger->call = log;
-    instance = instance_new(name, token, exchange, logging, tell, logger, environment);
+    instance = instance_new(name, token, resources, exchange, logging, tell, logger, environment);
     if (!instance)
         free(logger);
     return instance;
@@ -55,9 +65,8 @@ EXPORT fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String tok
                                                  bool logging, fmi3InstanceEnvironment environment,
                                                  fmi3LogMessageCallback log)
 {
-    (void)resources;
     (void)visible;
-    return instantiate(name, token, 1, logging, environment, log);
+    return instantiate(name, token, resources, 1, logging, environment, log);
 }
 
 EXPORT fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, bool visible,
@@ -66,14 +75,13 @@ EXPORT fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String toke
                                                 fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
                                                 fmi3IntermediateUpdateCallback update)
 {
-    (void)resources;
     (void)visible;
     (void)event_mode;
     (void)early_return;
     (void)required;
     (void)required_count;
     (void)update;
-    return instantiate(name, token, 0, logging, environment, log);
+    return instantiate(name, token, resources, 0, logging, environment, log);
 }
 
 EXPORT fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources,
@@ -118,8 +126,7 @@ EXPORT fmi3Status fmi3ExitInitializationMode(fmi3Instance c)
 
 EXPORT fmi3Status fmi3Terminate(fmi3Instance c)
 {
-    ((struct instance *)c)->data.phase = TERMINATED;
-    return fmi3OK;
+    return answer(instance_terminate(c));
 }
 
 EXPORT fmi3Status fmi3Reset(fmi3Instance c)
@@ -254,16 +261,16 @@ EXPORT fmi3Status fmi3GetVariableDependencies(fmi3Instance c, fmi3ValueReference
 EXPORT fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state)
 {
     if (!*state)
-        *state = malloc(sizeof(struct data));
+        *state = malloc(instance_data_bytes(c));
     if (!*state)
         return fmi3Error;
-    memcpy(*state, &((struct instance *)c)->data, sizeof(struct data));
+    memcpy(*state, ((struct instance *)c)->data, instance_data_bytes(c));
     return fmi3OK;
 }
 
 EXPORT fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state)
 {
-    memcpy(&((struct instance *)c)->data, state, sizeof(struct data));
+    memcpy(((struct instance *)c)->data, state, instance_data_bytes(c));
     return fmi3OK;
 }
 
@@ -277,24 +284,22 @@ EXPORT fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state)
 
 EXPORT fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size)
 {
-    (void)c;
     (void)state;
-    *size = instance_bytes();
+    *size = instance_bytes(c);
     return fmi3OK;
 }
 
 EXPORT fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size)
 {
-    (void)c;
-    if (size < instance_bytes())
+    if (size < instance_bytes(c))
         return fmi3Error;
-    instance_serialize(state, bytes);
+    instance_serialize(c, state, bytes);
     return fmi3OK;
 }
 
 EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state)
 {
-    struct data *data = *state ? *state : malloc(sizeof(struct data));
+    struct data *data = *state ? *state : malloc(instance_data_bytes(c));
 
     if (!data)
         return fmi3Error;
@@ -376,8 +381,7 @@ EXPORT fmi3Status fmi3ExitConfigurationMode(fmi3Instance c)
 
 EXPORT fmi3Status fmi3EnterEventMode(fmi3Instance c)
 {
-    (void)c;
-    return fmi3OK;
+    return answer(((struct instance *)c)->exchange && instance_enter_event_mode(c));
 }
 
 EXPORT fmi3Status fmi3EnterStepMode(fmi3Instance c)
@@ -409,7 +413,7 @@ EXPORT fmi3Status fmi3DoStep(fmi3Instance c, double time, double dt, bool no_set
 
     (void)no_set_before;
     *event = *terminate = *early = false;
-    *last = ((struct instance *)c)->data.value[0];
+    *last = instance_values(((struct instance *)c)->data)[0];
     if (held > 0)
         tell(c, 0, "an input is not finite: the last force is held");
     return held < 0 ? fmi3Error : held ? fmi3Warning : fmi3OK;
@@ -419,7 +423,7 @@ EXPORT fmi3Status fmi3DoStep(fmi3Instance c, double time, double dt, bool no_set
 
 EXPORT fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance c)
 {
-    return answer(instance_settle_parameters(c));
+    return answer(instance_enter_continuous_time(c));
 }
 
 EXPORT fmi3Status fmi3CompletedIntegratorStep(fmi3Instance c, bool no_set_before, bool *enter_event, bool *terminate)
@@ -432,53 +436,44 @@ EXPORT fmi3Status fmi3CompletedIntegratorStep(fmi3Instance c, bool no_set_before
 
 EXPORT fmi3Status fmi3SetTime(fmi3Instance c, double time)
 {
-    ((struct instance *)c)->data.value[0] = time;
-    return fmi3OK;
+    return answer(instance_set_time(c, time));
 }
 
 EXPORT fmi3Status fmi3SetContinuousStates(fmi3Instance c, const double x[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_set_states(c, x));
+    return answer(n != states_of(c) || instance_set_states(c, x));
 }
 
 EXPORT fmi3Status fmi3GetContinuousStates(fmi3Instance c, double x[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_states(c, x));
+    return answer(n != states_of(c) || instance_states(c, x));
 }
 
 EXPORT fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, double rates[], size_t n)
 {
-    return answer(n != (size_t)STATES || instance_rates(c, rates));
+    return answer(n != states_of(c) || instance_rates(c, rates));
 }
 
 EXPORT fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance c, double nominals[], size_t n)
 {
-    size_t i;
-
-    (void)c;
-    for (i = 0; i < n; i++)
-        nominals[i] = STATE_NOMINAL;
-    return answer(n != (size_t)STATES);
+    return answer(n != states_of(c) || instance_nominals(c, nominals));
 }
 
 EXPORT fmi3Status fmi3GetEventIndicators(fmi3Instance c, double indicators[], size_t n)
 {
-    (void)c;
-    (void)indicators;
-    return answer(n != 0);
+    return answer(n != corners_of(c) || instance_indicators(c, indicators));
 }
 
 EXPORT fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance c, size_t *n)
 {
-    (void)c;
-    *n = 0;
+    *n = corners_of(c);
     return fmi3OK;
 }
 
 EXPORT fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance c, size_t *n)
 {
     (void)c;
-    *n = (size_t)STATES;
+    *n = states_of(c);
     return fmi3OK;
 }
 

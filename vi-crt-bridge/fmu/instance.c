@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef char states_as_exported[STATES_OF_CORNER == EXPORTED_STATES ? 1 : -1];
-
-static int complain(struct instance *instance, const char *format, ...)
+int instance_complain(struct instance *instance, const char *format, ...)
 {
     char text[400];
     va_list arguments;
@@ -19,107 +17,113 @@ static int complain(struct instance *instance, const char *format, ...)
     return -1;
 }
 
-/* ---- what the host has set ----------------------------------------------------------------------------------- */
-
-double instance_given(const struct data *data, int corner, enum kind kind)
-{
-    return data->value[1 + corner * BLOCK + (kind - DISPLACEMENT)];
-}
-
-dashpot_input instance_input(const struct data *data, int corner)
-{
-    double scale = instance_given(data, corner, MOTION_SCALE);
-    dashpot_input input = dashpot_input_velocity(scale * instance_given(data, corner, VELOCITY));
-
-    if (instance_given(data, corner, DISPLACEMENT_GIVEN) != 0.0) {
-        input.known |= DASHPOT_KNOWS_DISPLACEMENT;
-        input.displacement = scale * instance_given(data, corner, DISPLACEMENT);
-    }
-    input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
-    input.side_force = instance_given(data, corner, SIDE_FORCE);
-    input.temperature = instance_given(data, corner, TEMPERATURE);
-    return input;
-}
-
-double *instance_state_number(dashpot_state *state, int index)
-{
-    /* displacement, then what follows the velocity. */
-    return (double *)state + (index == 0 ? 0 : index + 1);
-}
-
 /* The models' own values of the parameters, and the start values of everything else. */
-static void start_values(struct data *data)
+static void start_values(struct instance *instance)
 {
+    const struct contents *contents = instance->contents;
+    double *value = instance_values(instance->data);
     uint32_t i;
 
-    for (i = 0; i < VARIABLES; i++) {
-        const struct variable *v = &VARIABLE[i];
-        const dashpot_params *params = v->corner < 0 ? NULL : &data->corner[v->corner].params;
+    for (i = 0; i < contents->variables; i++) {
+        const struct variable *v = &contents->variable[i];
+        const dashpot_params *params = v->corner < 0 ? NULL : &instance->data->part[v->corner].corner.params;
         double list[256] = {0};
         uint32_t count;
 
+        value[i] = 0.0;
         switch (v->kind) {
-        case TEMPERATURE: data->value[i] = 20.0; break;
-        case MOTION_SCALE: data->value[i] = MOTION_SCALE_START; break;
-        case FORCE_SCALE: data->value[i] = FORCE_SCALE_START; break;
-        case DISPLACEMENT_GIVEN: data->value[i] = 1.0; break;
-        case CHOICE: dashpot_params_get(params, v->name, &data->value[i]); break;
+        case TEMPERATURE: value[i] = 20.0; break;
+        case MOTION_SCALE: value[i] = contents->motion_scale; break;
+        case FORCE_SCALE: value[i] = contents->force_scale; break;
+        case DISPLACEMENT_GIVEN: value[i] = 1.0; break;
+        case CHOICE: dashpot_params_get(params, v->name, &value[i]); break;
         case PARAMETER:
             if (v->index < 0)
-                dashpot_params_get(params, v->name, &data->value[i]);
+                dashpot_params_get(params, v->name, &value[i]);
             else if (dashpot_params_get_list(params, v->name, list, 256, &count) >= 0)
-                data->value[i] = list[v->index];
+                value[i] = list[v->index];
             break;
-        default: data->value[i] = 0.0;
+        default: break;
         }
     }
+}
+
+/* The speeds that the identified curve covers, as the kernel's warning has it. */
+static void find_range(struct part *part)
+{
+    double speed[256], form = 1.0;
+    uint32_t on = 0, count = 0;
+
+    part->low = part->high = 0.0;
+    dashpot_params_is_on(&part->corner.params, "fv_curve", &on);
+    dashpot_params_get(&part->corner.params, "fv_form", &form);
+    if (on && form == 0.0 && dashpot_params_get_list(&part->corner.params, "fv_velocity", speed, 256, &count) >= 0 && count) {
+        part->low = speed[0];
+        part->high = speed[count - 1];
+    }
+}
+
+/* The models with the parameters as the host has set them. */
+static int prepare(struct instance *instance, int c, dashpot_params *params, dashpot_model *model)
+{
+    const struct contents *contents = instance->contents;
+    const double *value = instance_values(instance->data);
+    dashpot_fault fault;
+    uint32_t i, k;
+    int32_t status;
+
+    for (i = 0; i < contents->variables; i++) {
+        const struct variable *v = &contents->variable[i];
+        double list[256];
+
+        status = 0;
+        if (v->corner != c || (v->kind != PARAMETER && v->kind != CHOICE))
+            continue;
+        if (v->index < 0) {
+            status = dashpot_params_set(params, v->name, value[i]);
+        } else if (v->index == 0) {
+            for (k = 0; i + k < contents->variables && k < 256 && v[k].corner == c && v[k].kind == v->kind &&
+                        !strcmp(v[k].name, v->name); k++)
+                list[k] = value[i + k];
+            status = dashpot_params_set_list(params, v->name, list, k);
+        }
+        if (status < 0)
+            return instance_complain(instance, "%s %s", v->name, dashpot_status_text(status));
+    }
+    status = dashpot_params_check(params, &fault);
+    if (status < 0)
+        return instance_complain(instance, "%s %s", fault.parameter, dashpot_status_text(status));
+    status = dashpot_model_init(model, params);
+    return status < 0 ? instance_complain(instance, "%s", dashpot_status_text(status)) : 0;
 }
 
 /* Prepares the models with the parameters as set; leaves all as it was where they are refused. */
 int instance_settle_parameters(struct instance *instance)
 {
-    struct data *data = &instance->data;
-    dashpot_params params[CORNERS];
-    dashpot_model model[CORNERS];
-    uint32_t i, k;
-    int c;
+    struct data *data = instance->data;
+    struct prepared {
+        dashpot_params params;
+        dashpot_model model;
+    } *all;
+    int c, failed = 0;
 
     if (!data->retune)
         return 0;
-    for (c = 0; c < CORNERS; c++) {
-        dashpot_fault fault;
-        int32_t status;
-
-        params[c] = data->corner[c].params;
-        for (i = 0; i < VARIABLES; i++) {
-            const struct variable *v = &VARIABLE[i];
-            double list[256];
-
-            status = 0;
-            if (v->corner != c || (v->kind != PARAMETER && v->kind != CHOICE))
-                continue;
-            if (v->index < 0) {
-                status = dashpot_params_set(&params[c], v->name, data->value[i]);
-            } else if (v->index == 0) {
-                for (k = 0; i + k < VARIABLES && k < 256 && VARIABLE[i + k].corner == c && VARIABLE[i + k].name &&
-                            !strcmp(VARIABLE[i + k].name, v->name); k++)
-                    list[k] = data->value[i + k];
-                status = dashpot_params_set_list(&params[c], v->name, list, k);
-            }
-            if (status < 0)
-                return complain(instance, "%s %s", v->name, dashpot_status_text(status));
-        }
-        status = dashpot_params_check(&params[c], &fault);
-        if (status < 0)
-            return complain(instance, "%s %s", fault.parameter, dashpot_status_text(status));
-        status = dashpot_model_init(&model[c], &params[c]);
-        if (status < 0)
-            return complain(instance, "%s", dashpot_status_text(status));
+    all = malloc((size_t)data->corners * sizeof *all);
+    if (!all)
+        return instance_complain(instance, "no memory");
+    for (c = 0; c < data->corners && !failed; c++) {
+        all[c].params = data->part[c].corner.params;
+        failed = prepare(instance, c, &all[c].params, &all[c].model);
     }
-    for (c = 0; c < CORNERS; c++) {
-        data->corner[c].params = params[c];
-        data->corner[c].model = model[c];
+    for (c = 0; c < data->corners && !failed; c++) {
+        data->part[c].corner.params = all[c].params;
+        data->part[c].corner.model = all[c].model;
+        find_range(&data->part[c]);
     }
+    free(all);
+    if (failed)
+        return -1;
     data->retune = 0;
     data->stale = 1;
     return 0;
@@ -127,29 +131,41 @@ int instance_settle_parameters(struct instance *instance)
 
 /* ---- life ------------------------------------------------------------------------------------------------------ */
 
+size_t instance_data_bytes(const struct instance *instance)
+{
+    const struct contents *contents = instance->contents;
+
+    return sizeof(struct data) + (size_t)contents->corners * sizeof(struct part) + contents->variables * sizeof(double);
+}
+
 static int load(struct instance *instance)
 {
     int c;
 
-    memset(&instance->data, 0, sizeof instance->data);
-    for (c = 0; c < CORNERS; c++) {
+    memset(instance->data, 0, instance_data_bytes(instance));
+    instance->data->corners = instance->contents->corners;
+    for (c = 0; c < instance->data->corners; c++) {
+        struct part *part = &instance->data->part[c];
+        const char *text = instance->contents->model[c];
         dashpot_fault fault;
-        int32_t status =
-            dashpot_corner_read(&instance->data.corner[c], MODEL_TEXT[c], strlen(MODEL_TEXT[c]), &fault);
+        int32_t status = dashpot_corner_read(&part->corner, text, strlen(text), &fault);
 
         if (status < 0)
-            return complain(instance, "the model inside: line %u: %s %s", (unsigned)fault.line, fault.parameter,
-                            dashpot_status_text(status));
+            return instance_complain(instance, "the model inside: line %u: %s %s", (unsigned)fault.line, fault.parameter,
+                                     dashpot_status_text(status));
+        find_range(part);
+        instance_input_forget(&part->told);
     }
-    start_values(&instance->data);
-    instance->data.stale = 1;
+    start_values(instance);
+    instance->data->stale = 1;
     return 0;
 }
 
-struct instance *instance_new(const char *name, const char *token, int exchange, int logging, instance_log *log,
-                              void *logger, void *environment)
+struct instance *instance_new(const char *name, const char *token, const char *resources, int exchange, int logging,
+                              instance_log *log, void *logger, void *environment)
 {
     struct instance *instance = calloc(1, sizeof *instance);
+    char why[300] = "no memory";
 
     if (!instance)
         return NULL;
@@ -159,17 +175,25 @@ struct instance *instance_new(const char *name, const char *token, int exchange,
     instance->logger = logger;
     instance->environment = environment;
     snprintf(instance->name, sizeof instance->name, "%s", name ? name : "");
-    if (!token || strcmp(token, MODEL_GUID)) {
-        complain(instance, "the guid or instantiation token is not the one of this FMU");
-    } else if (!load(instance)) {
+    instance->contents = contents_read(resources, why, sizeof why);
+    /* Blocks of malloc are aligned as the kernel's structures want it on every 64-bit system. */
+    instance->data = instance->contents ? malloc(instance_data_bytes(instance)) : NULL;
+    if (!instance->data)
+        instance_complain(instance, "%s", why);
+    else if (!token || strcmp(token, instance->contents->guid))
+        instance_complain(instance, "the guid or instantiation token is not the one of this FMU");
+    else if (!load(instance))
         return instance;
-    }
-    free(instance);
+    instance_free(instance);
     return NULL;
 }
 
 void instance_free(struct instance *instance)
 {
+    if (!instance)
+        return;
+    contents_free(instance->contents);
+    free(instance->data);
     free(instance);
 }
 
@@ -181,73 +205,79 @@ int instance_reset(struct instance *instance)
 /* At rest at the position that the host gives. */
 static int rest(struct instance *instance)
 {
-    struct data *data = &instance->data;
-    int c;
+    struct data *data = instance->data;
+    int c, k;
 
     if (instance_settle_parameters(instance))
         return -1;
-    for (c = 0; c < CORNERS; c++) {
+    for (c = 0; c < data->corners; c++) {
+        struct part *part = &data->part[c];
+        dashpot_state *state = &part->corner.now.state;
         dashpot_input input = instance_input(data, c);
         double position =
             input.known & DASHPOT_KNOWS_DISPLACEMENT ? input.displacement : instance_given(data, c, INITIAL_POSITION);
-        int32_t status = dashpot_corner_rest(&data->corner[c], position);
+        int32_t status = dashpot_corner_rest(&part->corner, position);
 
         if (status < 0)
-            return complain(instance, "initial position: %s", dashpot_status_text(status));
-        data->from[c] = data->corner[c].now.state;
-        data->status[c] = 0;
+            return instance_complain(instance, "initial position: %s", dashpot_status_text(status));
+        part->from = *state;
+        part->status = 0;
+        part->state[TRAVEL] = position;
+        part->state[DEFLECTION] = state->mass_displacement - state->displacement;
+        part->state[MASS_VELOCITY] = state->mass_velocity;
+        for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
+            part->state[k] = state->memory[k - FIRST_MEMORY];
     }
     data->dt = 0.0;
     return 0;
 }
 
-/* Brings outputs and rates up to date with inputs and states. */
-static int refresh(struct instance *instance)
+int instance_refresh(struct instance *instance)
 {
-    struct data *data = &instance->data;
+    struct data *data = instance->data;
     int c;
 
-    if (!data->stale)
-        return 0;
-    if (data->phase == INSTANTIATED || data->phase == TERMINATED)
+    if (!data->stale || data->phase == INSTANTIATED || data->phase == TERMINATED)
         return 0;
     if (data->phase == INITIALIZATION && rest(instance))
         return -1;
-    if (instance->exchange) {
-        for (c = 0; c < CORNERS; c++) {
-            dashpot_corner *corner = &data->corner[c];
-            dashpot_input input = instance_input(data, c);
-            int32_t status = dashpot_evaluate(&corner->model, &corner->now.state, &input, &corner->now.output,
-                                              &data->rate[c]);
-
-            if (status < 0)
-                return complain(instance, "%s", dashpot_status_text(status));
-            data->status[c] = status;
-            data->rate[c].displacement = input.known & DASHPOT_KNOWS_DISPLACEMENT ? 0.0 : input.velocity;
-        }
-    }
+    for (c = 0; instance->exchange && c < data->corners; c++)
+        if (instance_evaluate(instance, c))
+            return -1;
     data->stale = 0;
     return 0;
 }
 
 int instance_enter_initialization(struct instance *instance, double start)
 {
-    if (instance->data.phase != INSTANTIATED)
-        return complain(instance, "initialization mode is entered once, after instantiation or reset");
-    instance->data.phase = INITIALIZATION;
-    instance->data.value[0] = start;
-    instance->data.stale = 1;
+    if (instance->data->phase != INSTANTIATED)
+        return instance_complain(instance, "initialization mode is entered once, after instantiation or reset");
+    instance->data->phase = INITIALIZATION;
+    instance_values(instance->data)[0] = start;
+    instance->data->stale = 1;
     return 0;
 }
 
 int instance_exit_initialization(struct instance *instance)
 {
-    if (instance->data.phase != INITIALIZATION)
-        return complain(instance, "initialization mode was not entered");
-    instance->data.stale = 1;
-    if (refresh(instance))
+    if (instance->data->phase != INITIALIZATION)
+        return instance_complain(instance, "initialization mode was not entered");
+    instance->data->stale = 1;
+    if (instance_refresh(instance))
         return -1;
-    instance->data.phase = RUNNING;
+    instance->data->phase = instance->exchange ? EVENT : RUNNING;
+    return 0;
+}
+
+int instance_terminate(struct instance *instance)
+{
+    enum phase phase = instance->data->phase;
+
+    if (phase != RUNNING && phase != EVENT)
+        return instance_complain(instance, phase == TERMINATED ? "terminated twice"
+                                                               : "there is nothing to terminate before the initialization mode "
+                                                                 "has ended");
+    instance->data->phase = TERMINATED;
     return 0;
 }
 
@@ -255,165 +285,149 @@ int instance_exit_initialization(struct instance *instance)
 
 static enum type type_of(enum kind kind)
 {
-    return kind == STATUS || kind == CHOICE ? INTEGER : kind == DISPLACEMENT_GIVEN ? BOOLEAN : REAL;
+    return kind == STATUS || kind == CHOICE || kind == BETWEEN_POINTS ? INTEGER
+           : kind == DISPLACEMENT_GIVEN                               ? BOOLEAN
+                                                                      : REAL;
 }
 
-static double read(struct data *data, const struct variable *v, double stored)
+static double state_of_step(const dashpot_state *state, int index)
 {
+    switch (index) {
+    case TRAVEL: return state->displacement;
+    case DEFLECTION: return state->mass_displacement - state->displacement;
+    case MASS_VELOCITY: return state->mass_velocity;
+    default: return state->memory[index - FIRST_MEMORY];
+    }
+}
+
+/* fmin() would ask for the host's libm, which a compiler that knows nothing but these sources does not link. */
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double read(struct instance *instance, const struct variable *v, double stored)
+{
+    struct data *data = instance->data;
+    const struct part *part;
     const dashpot_output *output;
-    double motion, force;
+    double motion, force, v_now;
 
     if (v->corner < 0)
         return stored;
-    output = &data->corner[v->corner].now.output;
+    part = &data->part[v->corner];
+    output = &part->corner.now.output;
     motion = instance_given(data, v->corner, MOTION_SCALE);
     force = instance_given(data, v->corner, FORCE_SCALE);
     switch (v->kind) {
     case FORCE: return force * output->force;
     case FORCE_BY_DISPLACEMENT: return force * output->force_by_displacement * motion;
     case FORCE_BY_VELOCITY: return force * output->force_by_velocity * motion;
-    case STATUS: return data->status[v->corner];
-    case STATE: return *instance_state_number(&data->corner[v->corner].now.state, v->index);
-    case RATE: return *instance_state_number(&data->rate[v->corner], v->index);
+    case STATUS: return part->status;
+    case SPEED_MARGIN:
+        v_now = part->corner.now.state.velocity;
+        return part->low == part->high ? 1.0 : smaller(v_now - part->low, part->high - v_now);
+    case STATE: return instance->exchange ? part->state[v->index] : state_of_step(&part->corner.now.state, v->index);
+    case RATE: return part->rate[v->index];
     default: return stored;
     }
 }
 
+static const struct variable *variable(struct instance *instance, uint32_t reference, enum type type)
+{
+    if (reference < instance->contents->variables && type_of(instance->contents->variable[reference].kind) == type)
+        return &instance->contents->variable[reference];
+    instance_complain(instance, "value reference %u is no variable of that type", (unsigned)reference);
+    return NULL;
+}
+
 int instance_get(struct instance *instance, uint32_t reference, enum type type, double *value)
 {
-    if (reference >= VARIABLES || type_of(VARIABLE[reference].kind) != type)
-        return complain(instance, "value reference %u is no variable of that type", (unsigned)reference);
-    if (refresh(instance))
+    const struct variable *v = variable(instance, reference, type);
+
+    if (!v || instance_refresh(instance))
         return -1;
-    *value = read(&instance->data, &VARIABLE[reference], instance->data.value[reference]);
+    *value = read(instance, v, instance_values(instance->data)[reference]);
     return 0;
 }
 
 int instance_set(struct instance *instance, uint32_t reference, enum type type, double value)
 {
-    struct data *data = &instance->data;
+    struct data *data = instance->data;
+    const struct variable *v = variable(instance, reference, type);
 
-    if (reference >= VARIABLES || type_of(VARIABLE[reference].kind) != type)
-        return complain(instance, "value reference %u is no variable of that type", (unsigned)reference);
-    switch (VARIABLE[reference].kind) {
+    if (!v)
+        return -1;
+    if (data->phase == TERMINATED)
+        return instance_complain(instance, "the instance is terminated; reset it first");
+    switch (v->kind) {
+    case BETWEEN_POINTS:
+        if (value < AUTOMATIC || value > EXTRAPOLATE)
+            return instance_complain(instance, "inputs_between_points is 0 (automatic), 1 (hold) or 2 (extrapolate)");
+        goto fixed;
     case MOTION_SCALE:
     case FORCE_SCALE:
         if (!(isfinite(value) && value != 0.0))
-            return complain(instance, "a scale must be finite and not 0");
-        /* Fixed, like the next three. */
-        /* fall through */
+            return instance_complain(instance, "a scale must be finite and not 0");
+        goto fixed;
+    case POSITION_OFFSET:
+        /* A metre is longer than any damper's stroke: this is one in mm. */
+        if (!(fabs(value) <= 1.0))
+            return instance_complain(instance, "position_offset is in m and lies between -1 and 1");
+        goto fixed;
     case DISPLACEMENT_GIVEN:
     case INITIAL_POSITION:
     case CHOICE:
+    fixed:
         if (data->phase > INITIALIZATION)
-            return complain(instance, "value reference %u is fixed once the run has begun", (unsigned)reference);
-        data->retune |= VARIABLE[reference].kind == CHOICE;
+            return instance_complain(instance, "value reference %u is fixed once the run has begun", (unsigned)reference);
+        data->retune |= v->kind == CHOICE;
         break;
     case PARAMETER:
+        if (!(value >= v->low && value <= v->high))
+            return instance_complain(instance, "%s: %g is outside its bounds, %g to %g", v->name, value, v->low, v->high);
         data->retune = 1;
         break;
     case DISPLACEMENT:
     case VELOCITY:
+        instance_input_set(instance, v->corner);
+        break;
     case SIDE_FORCE:
     case TEMPERATURE:
         break;
     default:
-        return complain(instance, "value reference %u cannot be set", (unsigned)reference);
+        return instance_complain(instance, "value reference %u cannot be set", (unsigned)reference);
     }
-    data->value[reference] = value;
+    if (v->kind >= DISPLACEMENT && v->kind <= TEMPERATURE)
+        data->part[v->corner].derivatives &= ~(1u << (v->kind - DISPLACEMENT));
+    instance_values(data)[reference] = value;
     /* Between two steps of a co-simulation the outputs stay those of the last communication point. */
     data->stale |= instance->exchange || data->phase == INITIALIZATION;
-    return 0;
-}
-
-/* ---- co-simulation --------------------------------------------------------------------------------------------- */
-
-int instance_step(struct instance *instance, double time, double dt)
-{
-    struct data *data = &instance->data;
-    int c, held = 0;
-
-    if (data->phase != RUNNING)
-        return complain(instance, "a step before the end of initialization or after terminate");
-    if (!(dt >= 0.0 && dt <= 1e9))
-        return complain(instance, "the communication step size must be finite and not negative");
-    if (instance_settle_parameters(instance))
-        return -1;
-    for (c = 0; c < CORNERS; c++) {
-        dashpot_input input = instance_input(data, c);
-
-        data->from[c] = data->corner[c].now.state;
-        data->status[c] = dashpot_corner_step(&data->corner[c], &input, dt);
-        held |= data->status[c] & DASHPOT_BRIDGE_HELD;
-    }
-    data->dt = dt;
-    data->value[0] = time + dt;
-    data->stale = 0;
-    return held != 0;
-}
-
-/* ---- model exchange -------------------------------------------------------------------------------------------- */
-
-int instance_states(struct instance *instance, double *states)
-{
-    int c, k;
-
-    if (refresh(instance))
-        return -1;
-    for (c = 0; c < CORNERS; c++)
-        for (k = 0; k < STATES_OF_CORNER; k++)
-            *states++ = *instance_state_number(&instance->data.corner[c].now.state, k);
-    return 0;
-}
-
-int instance_set_states(struct instance *instance, const double *states)
-{
-    int c, k;
-
-    for (k = 0; k < STATES; k++)
-        if (!isfinite(states[k]))
-            return complain(instance, "a state is not finite");
-    for (c = 0; c < CORNERS; c++)
-        for (k = 0; k < STATES_OF_CORNER; k++)
-            *instance_state_number(&instance->data.corner[c].now.state, k) = *states++;
-    instance->data.stale = 1;
-    return 0;
-}
-
-int instance_rates(struct instance *instance, double *rates)
-{
-    int c, k;
-
-    if (instance_settle_parameters(instance) || refresh(instance))
-        return -1;
-    for (c = 0; c < CORNERS; c++)
-        for (k = 0; k < STATES_OF_CORNER; k++)
-            *rates++ = *instance_state_number(&instance->data.rate[c], k);
     return 0;
 }
 
 /* ---- serialised state ------------------------------------------------------------------------------------------ */
 
 static const char MAGIC[8] = "dashpot";
-#define HEAD (sizeof MAGIC + sizeof MODEL_GUID)
+#define HEAD (sizeof MAGIC + sizeof((struct contents *)0)->guid)
 
-size_t instance_bytes(void)
+size_t instance_bytes(const struct instance *instance)
 {
-    return HEAD + sizeof(struct data);
+    return HEAD + instance_data_bytes(instance);
 }
 
-void instance_serialize(const struct data *data, unsigned char *bytes)
+void instance_serialize(const struct instance *instance, const struct data *data, unsigned char *bytes)
 {
     memcpy(bytes, MAGIC, sizeof MAGIC);
-    memcpy(bytes + sizeof MAGIC, MODEL_GUID, sizeof MODEL_GUID);
-    memcpy(bytes + HEAD, data, sizeof *data);
+    memcpy(bytes + sizeof MAGIC, instance->contents->guid, sizeof instance->contents->guid);
+    memcpy(bytes + HEAD, data, instance_data_bytes(instance));
 }
 
 int instance_deserialize(struct instance *instance, struct data *data, const unsigned char *bytes, size_t size)
 {
-    if (size != instance_bytes() || memcmp(bytes, MAGIC, sizeof MAGIC) ||
-        memcmp(bytes + sizeof MAGIC, MODEL_GUID, sizeof MODEL_GUID))
-        return complain(instance, "the bytes are no state of this FMU");
-    memcpy(data, bytes + HEAD, sizeof *data);
+    if (size != instance_bytes(instance) || memcmp(bytes, MAGIC, sizeof MAGIC) ||
+        memcmp(bytes + sizeof MAGIC, instance->contents->guid, sizeof instance->contents->guid))
+        return instance_complain(instance, "the bytes are no state of this FMU");
+    memcpy(data, bytes + HEAD, instance_data_bytes(instance));
     return 0;
 }

@@ -4,7 +4,9 @@
 //! state is read and not changed.
 //!
 //! The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-//! eight private states. A host that gives no displacement integrates that too (rate->displacement is the velocity).
+//! private states. dashpot_model_states() tells how many the model has, dashpot_model_state_name() what they are; what lies behind
+//! them in a structure is 0 and stays 0. Without series_compliance the internal mass moves with the driven end: its two
+//! rates are 0. A host that gives no displacement integrates that too (rate->displacement is the velocity).
 //! state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
 
 use core::mem::{align_of, offset_of, size_of};
@@ -15,7 +17,7 @@ use dashpot_core::{Output, Partials, State};
 use crate::input::{self, dashpot_input};
 use crate::model::{dashpot_model, prepared_aligned};
 use crate::pointer::{aligned, present};
-use crate::state::{checked, dashpot_output, dashpot_state};
+use crate::state::{checked, computed, dashpot_output, dashpot_state};
 use crate::status::status;
 use crate::step::range_warning;
 
@@ -52,10 +54,13 @@ pub unsafe extern "C" fn dashpot_evaluate(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, output, rate);
+        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
         present(output)?;
         present(rate)?;
         let (answer, rates) = dashpot_core::evaluate(model, &state, &input);
+        computed(answer.is_finite() && rates.is_finite())?;
+        // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
         unsafe {
             *output.cast::<Output>() = answer;
             *rate.cast::<State>() = rates;
@@ -74,9 +79,13 @@ pub unsafe extern "C" fn dashpot_jacobian(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, partials);
+        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
         present(partials)?;
-        unsafe { *partials.cast::<Partials>() = self::partials(model, &state, &input) };
+        let answer = self::partials(model, &state, &input);
+        computed(answer.is_finite())?;
+        // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted above).
+        unsafe { *partials.cast::<Partials>() = answer };
         Ok(range_warning(model, input.velocity))
     })())
 }

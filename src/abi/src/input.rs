@@ -36,9 +36,12 @@ pub struct dashpot_input {
 
 const KNOWN: u32 = DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
 
-/// Largest sum of magnitudes of numbers from the host, in any unit: beyond it something is broken, and the force could
-/// overflow.
-pub(crate) const LARGEST: f64 = 1e9;
+/// Largest sum of the magnitudes of displacement and velocity: 1000 m and 1000 m/s are a hundred times what a damper meets, and
+/// the solver of a host that tries a wild step still gets an answer. Far beyond, powers of them would overflow.
+pub(crate) const LARGEST: f64 = 1e3;
+/// What a newton of side force and a degree count for in that sum: 1e9 N and 1e5 degrees alone are as much.
+const PER_NEWTON: f64 = 1e-6;
+const PER_DEGREE: f64 = 1e-2;
 
 /// Whether the host means it. False for NaN.
 #[inline(always)]
@@ -53,6 +56,7 @@ pub(crate) fn sane(number: f64) -> bool {
 #[inline(always)]
 pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refused> {
     present(input)?;
+    // SAFETY: not null by `present`; aligned and unwritten meanwhile by the caller's promise.
     unsafe { &*input }.checked()
 }
 
@@ -62,6 +66,7 @@ pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refus
 /// An aligned input that was checked and not written since.
 #[inline(always)]
 pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
+    // SAFETY: the caller's promise; `checked` accepted it before.
     unsafe { &*input }.taken().0
 }
 
@@ -94,11 +99,11 @@ impl dashpot_input {
         if knows(DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE) {
             if knows(DASHPOT_KNOWS_SIDE_FORCE) {
                 input.side_force = self.side_force;
-                sum += self.side_force.abs();
+                sum += self.side_force.abs() * PER_NEWTON;
             }
             if knows(DASHPOT_KNOWS_TEMPERATURE) {
                 input.temperature = self.temperature;
-                sum += self.temperature.abs();
+                sum += self.temperature.abs() * PER_DEGREE;
             }
         }
         (input, sum)

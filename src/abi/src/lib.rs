@@ -21,14 +21,27 @@
 //! positive, compression negative. Tension is positive: a damper that resists extension answers with a positive
 //! force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
 //!
+//! Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
+//! program.c libdashpot.a, and nothing behind it; a linker takes in what is called. Neither needs another library. The shared one
+//! imports no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+//! runtime has; there is no allocator, file, lock or thread behind it.
+//!
 //! Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
 //! on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
 //! be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
 //! sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
 //!
+//! Sizes. A state is 96 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
+//! caller's stack (dashpot_model_init() 13 KB, a step 8 KB); keep models and parameter sets off a small stack. A list has at
+//! most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
+//!
+//! Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
+//! told), and an array of no elements.
+//!
 //! Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
 //! Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-//! blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (above 1e9).
+//! blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (DASHPOT_BAD_INPUT says which).
+//! An answer that is not a refusal is finite in all its numbers.
 //!
 //! Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 //! of them write the same block and none writes what another reads. One model serves any number of dampers; each

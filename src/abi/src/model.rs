@@ -3,13 +3,15 @@
 //! A model is a parameter set that was checked and made ready. It is constant while it runs, and one model serves any
 //! number of dampers.
 
+use core::ffi::c_char;
 use core::mem::{align_of, size_of};
 
 use dashpot_core::Model;
 
 use crate::params::{dashpot_params, values};
-use crate::pointer::{present, usable};
-use crate::status::{DASHPOT_NOT_SET, DASHPOT_OK, Refused, status};
+use crate::pointer::{exclusive, present, usable};
+use crate::status::{DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::text;
 use crate::version::magic;
 
 /// A prepared model. Nothing in it is for the host.
@@ -40,6 +42,7 @@ const _: () = {
 #[inline(always)]
 pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Model, Refused> {
     usable(model)?;
+    // SAFETY: aligned by `usable`; the rest is the caller's promise.
     unsafe { prepared_aligned(model) }
 }
 
@@ -50,6 +53,8 @@ pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Mod
 #[inline(always)]
 pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result<&'a Model, Refused> {
     present(model)?;
+    // SAFETY: not null by `present`, aligned by the caller's promise; any bytes are a magic word, and only where it
+    // is right is the model looked at.
     let block = unsafe { &*model.cast::<Prepared>() };
     if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.model) }
 }
@@ -60,7 +65,55 @@ pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result
 /// What [`prepared`] accepted, unchanged since.
 #[inline(always)]
 pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
+    // SAFETY: the caller's promise: `prepared` accepted it before.
     unsafe { &(*model.cast::<Prepared>()).model }
+}
+
+/// Number of states that a solver of the host's own integrates (see Evaluation): those of the internal mass and the private
+/// states of the elements that are on; from 2 to DASHPOT_MOST_STATES. Negative: a refusal.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i32 {
+    status((|| {
+        // SAFETY: null, misaligned or a model that nobody writes meanwhile (the caller's promise).
+        Ok(unsafe { prepared(model) }?.states() as i32)
+    })())
+}
+
+/// Most states that a model has: what dashpot_partials has room for.
+pub const DASHPOT_MOST_STATES: u32 = 10;
+
+/// Name and unit of one state. Set struct_size before the call.
+#[repr(C)]
+pub struct dashpot_state_name {
+    /// sizeof(dashpot_state_name).
+    pub struct_size: u32,
+    /// Its place among the states, from 0.
+    pub state: u32,
+    /// Name, zero-terminated.
+    pub name: [c_char; 48],
+    /// SI unit; "-" for a pure number.
+    pub unit: [c_char; 16],
+}
+
+/// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->memory[k - 2].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_model_state_name(
+    model: *const dashpot_model,
+    state: u32,
+    name: *mut dashpot_state_name,
+) -> i32 {
+    status((|| {
+        // SAFETY: null, misaligned, or a model that nobody writes and a structure that nobody else uses (the caller's promise).
+        let (model, to) = unsafe { (prepared(model)?, exclusive(name)?) };
+        if to.struct_size as usize != size_of::<dashpot_state_name>() {
+            return Err(Refused(DASHPOT_STRUCT_SIZE));
+        }
+        let (name, unit) = model.state_name(state as usize).ok_or(Refused(DASHPOT_NO_SUCH_STATE))?;
+        to.state = state;
+        text::write(&mut to.name, [name].into_iter());
+        text::write(&mut to.unit, [unit].into_iter());
+        Ok(DASHPOT_OK)
+    })())
 }
 
 /// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
@@ -69,8 +122,18 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
 pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *const dashpot_params) -> i32 {
     status((|| {
         usable(model)?;
-        let prepared = Prepared { magic: MAGIC, model: Model::new(unsafe { values(params) }?)? };
-        unsafe { model.cast::<Prepared>().write(prepared) };
+        let block = model.cast::<Prepared>();
+        // SAFETY: `params` is null, misaligned or a block that nobody writes meanwhile (the caller's promise).
+        let params = unsafe { values(params) }?;
+        Model::check(params)?;
+        // SAFETY: `model` is aligned, not null, and room for a block that is the caller's alone; a parameter set is never inside
+        // it. Written before it is referred to: the caller's memory may never have been.
+        unsafe {
+            (&raw mut (*block).magic).write(0);
+            (&raw mut (*block).model).write(Model::OFF);
+            (*block).model.set(params)?;
+            (*block).magic = MAGIC;
+        }
         Ok(DASHPOT_OK)
     })())
 }

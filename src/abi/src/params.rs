@@ -64,6 +64,7 @@ const _: () = {
 /// # Safety
 /// As [`shared`].
 unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused> {
+    // SAFETY: the caller's promise is that of `shared`.
     let head = unsafe { shared(params) }?;
     if head.struct_size as usize != size_of::<dashpot_params>() {
         return Err(Refused(DASHPOT_STRUCT_SIZE));
@@ -79,6 +80,8 @@ unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused>
 /// # Safety
 /// As [`shared`].
 pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Refused> {
+    // SAFETY: `block` has looked at size and version, so that the block is as large and aligned as `Filled`; any
+    // bytes are a magic word, and only where it is right are the values looked at.
     let block = unsafe { &*block(params)? };
     if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.values) }
 }
@@ -88,6 +91,7 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
 /// # Safety
 /// As [`exclusive`].
 unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Refused> {
+    // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
     unsafe { values(params) }?;
     Ok(unsafe { &mut (*params.cast::<Filled>()).values })
 }
@@ -97,6 +101,7 @@ unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, 
 /// # Safety
 /// As [`one_of`].
 unsafe fn parameter(name: *const c_char) -> Result<&'static str, Refused> {
+    // SAFETY: the caller's promise is that of `one_of`.
     unsafe { one_of(name, table().map(|row| row.parameter.name)) }
 }
 
@@ -105,6 +110,7 @@ unsafe fn parameter(name: *const c_char) -> Result<&'static str, Refused> {
 /// # Safety
 /// As [`one_of`].
 unsafe fn element(name: *const c_char) -> Result<&'static str, Refused> {
+    // SAFETY: the caller's promise is that of `one_of`.
     unsafe { one_of(name, elements::names()) }
 }
 
@@ -123,6 +129,7 @@ impl From<Fault> for Refused {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> i32 {
     status((|| {
+        // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
         let block = unsafe { block(params) }?.cast_mut();
         unsafe {
             (&raw mut (*block).values).write(Params::new());
@@ -136,6 +143,8 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
         params.set(name, value)?;
         Ok(DASHPOT_OK)
@@ -152,6 +161,8 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     count: u32,
 ) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
         params.set_list(name, unsafe { array(values, count as usize) }?)?;
         Ok(DASHPOT_OK)
@@ -166,6 +177,8 @@ pub unsafe extern "C" fn dashpot_params_get(
     value: *mut f64,
 ) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, name, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
         let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
         if matches!(row.parameter.shape, Shape::List(_)) {
@@ -187,6 +200,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
     count: *mut u32,
 ) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, name, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
         let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
         if !matches!(row.parameter.shape, Shape::List(_)) {
@@ -198,6 +213,9 @@ pub unsafe extern "C" fn dashpot_params_get_list(
             if list.len() > capacity as usize {
                 return Err(Refused(DASHPOT_TOO_SHORT));
             }
+            // SAFETY: not null and aligned by `usable`, room for `capacity` numbers by the manual's promise, which
+            // is enough by the comparison above; a list lies inside the parameter set, which the array of the
+            // caller's is not.
             unsafe { core::ptr::copy_nonoverlapping(list.as_ptr(), values, list.len()) };
         }
         *count = list.len() as u32;
@@ -209,6 +227,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, element: *const c_char, on: u32) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
         params.enable(element, on != 0)?;
         Ok(DASHPOT_OK)
@@ -223,6 +243,8 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     on: *mut u32,
 ) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, element, on) = unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
         *on = params.is_on(element) as u32;
         Ok(DASHPOT_OK)
@@ -242,12 +264,15 @@ pub unsafe extern "C" fn dashpot_params_read(
     fault: *mut dashpot_fault,
 ) -> i32 {
     status((|| {
+        // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
         let block = unsafe { block(params) }?.cast_mut();
         let text = unsafe { array(text.cast::<u8>(), length) }?;
         let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
         let mut values = Params::new();
         let (line, found) = match model_file::read(text, &mut values) {
             Ok(()) => {
+                // SAFETY: `block` has looked at size and alignment; written before it is referred to, since the
+                // caller's memory may never have been.
                 unsafe {
                     (&raw mut (*block).values).write(values);
                     (*block).magic = MAGIC;
@@ -272,8 +297,10 @@ pub unsafe extern "C" fn dashpot_params_read(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
         let (params, report) = unsafe { (values(params)?, exclusive(fault)?) };
-        let found = Model::new(params).err();
+        let found = Model::check(params).err();
         let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
         fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)));
         Ok(code)

@@ -41,6 +41,7 @@ pub(crate) fn off<T>(pointer: *const T) -> usize {
 #[inline(always)]
 pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Refused> {
     usable(pointer)?;
+    // SAFETY: not null and aligned by `usable`; the rest is the caller's promise.
     Ok(unsafe { &*pointer })
 }
 
@@ -51,6 +52,7 @@ pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Refused> 
 #[inline(always)]
 pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T) -> Result<&'a mut T, Refused> {
     usable(pointer)?;
+    // SAFETY: not null and aligned by `usable`; that nobody else uses it is the caller's promise.
     Ok(unsafe { &mut *pointer })
 }
 
@@ -63,6 +65,7 @@ pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a
         return Ok(&[]);
     }
     usable(pointer)?;
+    // SAFETY: not null and aligned by `usable`; that `count` elements are there is the caller's promise.
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
@@ -75,6 +78,7 @@ pub(crate) unsafe fn one_of(
     mut known: impl Iterator<Item = &'static str>,
 ) -> Result<&'static str, Refused> {
     usable(pointer)?;
+    // SAFETY: not null; that it is zero-terminated is the caller's promise.
     known.find(|name| unsafe { spells(pointer, name.as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
 }
 
@@ -84,6 +88,8 @@ pub(crate) unsafe fn one_of(
 /// A zero-terminated string.
 unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
     // A name holds no zero, so the comparison stops at the string's end at the latest.
+    // SAFETY: no byte before this one was the closing zero: a name holds none, and `all` stops at the first
+    // difference.
     let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
     same && unsafe { *pointer.add(name.len()) } == 0
 }

@@ -8,10 +8,10 @@ use core::mem::{align_of, offset_of, size_of};
 
 use dashpot_core::{Input, Output, State};
 
-use crate::input::sane;
+use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, prepared};
-use crate::pointer::{exclusive, present};
-use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_OK, Refused, status};
+use crate::pointer::{aligned, exclusive, present};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
 
 /// State of one damper.
 #[repr(C)]
@@ -74,21 +74,29 @@ const _: () = {
     assert!(offset_of!(dashpot_output, oil_temperature) == offset_of!(Output, oil_temperature));
 };
 
-/// Refuses a state that holds NaN or infinity.
+/// Largest sum of the magnitudes of a state: fourth powers of it times any coefficient of the table are still numbers, so that
+/// a step that finds all in closed form stays finite; it is far beyond all that a step can lead to.
+const LARGEST: f64 = 1e60;
+
+/// Refuses a state that holds NaN, infinity or what no step leads to.
 ///
 /// # Safety
 /// Null, or an aligned state that nobody writes meanwhile.
 #[inline(always)]
 pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> {
     present(state)?;
-    // In pairs, which processors add at once. 0·x is 0 for every finite x and NaN for all others.
+    // In pairs, which processors add at once.
+    // SAFETY: the caller's promise; a state is twelve numbers, which pairs of them lay out alike.
     let pairs = unsafe { &*state.cast::<[[f64; 2]; 6]>() };
-    let [first, rest @ ..] = pairs;
-    let sum = rest.iter().fold(*first, |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
-    if (sum[0] + sum[1]) * 0.0 != 0.0 {
-        return Err(Refused(DASHPOT_BAD_STATE));
-    }
-    Ok(())
+    let sum = pairs.iter().fold([0.0; 2], |sum, pair| [sum[0] + pair[0].abs(), sum[1] + pair[1].abs()]);
+    // False for NaN.
+    if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Refused(DASHPOT_BAD_STATE)) }
+}
+
+/// Refuses what could not be computed.
+#[inline(always)]
+pub(crate) fn computed(numbers: bool) -> Result<(), Refused> {
+    if numbers { Ok(()) } else { Err(Refused(DASHPOT_NOT_COMPUTABLE)) }
 }
 
 /// A copy of a state that the host handed in.
@@ -97,6 +105,7 @@ pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> 
 /// As [`finite`].
 #[inline(always)]
 pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refused> {
+    // SAFETY: the caller's promise; any twelve numbers are a state.
     unsafe {
         finite(state)?;
         Ok(*state.cast::<State>())
@@ -112,11 +121,36 @@ pub unsafe extern "C" fn dashpot_state_init(
     state: *mut dashpot_state,
 ) -> i32 {
     status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's
+        // promise.
         let (model, state) = unsafe { (prepared(model)?, exclusive(state.cast::<State>())?) };
         if !sane(initial_position) {
             return Err(Refused(DASHPOT_BAD_INPUT));
         }
-        *state = model.settled(&Input::motion(initial_position, 0.0));
+        let settled = model.settled(&Input::motion(initial_position, 0.0));
+        computed(settled.is_finite())?;
+        *state = settled;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// The state of a damper that has long moved steadily as *input says: start here where the simulation starts in motion, so that
+/// the first steps show no jump of the velocity. Without DASHPOT_KNOWS_DISPLACEMENT it is at displacement 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_state_init_motion(
+    model: *const dashpot_model,
+    input: *const dashpot_input,
+    state: *mut dashpot_state,
+) -> i32 {
+    status((|| {
+        aligned!(input);
+        // SAFETY: the input is aligned by the question before; each pointer is null, misaligned, or the caller's and used by
+        // nobody else meanwhile: the manual's promise.
+        let (model, state) = unsafe { (prepared(model)?, exclusive(state.cast::<State>())?) };
+        // SAFETY: as above.
+        let settled = model.settled(&unsafe { input::checked(input) }?);
+        computed(settled.is_finite())?;
+        *state = settled;
         Ok(DASHPOT_OK)
     })())
 }

@@ -28,11 +28,12 @@ pub const DASHPOT_STRUCT_SIZE: i32 = -3;
 pub const DASHPOT_ABI_MISMATCH: i32 = -4;
 /// The parameters or the model were not initialised, or by another build of the library.
 pub const DASHPOT_NOT_SET: i32 = -5;
-/// An input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9.
+/// An input is NaN or infinite, or far beyond all dampers: displacement and velocity (m, m/s) together above 1000, side force
+/// above 1e9 N, temperature above 1e5 degrees.
 pub const DASHPOT_BAD_INPUT: i32 = -6;
-/// The state holds NaN or infinity: it was not initialised.
+/// The state holds NaN, infinity or a number beyond 1e60: it was not initialised.
 pub const DASHPOT_BAD_STATE: i32 = -7;
-/// dt is NaN, negative, above 1e9 s, or above 0 but below 1e-15 s.
+/// dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
 pub const DASHPOT_BAD_TIME_STEP: i32 = -8;
 /// known has a bit that this library does not know.
 pub const DASHPOT_UNKNOWN_FLAG: i32 = -9;
@@ -81,11 +82,20 @@ pub const DASHPOT_TOO_MANY_STATES: i32 = -30;
 /// Free play or a bushing is on, and series_compliance, which they belong to, is off.
 pub const DASHPOT_NEEDS_SERIES: i32 = -31;
 
+/// Two points of a curve are nearer than 1e-6 m/s or m.
+pub const DASHPOT_TOO_CLOSE: i32 = -32;
+/// A curve rises from one point to the next by more than 1e8 N s/m or N/m.
+pub const DASHPOT_TOO_STEEP: i32 = -33;
+/// The step cannot be computed in numbers of this size: an input or a state is far from what a damper meets.
+pub const DASHPOT_NOT_COMPUTABLE: i32 = -34;
+/// The model has no state with this number.
+pub const DASHPOT_NO_SUCH_STATE: i32 = -35;
+
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 35] = [
+static TEXTS: [(i32, [u8; LENGTH]); 39] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -107,9 +117,14 @@ static TEXTS: [(i32, [u8; LENGTH]); 35] = [
         DASHPOT_NOT_SET,
         padded("parameters or model not initialised; call dashpot_params_default or dashpot_model_init first"),
     ),
-    (DASHPOT_BAD_INPUT, padded("an input is NaN or infinite, or the magnitudes of all inputs add up to more than 1e9")),
+    (
+        DASHPOT_BAD_INPUT,
+        padded(
+            "an input is NaN, infinite or absurd: displacement + velocity above 1000, side force 1e9 N, temperature 1e5",
+        ),
+    ),
     (DASHPOT_BAD_STATE, padded("the state holds NaN or infinity; call dashpot_state_init first")),
-    (DASHPOT_BAD_TIME_STEP, padded("dt must be 0 for a static evaluation, or between 1e-15 and 1e9 s")),
+    (DASHPOT_BAD_TIME_STEP, padded("dt must be 0 for a static evaluation, or between 1e-15 and 100 s")),
     (DASHPOT_UNKNOWN_FLAG, padded("known has a bit that this library does not know")),
     (DASHPOT_UNKNOWN_NAME, padded(Reason::UnknownName.text())),
     (DASHPOT_NOT_FINITE, padded(Reason::NotFinite.text())),
@@ -124,6 +139,12 @@ static TEXTS: [(i32, [u8; LENGTH]); 35] = [
     (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
     (DASHPOT_TOO_MANY_STATES, padded(Reason::TooManyStates.text())),
     (DASHPOT_NEEDS_SERIES, padded(Reason::NeedsSeries.text())),
+    (DASHPOT_TOO_CLOSE, padded(Reason::TooClose.text())),
+    (DASHPOT_TOO_STEEP, padded(Reason::TooSteep.text())),
+    (
+        DASHPOT_NOT_COMPUTABLE,
+        padded("the step cannot be computed: an input or the state is far from what a damper meets"),
+    ),
     (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
     (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
     (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
@@ -132,6 +153,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 35] = [
     (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
     (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
+    (DASHPOT_NO_SUCH_STATE, padded("the model has no state with this number")),
     (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
 ];
 static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's");
@@ -172,6 +194,8 @@ impl From<Reason> for Refused {
             Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,
             Reason::TooManyStates => DASHPOT_TOO_MANY_STATES,
             Reason::NeedsSeries => DASHPOT_NEEDS_SERIES,
+            Reason::TooClose => DASHPOT_TOO_CLOSE,
+            Reason::TooSteep => DASHPOT_TOO_STEEP,
         })
     }
 }
@@ -211,6 +235,7 @@ mod tests {
         let mut seen = 0;
         for line in include_str!("status.rs").lines().filter(|l| l.starts_with("pub const DASHPOT_")) {
             let number = line.split(['=', ';']).nth(1).unwrap().trim().parse().unwrap();
+            // SAFETY: never null, zero-terminated and static: what the function promises.
             let text = unsafe { CStr::from_ptr(dashpot_status_text(number)) };
             assert!(!text.to_str().unwrap().starts_with("unknown status"), "{line}");
             seen += 1;

@@ -10,16 +10,18 @@
 use dashpot_core::step::step_in_place;
 use dashpot_core::{Input, Model, Output, State};
 
-use crate::input::{self, LARGEST, dashpot_input, sane};
+use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
-use crate::state::{dashpot_output, dashpot_state, finite};
+use crate::state::{computed, dashpot_output, dashpot_state, finite};
 use crate::status::{
     DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused, status,
 };
 
 /// Steps longer than this get a warning, s.
 const LONG_STEP: f64 = 0.01;
+/// Longer steps are a mistake in the unit, s.
+const LONGEST_STEP: f64 = 100.0;
 /// Shorter steps cannot be told from 0, s.
 const SHORTEST_STEP: f64 = 1e-15;
 
@@ -27,7 +29,7 @@ const SHORTEST_STEP: f64 = 1e-15;
 #[allow(clippy::manual_range_contains)]
 #[inline(always)]
 fn checked_step(dt: f64) -> Result<f64, Refused> {
-    if dt >= SHORTEST_STEP && dt <= LARGEST || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
+    if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
 }
 
 /// The warnings for a step.
@@ -72,6 +74,7 @@ pub unsafe extern "C" fn dashpot_force(
 ) -> i32 {
     status((|| {
         aligned!(model, state, force);
+        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let model = unsafe { prepared_aligned(model)? };
         unsafe { finite(state)? };
         if !sane(velocity) {
@@ -80,8 +83,10 @@ pub unsafe extern "C" fn dashpot_force(
         let dt = checked_step(dt)?;
         present(force)?;
         let mut output = Output::ZERO;
+        // SAFETY: state and force are aligned and not null by the questions before; the same bytes under C names
+        // (asserted in `state`).
         unsafe {
-            step_in_place(model, &mut *state.cast(), &Input::velocity(velocity), dt, &mut output);
+            computed(step_in_place(model, &mut *state.cast(), &Input::velocity(velocity), dt, &mut output))?;
             *force = output.force;
         }
         Ok(warnings(model, velocity, dt))
@@ -101,13 +106,16 @@ pub unsafe extern "C" fn dashpot_step(
 ) -> i32 {
     status((|| {
         aligned!(model, from, to_input, to, output);
+        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let model = unsafe { prepared_aligned(model)? };
         unsafe { finite(from)? };
         let input = unsafe { input::checked(to_input)? };
         let dt = checked_step(dt)?;
         present(to)?;
         present(output)?;
-        unsafe { move_on(model, from, &input, dt, to, output) };
+        // SAFETY: all are aligned and not null by the questions before; states of the host's may be the same, by the
+        // manual.
+        unsafe { move_on(model, from, &input, dt, to, output)? };
         Ok(warnings(model, input.velocity, dt))
     })())
 }
@@ -124,19 +132,26 @@ unsafe fn move_on(
     dt: f64,
     to: *mut dashpot_state,
     output: *mut dashpot_output,
-) {
+) -> Result<(), Refused> {
     let to = to.cast::<State>();
-    if from.cast() != to.cast_const() {
-        // Through a value: nothing is said about states that overlap by half.
-        unsafe { *to = *from.cast::<State>() };
+    // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
+    let output = unsafe { &mut *output.cast::<Output>() };
+    if from.cast() == to.cast_const() {
+        return computed(unsafe { step_in_place(model, &mut *to, input, dt, output) });
     }
-    unsafe { step_in_place(model, &mut *to, input, dt, &mut *output.cast::<Output>()) };
+    // Through a value: nothing is said about states that overlap by half, and a refused step leaves them.
+    // SAFETY: valid and aligned by the caller's promise.
+    let mut state = unsafe { *from.cast::<State>() };
+    computed(step_in_place(model, &mut state, input, dt, output))?;
+    unsafe { *to = state };
+    Ok(())
 }
 
 /// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
 /// same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
 /// the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
-/// damper leaves every output untouched. Returns all warnings together.
+/// damper leaves every output untouched. Only what shows in the computing itself comes later: DASHPOT_NOT_COMPUTABLE leaves the
+/// dampers before the one concerned moved on, and that one and those after it as they were. Returns all warnings together.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_step_batch(
     count: u32,
@@ -158,6 +173,8 @@ pub unsafe extern "C" fn dashpot_step_batch(
         let count = count as usize;
         let mut known: *const dashpot_model = core::ptr::null();
         for i in 0..count {
+            // SAFETY: aligned by the question before, `count` of each by the manual's promise; models were looked at
+            // in the first round, all before anything is written.
             unsafe {
                 let model = *models.add(i);
                 // The corners of a car share a model or two: asked once for each in a row.
@@ -171,11 +188,13 @@ pub unsafe extern "C" fn dashpot_step_batch(
         }
         let mut status = DASHPOT_OK;
         for i in 0..count {
+            // SAFETY: aligned by the question before, `count` of each by the manual's promise; models were looked at
+            // in the first round, all before anything is written.
             unsafe {
                 let model = ready(*models.add(i));
                 let input = input::taken(to_inputs.add(i));
                 status |= warnings(model, input.velocity, dt);
-                move_on(model, from.add(i), &input, dt, to.add(i), outputs.add(i));
+                move_on(model, from.add(i), &input, dt, to.add(i), outputs.add(i))?;
             }
         }
         Ok(status)

@@ -74,6 +74,7 @@ pub extern "C" fn dashpot_parameter_count() -> u32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_parameter) -> i32 {
     status((|| {
+        // SAFETY: null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
         let info = unsafe { exclusive(info) }?;
         if info.struct_size as usize != size_of::<dashpot_parameter>() {
             return Err(Refused(DASHPOT_STRUCT_SIZE));

@@ -1,12 +1,39 @@
 //! Version
 //!
-//! The interface version counts changes of the structures and functions below. Programs written for one interface
-//! version run with every library of the same interface version.
+//! The interface version counts changes of the structures and functions below. Programs built for one interface version run
+//! with every library of the same interface version; with another one every function that takes a parameter set refuses it
+//! (DASHPOT_ABI_MISMATCH), and the program has to be built again. Parameters and elements may be added within one
+//! interface version: a model file or a program that does not name them gets what it got before. The version of the
+//! library tells results apart: from one to the next the digits of a force may change within the accuracy promised. States and
+//! models are not exchanged between versions; parameter sets are exchanged as model files.
 
 use core::ffi::c_char;
 
 /// Version of this interface.
-pub const DASHPOT_ABI_VERSION: u32 = 8;
+pub const DASHPOT_ABI_VERSION: u32 = 9;
+
+/// Version of the library that this header belongs to: DASHPOT_VERSION_MAJOR.DASHPOT_VERSION_MINOR.DASHPOT_VERSION_PATCH.
+pub const DASHPOT_VERSION_MAJOR: u32 = 0;
+/// See DASHPOT_VERSION_MAJOR.
+pub const DASHPOT_VERSION_MINOR: u32 = 1;
+/// See DASHPOT_VERSION_MAJOR.
+pub const DASHPOT_VERSION_PATCH: u32 = 0;
+
+/// A number as text.
+const fn number(text: &str) -> u32 {
+    let (bytes, mut value, mut i) = (text.as_bytes(), 0, 0);
+    while i < bytes.len() {
+        value = value * 10 + (bytes[i] - b'0') as u32;
+        i += 1;
+    }
+    value
+}
+
+const _: () = {
+    assert!(number(env!("CARGO_PKG_VERSION_MAJOR")) == DASHPOT_VERSION_MAJOR);
+    assert!(number(env!("CARGO_PKG_VERSION_MINOR")) == DASHPOT_VERSION_MINOR);
+    assert!(number(env!("CARGO_PKG_VERSION_PATCH")) == DASHPOT_VERSION_PATCH);
+};
 
 /// The interface version of the library that is loaded; compare it with DASHPOT_ABI_VERSION.
 #[unsafe(no_mangle)]

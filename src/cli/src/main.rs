@@ -2,12 +2,14 @@
 
 mod adams;
 mod fmu;
+mod output;
 mod plot;
 mod progress;
 mod report;
+mod runtimes;
 mod verbs;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Identify a suspension damper from rig records, validate the model, and run it.
@@ -22,6 +24,9 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
+    /// Let results replace inputs, files of another kind and write-protected files
+    #[arg(long, global = true)]
+    force: bool,
 }
 
 #[derive(Subcommand)]
@@ -36,11 +41,23 @@ enum Verb {
     Bench(verbs::bench::Args),
     Export(verbs::export::Args),
     Import(verbs::import::Args),
+    ImportProfile(verbs::import_profile::Args),
     Manoeuvre(verbs::manoeuvre::Args),
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let parsed = Cli::command().try_get_matches();
+    let parsed = parsed.and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
+    let (cli, matches) = match parsed {
+        Ok(parsed) => parsed,
+        Err(told) => return tell_usage(&told),
+    };
+    output::set_force(cli.force);
+    output::remember_inputs(&matches);
+    if let Some(error) = output::stdout_closed() {
+        eprintln!("dashpot: {error}");
+        return ExitCode::from(2);
+    }
     let done = match cli.verb {
         Verb::Fit(args) => verbs::fit::run(&args),
         Verb::Validate(args) => verbs::validate::run(&args),
@@ -52,6 +69,7 @@ fn main() -> ExitCode {
         Verb::Bench(args) => verbs::bench::run(&args),
         Verb::Export(args) => verbs::export::run(&args),
         Verb::Import(args) => verbs::import::run(&args),
+        Verb::ImportProfile(args) => verbs::import_profile::run(&args),
         Verb::Manoeuvre(args) => verbs::manoeuvre::run(&args),
     };
     match done {
@@ -63,6 +81,17 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Help asked for, the version, or what is wrong with the command line.
+fn tell_usage(told: &clap::Error) -> ExitCode {
+    let printed = told.print().and_then(|()| std::io::Write::flush(&mut std::io::stdout()));
+    let code = match printed {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => 2,
+        _ if output::stdout_closed().is_some() => 2,
+        _ => told.exit_code(),
+    };
+    ExitCode::from(u8::try_from(code).unwrap_or(2))
 }
 
 /// The error with its causes, without those that it already names.

@@ -10,6 +10,13 @@ use crate::math::pair;
 
 /// Most points that a curve may have.
 pub const MAX_POINTS: usize = 63;
+/// Least distance of two points, m/s or m: no channel of a rig tells two velocities or places apart that are nearer, and the
+/// squares and cubes of nearer ones leave the range in which a slope has digits left.
+pub const NEAREST: f64 = 1e-6;
+/// Largest rise from point to point, N s/m or N/m: 100 N in a micrometre (per second). A force found through a slope has the
+/// rounding of the velocity, 1e-17 m/s, times that slope: with this one far below a millinewton. A hundred times the steepest
+/// damper; a curve that jumps is no measurement.
+pub const STEEPEST: f64 = 1e8;
 /// Pieces between and beyond the points.
 const PIECES: usize = 64;
 
@@ -107,6 +114,8 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
+/// A Householder step shorter than this share of its piece is the last: the next would be below rounding.
+const FEW: f64 = 1e-3;
 
 impl Curve {
     const ZERO_PIECE: Piece = Piece { u0: 0.0, f0: 0.0, above: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2] };
@@ -130,9 +139,19 @@ impl Curve {
     /// Prepares the curve through the points (`u`, `f`).
     ///
     /// # Errors
-    /// Fewer than two points or more than [`MAX_POINTS`], different counts, a non-finite number, `u` not strictly
-    /// increasing, or `f` falling anywhere.
+    /// As [`Curve::check`].
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<Curve, Reason> {
+        let mut curve = Curve::ZERO;
+        curve.set(u, f, interpolation)?;
+        Ok(curve)
+    }
+
+    /// Whether a curve can run through the points.
+    ///
+    /// # Errors
+    /// Fewer than two points or more than [`MAX_POINTS`], different counts, a non-finite number, `u` not strictly
+    /// increasing, `f` falling anywhere, points nearer than [`NEAREST`] or a rise beyond [`STEEPEST`].
+    pub fn check(u: &[f64], f: &[f64]) -> Result<(), Reason> {
         let n = u.len();
         if !(2..=MAX_POINTS).contains(&n) {
             return Err(Reason::PointCount);
@@ -152,7 +171,28 @@ impl Curve {
         if !rises(f, false) {
             return Err(Reason::Falls);
         }
-        let mut curve = Curve::ZERO;
+        let gaps = u.iter().zip(u.iter().skip(1)).zip(f.iter().zip(f.iter().skip(1)));
+        for ((u0, u1), (f0, f1)) in gaps {
+            if u1 - u0 < NEAREST {
+                return Err(Reason::TooClose);
+            }
+            if f1 - f0 > STEEPEST * (u1 - u0) {
+                return Err(Reason::TooSteep);
+            }
+        }
+        Ok(())
+    }
+
+    /// As [`Curve::new`], where the curve is kept: it is too large for the stack of a small thread.
+    ///
+    /// # Errors
+    /// As [`Curve::check`]; nothing is changed then.
+    #[inline(never)]
+    pub fn set(&mut self, u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<(), Reason> {
+        Curve::check(u, f)?;
+        let n = u.len();
+        let curve = self;
+        curve.clear();
         for (to, (u, f)) in curve.points.iter_mut().zip(u.iter().zip(f)) {
             *to = [*u, *f];
         }
@@ -204,7 +244,17 @@ impl Curve {
         for piece in &mut curve.pieces {
             piece.above = piece.f0 - curve.at_zero;
         }
-        Ok(curve)
+        Ok(())
+    }
+
+    /// Makes it [`Curve::ZERO`].
+    pub fn clear(&mut self) {
+        self.points.fill([FAR; 2]);
+        self.pieces.fill(Curve::ZERO_PIECE);
+        self.extents.fill(Curve::EVERYWHERE);
+        self.below.as_flattened_mut().fill(0);
+        (self.count, self.crowded) = (0, 0);
+        (self.at_zero, self.low, self.high) = (0.0, 0.0, 0.0);
     }
 
     /// Counts the points below and inside every bucket.
@@ -319,9 +369,14 @@ impl Curve {
             let bend = p.c2[0] + t * p.c3[1];
             let bent = value * bend;
             let narrowed = slope * slope - bent;
-            t -= value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3[0]));
+            let step = value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3[0]));
+            t -= step;
             t = if t < extent.low { extent.low } else { t };
             t = if t > extent.high { extent.high } else { t };
+            // Its fourth power is what is left.
+            if step.abs() <= FEW * extent.high {
+                break;
+            }
         }
         (p.u0 + t, p.at(t))
     }
@@ -416,7 +471,7 @@ mod tests {
             even(63, 20.0),
             even(62, 0.02),
             even(33, 1.0),
-            even(2, 1e-9),
+            even(2, 1e-6),
             std::vec![-16.0, -0.25, -0.0, 0.25, 0.265625, 16.0, 19.0],
             std::vec![0.25, 0.5, 1e6],
             std::vec![-40.0, -30.0, -20.0],
@@ -480,6 +535,9 @@ mod tests {
         assert_eq!(Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(), Some(Reason::CurveLengths));
         assert_eq!(Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotIncreasing));
         assert_eq!(Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(), Some(Reason::Falls));
+        assert_eq!(Curve::new(&[0.0, 0.9e-6], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::TooClose));
+        assert_eq!(Curve::new(&[0.0, 2e-6], &[0.0, 201.0], Interpolation::Linear).err(), Some(Reason::TooSteep));
+        assert!(Curve::new(&[0.0, 2e-6], &[0.0, 199.0], Interpolation::Linear).is_ok());
         assert_eq!(Curve::new(&[0.0, f64::NAN], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotFinite));
     }
 }

@@ -34,6 +34,13 @@ impl Partials {
         rate_by_input: [[0.0; 2]; 10],
         rate_by_state: [[0.0; 10]; 10],
     };
+
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let all = self.force_by_input.iter().chain(&self.force_by_state);
+        let all = all.chain(self.rate_by_input.as_flattened()).chain(self.rate_by_state.as_flattened());
+        all.fold(0.0, |sum, x| sum + x * 0.0) == 0.0
+    }
 }
 
 #[inline(always)]

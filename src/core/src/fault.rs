@@ -33,6 +33,10 @@ pub enum Reason {
     NotIncreasing,
     /// Ordinates of a curve fall somewhere: the damper would push where it should resist.
     Falls,
+    /// Two points of a curve are nearer than 1e-6.
+    TooClose,
+    /// A curve rises by more than 1e8 from point to point.
+    TooSteep,
     /// A limit that must lie above another does not.
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives it.
@@ -56,6 +60,10 @@ impl Reason {
             Reason::CurveLengths => "has another number of points than the list it belongs to",
             Reason::NotIncreasing => "does not increase from point to point",
             Reason::Falls => "falls from one point to the next; make the force non-decreasing",
+            Reason::TooClose => "has two points nearer than 1e-6 (m/s or m); leave one of them out",
+            Reason::TooSteep => {
+                "rises from one point to the next by more than 1e8 N s/m (or N/m); draw the jump over a longer part"
+            }
             Reason::Order => "must be larger than the limit below it",
             Reason::SofterThanInner => {
                 "is softer than the parallel spring somewhere within 100 mm; the model is made for stiff series springs"

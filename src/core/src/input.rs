@@ -1,5 +1,6 @@
 //! What a host gives the damper, and the motion between two host steps.
 
+use crate::dual::Real;
 use crate::math::pair;
 
 /// Input at one instant.
@@ -94,6 +95,29 @@ impl Path {
     #[inline(always)]
     pub fn end(&self) -> (f64, f64) {
         (self.x1, self.v1)
+    }
+
+    /// Displacement and velocity at the start.
+    #[inline(always)]
+    pub fn start(&self) -> (f64, f64) {
+        (self.x0, self.v0)
+    }
+
+    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the step, each with its slopes over displacement and
+    /// velocity at the end.
+    #[inline(always)]
+    pub fn velocity<R: Real>(&self, x1: R, v1: R) -> [R; 3] {
+        let mean = x1.plus(-self.x0) * (1.0 / self.dt);
+        let v0 = R::constant(self.v0);
+        [v0, mean * 6.0 - v0 * 4.0 - v1 * 2.0, (v0 + v1) * 3.0 - mean * 6.0]
+    }
+
+    /// The displacement at fraction `theta`, which may depend on the end as well; `velocity` is that of [`Path::velocity`].
+    #[inline(always)]
+    pub fn place<R: Real>(&self, velocity: &[R; 3], theta: R) -> R {
+        let [p0, p1, p2] = *velocity;
+        let reached = (p0 + (p1 * 0.5 + p2 * (1.0 / 3.0) * theta) * theta) * theta;
+        (reached * self.dt).plus(self.x0)
     }
 
     /// The point at fraction `theta` of the step.

@@ -89,6 +89,41 @@ pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
     [f(0), f(1)]
 }
 
+/// e^-r and the moments ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0: what a state that is drawn to
+/// Σ p_k s^k with the rate r per step keeps of its start, and takes of each p_k.
+#[inline(always)]
+pub fn drawn(r: f64) -> (f64, [f64; 4]) {
+    // Below this the recurrence would lose more digits than the series leaves out.
+    const SMALL: f64 = 0.5;
+    if r > SMALL {
+        let kept = exp_below_bound(-r);
+        let first = 1.0 - kept;
+        let second = 1.0 - first / r;
+        let third = 1.0 - 2.0 * second / r;
+        return (kept, [first, second, third, 1.0 - 3.0 * third / r]);
+    }
+    // r/4 (1 − r/5 (1 − r/6 (1 − …))); what is left out is below 0.5^13 · 3!/16!.
+    const PER: [f64; 12] = {
+        let mut per = [0.0; 12];
+        let mut i = 0;
+        while i < 12 {
+            per[i] = 1.0 / (16.0 - i as f64);
+            i += 1;
+        }
+        per
+    };
+    let mut sum = 1.0;
+    for per in PER {
+        sum = 1.0 - r * per * sum;
+    }
+    let fourth = 0.25 * r * sum;
+    // Downwards the recurrence loses nothing.
+    let third = r * (1.0 - fourth) * (1.0 / 3.0);
+    let second = r * (1.0 - third) * 0.5;
+    let first = r * (1.0 - second);
+    (1.0 - first, [first, second, third, fourth])
+}
+
 /// ln x for normal x > 0, with an absolute error of about 1e-16 beside that of n ln 2: x = 2^n m, √½ ≤ m < √2, ln m =
 /// 2 artanh s with s = (m − 1)/(m + 1).
 #[inline(always)]
@@ -144,6 +179,27 @@ mod tests {
             }
         }
         assert_eq!((ln(1.0), power(0.0, 0.5), power(0.0, 0.0)), (0.0, 0.0, 1.0));
+    }
+
+    #[test]
+    fn what_a_drawn_state_takes_adds_up() {
+        for r in [0.0, 1e-12, 1e-3, 0.1, 0.499, 0.501, 1.0, 5.0, 700.0, 1e9] {
+            let (kept, [first, second, third, fourth]) = drawn(r);
+            assert!((kept + first - 1.0).abs() < 1e-14, "{r}");
+            // By Simpson's rule over many parts.
+            for (k, moment) in [(1, second), (2, third), (3, fourth)] {
+                if r < 20.0 {
+                    let n = 2000;
+                    let f = |i: i32| {
+                        let s = f64::from(i) / f64::from(n);
+                        r * (-r * (1.0 - s)).exp() * s.powi(k)
+                    };
+                    let sum: f64 =
+                        (0..n).step_by(2).map(|i| f(i) + 4.0 * f(i + 1) + f(i + 2)).sum::<f64>() / f64::from(3 * n);
+                    assert!((sum - moment).abs() < 1e-11 * (1.0 + r * r * r), "{r} {k}: {sum} {moment}");
+                }
+            }
+        }
     }
 
     #[test]

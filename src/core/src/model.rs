@@ -1,8 +1,9 @@
 //! A model: parameters checked and made ready for evaluation.
 
-use crate::elements::{Elements, Motion};
+use crate::elements::Elements;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::parameter::{Params, find};
+use crate::paths;
 use crate::step::Integration;
 
 /// Displacements within which the springs on the mass must stay softer than the series spring, m.
@@ -10,18 +11,9 @@ const STROKE: f64 = 0.1;
 /// Places on each side at which their slope is looked at: every half millimetre.
 const PLACES: i32 = 200;
 
-/// Largest slope of the springs on the internal mass. A step takes their tangent where it expects the mass; that is only
-/// stable where the series spring decides where the mass can be.
-fn steepest_inner(elements: &Elements) -> f64 {
-    let mut steepest = 0.0;
-    for place in -PLACES..=PLACES {
-        let displacement = STROKE * f64::from(place) / f64::from(PLACES);
-        let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
-        let slope = elements.inner(&at).by_x;
-        steepest = if slope > steepest { slope } else { steepest };
-    }
-    steepest
-}
+/// Units of the private states of the elements beside the damper; "-" for those that are not here.
+const MEMORY_UNITS: [(&str, &str); 3] =
+    [("lagged_polynomial", "N"), ("presliding_friction", "m"), ("moving_mass", "m/s")];
 
 /// A prepared damper. Constant while it runs; one model serves any number of states.
 #[derive(Clone, Copy, Debug)]
@@ -32,20 +24,70 @@ pub struct Model {
 }
 
 impl Model {
+    /// No damper: what [`Model::set`] begins with.
+    pub const OFF: Model = Model { elements: Elements::OFF, integration: Integration::OFF };
+
     /// Checks the parameters and prepares all that does not change in a run.
     ///
     /// # Errors
     /// The parameter at fault, and why.
     pub fn new(params: &Params) -> Result<Model, Fault> {
+        let mut model = Model::OFF;
+        model.set(params)?;
+        Ok(model)
+    }
+
+    /// Whether a model can be made of the parameters.
+    ///
+    /// # Errors
+    /// The parameter at fault, and why.
+    pub fn check(params: &Params) -> Result<(), Fault> {
         params.check()?;
-        let mut elements = Elements::prepare(params)?;
-        elements.join();
-        if elements.has_series() && steepest_inner(&elements) > elements.series_compliance.stiffness {
+        Elements::check(params)?;
+        // A step takes the tangent of the springs on the mass where it expects the mass; that is only stable where the series
+        // spring decides where the mass can be.
+        let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));
+        let too_stiff = |stiffness: f64| Elements::steepest_inner(params, places).map(|steepest| steepest > stiffness);
+        if params.is_on("series_compliance") && too_stiff(params.scalar("series_stiffness"))? {
             let parameter = find("series_stiffness").map_or(NO_PARAMETER, |row| row.index as u16);
             return Err(Fault { parameter, reason: Reason::SofterThanInner });
         }
-        let integration = Integration::prepare(params, &elements)?;
-        Ok(Model { elements, integration })
+        Ok(())
+    }
+
+    /// As [`Model::new`], where the model is kept: it is too large for the stack of a small thread.
+    ///
+    /// # Errors
+    /// The parameter at fault, and why; nothing is changed then.
+    pub fn set(&mut self, params: &Params) -> Result<(), Fault> {
+        Model::check(params)?;
+        self.elements.set(params);
+        self.elements.join();
+        self.integration = Integration::prepare(params, &self.elements);
+        Ok(())
+    }
+
+    /// Number of states that a solver of the host's has to integrate: those of the internal mass and the private ones of the
+    /// elements that are on.
+    pub fn states(&self) -> usize {
+        2 + self.elements.memories()
+    }
+
+    /// Name and unit of state `index`, in the order of [`crate::Partials`]; `None` beyond the last.
+    pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
+        let e = &self.elements;
+        let in_paths = (0..paths::STATES).find(|place| e.slots().index(*place) == Some(index));
+        if let Some(place) = in_paths {
+            return Some(paths::state_name(e, place));
+        }
+        let (mut at, mut found) = (2 + e.slots().count(), None);
+        e.each_memory_name(|name| {
+            if at == index {
+                found = Some((name, MEMORY_UNITS.iter().find(|(n, _)| *n == name).map_or("-", |(_, unit)| *unit)));
+            }
+            at += 1;
+        });
+        found
     }
 
     /// The prepared elements.
@@ -68,5 +110,97 @@ impl Model {
     pub fn covers(&self, velocity: f64) -> bool {
         let (low, high) = self.elements.fv_curve.range();
         velocity >= low && velocity <= high || low == high
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::names;
+
+    /// The counter before and after preparing agree, whatever is on.
+    #[test]
+    fn states_are_counted_alike_before_and_after() {
+        let all: std::vec::Vec<_> = names().collect();
+        let (mut fit, mut too_many) = (0, 0);
+        for seed in 0u64..4000 {
+            let mut params = Params::new();
+            let bits = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            for (i, name) in all.iter().enumerate() {
+                params.enable(name, *name == "series_compliance" || bits >> (i + 7) & 1 == 1).unwrap();
+            }
+            params.set("valve_form", (bits >> 40 & 3).min(2) as f64).unwrap();
+            params.set("fade_source", (bits >> 42 & 1) as f64).unwrap();
+            params.set("bushing_slow_stiffness", (bits >> 43 & 1) as f64).unwrap();
+            match Model::new(&params) {
+                Ok(model) => {
+                    assert_eq!(paths::states_of(&params), model.elements.slots().count());
+                    let named: std::collections::BTreeSet<_> =
+                        (0..model.states()).map(|i| model.state_name(i).unwrap().0).collect();
+                    assert_eq!(named.len(), model.states(), "{named:?}");
+                    assert_eq!(model.state_name(model.states()), None);
+                    fit += 1;
+                }
+                Err(fault) => {
+                    assert_eq!(fault.reason, Reason::TooManyStates);
+                    too_many += 1;
+                }
+            }
+        }
+        assert!(fit > 500 && too_many > 100, "{fit} {too_many}");
+    }
+
+    #[test]
+    fn a_refused_set_leaves_the_model_as_it_was() {
+        let mut params = Params::new();
+        let mut model = Model::new(&params).unwrap();
+        let before = std::format!("{model:?}");
+        params.set("spring_linear", 5e6).unwrap();
+        assert_eq!(model.set(&params).unwrap_err().reason, Reason::SofterThanInner);
+        params.set("spring_linear", 0.0).unwrap();
+        params.set_list("fv_force", &[1.0]).unwrap();
+        assert_eq!(model.set(&params).unwrap_err().reason, Reason::CurveLengths);
+        assert_eq!(std::format!("{model:?}"), before);
+    }
+
+    /// The guard looks at the slope of the springs on the mass to both sides of their zero, all of the stroke.
+    #[test]
+    fn a_series_spring_softer_than_what_it_drives_is_refused() {
+        let fault = |changes: &[(&str, f64)], lookup: Option<(&[f64], &[f64])>| {
+            let mut params = Params::new();
+            params.set("spring_quadratic", 0.0).unwrap();
+            for (name, value) in changes {
+                params.set(name, *value).unwrap();
+            }
+            if let Some((x, f)) = lookup {
+                params.set_list("spring_displacement", x).unwrap();
+                params.set_list("spring_force", f).unwrap();
+            }
+            Model::new(&params).err().map(|fault| {
+                assert_eq!(fault.parameter, find("series_stiffness").unwrap().index as u16);
+                fault.reason
+            })
+        };
+        let softer = Some(Reason::SofterThanInner);
+        let k = ("series_stiffness", 1e5);
+        assert_eq!(fault(&[k, ("spring_linear", 0.99e5)], None), None);
+        assert_eq!(fault(&[k, ("spring_linear", 1e5)], None), None);
+        assert_eq!(fault(&[k, ("spring_linear", 1.01e5)], None), softer);
+        // 2 k |x| at 0.1 m.
+        assert_eq!(fault(&[k, ("spring_quadratic", 4.9e5)], None), None);
+        assert_eq!(fault(&[k, ("spring_quadratic", 5.1e5)], None), softer);
+        // Steep on one side alone.
+        let (x, f) = ([-0.2, -0.06, -0.05, 0.2], [-20e3, -2e3, 0.0, 0.0]);
+        assert_eq!(fault(&[k], Some((&x, &f))), softer);
+        let (x, f) = ([-0.2, 0.05, 0.06, 0.2], [0.0, 0.0, 2e3, 20e3]);
+        assert_eq!(fault(&[k], Some((&x, &f))), softer);
+        // Steep where no damper of 200 mm stroke goes.
+        let (x, f) = ([-0.2, 0.12, 0.13, 0.2], [0.0, 0.0, 2e3, 16e3]);
+        assert_eq!(fault(&[k], Some((&x, &f))), None);
+        // Without the series spring nothing is driven.
+        let mut params = Params::new();
+        params.set("spring_linear", 1e7).unwrap();
+        params.enable("series_compliance", false).unwrap();
+        assert!(Model::new(&params).is_ok());
     }
 }

@@ -77,6 +77,14 @@ impl Output {
         stop_force: 0.0,
         oil_temperature: 0.0,
     };
+
+    /// Whether every number is finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        let forces = (self.force + self.force_by_displacement) + (self.force_by_velocity + self.primary_force);
+        let parts = (self.spring_force + self.friction_force) + (self.gas_force + self.series_deflection);
+        (forces + parts + (self.stop_force + self.oil_temperature)) * 0.0 == 0.0
+    }
 }
 
 impl Output {

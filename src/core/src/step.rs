@@ -18,12 +18,11 @@ mod cheap;
 pub mod paths;
 
 use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Outer, Response};
-use crate::fault::Fault;
 use crate::input::{Input, Path, PathPoint};
 use crate::math::pair;
 use crate::model::Model;
 use crate::parameter::{Parameter, Params};
-use crate::paths::acting;
+use crate::paths::acting::{self, Alone};
 use crate::state::{Output, State};
 
 /// How a host step is integrated.
@@ -44,6 +43,13 @@ pub struct Integration {
 /// What the frequency of a spool counts for among those that ask for substeps.
 const SPOOL: f64 = 12.0;
 
+/// Square of the substeps per unit of frequency and time for elements that act alone on the common damper: rubber, which bends
+/// the series force smoothly, by the method of fourth order; a void, and all that makes a knee in the force, by that of
+/// third, which carries a knee less far (measured over the test matrix, 0.1 % with each: core/tests/paths_accuracy.rs).
+const RUBBER: f64 = 0.33;
+const VOID: f64 = 2.2;
+const KINK: f64 = 1.3;
+
 /// Most substeps that the automatic choice takes.
 const MOST_SUBSTEPS: u32 = 16;
 
@@ -52,6 +58,8 @@ const MOST_SUBSTEPS: u32 = 16;
 pub enum Method {
     /// Five stages, order 4 (Hairer & Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5).
     Fourth,
+    /// Three stages, order 3 (Alexander, SIAM J. Numer. Anal. 14, 1977).
+    Third,
     /// Two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
     Second,
     /// The cheap step: linearly implicit in closed form, order 1.
@@ -61,7 +69,11 @@ pub enum Method {
 impl Describe for Integration {
     const MEANING: &'static str = "settings of the fixed-step integration";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice("method", &["fourth_order", "second_order", "euler"], "method inside a step"),
+        Parameter::choice(
+            "method",
+            &["automatic", "second_order", "euler", "third_order", "fourth_order"],
+            "method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth",
+        ),
         Parameter::scalar(
             "substeps",
             "-",
@@ -73,16 +85,19 @@ impl Describe for Integration {
 }
 
 impl Integration {
+    /// One step of the method of fourth order.
+    pub const OFF: Integration =
+        Integration { method: Method::Fourth, substeps: 1, per_time: 0.0, many_per_time: 0.0, cheap_up_to: 0.0 };
+
     /// From the parameters.
-    ///
-    /// # Errors
-    /// None beyond the bounds of the table.
-    pub fn prepare(params: &Params, elements: &Elements) -> Result<Integration, Fault> {
+    pub fn prepare(params: &Params, elements: &Elements) -> Integration {
         let method = match params.scalar("method") {
             1.0 => Method::Second,
             2.0 => Method::Euler,
+            3.0 => Method::Third,
             _ => Method::Fourth,
         };
+        let substeps = params.scalar("substeps") as u32;
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3), and further on
         // in proportion to them (0.1 % at 4 to 6 each, the less damping the less: tests/tests/bridge_accuracy.rs).
@@ -106,8 +121,16 @@ impl Integration {
             (.., true) => 2.0,
             _ => 1.0,
         };
-        let substeps = params.scalar("substeps") as u32;
-        Ok(Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency))
+        if params.scalar("method") == 0.0 && substeps == 0 {
+            let (method, per_time) = match acting::alone(elements) {
+                Alone::Rubber => (Method::Fourth, RUBBER),
+                Alone::Void => (Method::Third, VOID),
+                Alone::Kink => (Method::Third, KINK),
+                Alone::Other => (Method::Fourth, 0.4 * sharpness),
+            };
+            return Integration::new(method, 0, per_time * frequency, 0.25 * frequency);
+        }
+        Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency)
     }
 
     /// So many substeps of this method, whatever the step.
@@ -170,6 +193,21 @@ impl Tableau for Second {
     const A: [[f64; MOST_STAGES]; MOST_STAGES] =
         [[0.0; 5], [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
     const C: [f64; MOST_STAGES] = [Self::GAMMA, 1.0, 1.0, 1.0, 1.0];
+}
+
+struct Third;
+
+impl Tableau for Third {
+    const STAGES: usize = 3;
+    const GAMMA: f64 = 0.435_866_521_508_459;
+    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
+        [0.0; 5],
+        [0.282_066_739_245_770_5, 0.0, 0.0, 0.0, 0.0],
+        [1.208_496_649_176_010_1, -0.644_363_170_684_469_1, 0.0, 0.0, 0.0],
+        [0.0; 5],
+        [0.0; 5],
+    ];
+    const C: [f64; MOST_STAGES] = [Self::GAMMA, 0.717_933_260_754_229_5, 1.0, 1.0, 1.0];
 }
 
 struct Fourth;
@@ -350,7 +388,9 @@ impl Substep<'_> {
             mass = self.stage::<T, 1>(follow);
         }
         if T::STAGES > 2 {
-            self.stage::<T, 2>(follow);
+            mass = self.stage::<T, 2>(follow);
+        }
+        if T::STAGES > 3 {
             self.stage::<T, 3>(follow);
             mass = self.stage::<T, 4>(follow);
         }
@@ -448,11 +488,16 @@ struct Drive<'a> {
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-fn move_mass<T: Tableau>(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass<T: Tableau, const ONCE: bool>(
+    drive: &Drive,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
     if T::STAGES == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
-    if substeps == 1 {
+    if ONCE {
         // The common case, written out so that the places of the stages are constants.
         return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T>(follow);
     }
@@ -525,8 +570,9 @@ fn advance_extras<T: Tableau>(
         let Some(slot) = memory.get_mut(place) else {
             return;
         };
-        let (z, by_end) =
-            advance_memory::<T>(substeps, element, *slot, path, slopes, (end.side_force, end.temperature));
+        let (z, by_end) = element.carried(path, *slot, slopes).unwrap_or_else(|| {
+            advance_memory::<T>(substeps, element, *slot, path, slopes, (end.side_force, end.temperature))
+        });
         *slot = z;
         let recall = element.recall(end, z);
         output.count(element.share(), recall.force);
@@ -604,31 +650,45 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
     (state, output)
 }
 
-/// As [`step`], writing the new state and the answer where the caller keeps them.
+/// As [`step`], writing the new state and the answer where the caller keeps them. False, and both as they were, where the
+/// answer is not a finite number.
 #[inline]
-pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) {
+pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) -> bool {
     *state = *from;
-    step_in_place(model, state, to, dt, output);
+    step_in_place(model, state, to, dt, output)
 }
 
-/// As [`step`], moving a state on where it is.
+/// As [`step`], moving a state on where it is. False, and state and answer as they were, where the answer is not a finite
+/// number: that takes an input or a state far from what a damper meets.
 #[inline(always)]
-pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass() {
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-    } else {
-        step_of_any_kind(model, state, *to, dt, output);
+        // All is found in closed form from numbers whose fourth powers do not overflow.
+        return true;
     }
+    step_of_any_kind(model, state, *to, dt, output)
 }
 
 /// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
 /// beside the others the call is nothing.
 #[cold]
 #[inline(never)]
-fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
-    let to = &to;
+fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) -> bool {
+    let (mut reached, mut answer) = (*state, Output::ZERO);
+    step_by_its_method(model, &mut reached, &to, dt, &mut answer);
+    let finite = reached.is_finite() && answer.is_finite();
+    if finite {
+        *state = reached;
+        *output = answer;
+    }
+    finite
+}
+
+#[inline(always)]
+fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
         *output = model.static_output(&Input { displacement: Some(x), ..*to });
@@ -638,12 +698,12 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
         step_through_paths(model, state, to, dt, output);
         return;
     }
-    let plain = model.integration.substeps(dt) == 1 && !model.elements.has_extras();
-    match (model.integration.method, plain) {
+    let once = model.integration.substeps(dt) == 1;
+    match (model.integration.method, once) {
         (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
         (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output),
-        (Method::Second, true) => answer::<Second, true>(model, state, to, dt, output),
-        (Method::Second, false) => answer::<Second, false>(model, state, to, dt, output),
+        (Method::Third, _) => answer::<Third, false>(model, state, to, dt, output),
+        (Method::Second, _) => answer::<Second, false>(model, state, to, dt, output),
         (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output),
     }
 }
@@ -669,6 +729,7 @@ pub fn advance_paths(
 ) {
     match model.integration.method {
         Method::Fourth => advance_paths_by::<Fourth, _>(model, state, to, dt, follow, output),
+        Method::Third => advance_paths_by::<Third, _>(model, state, to, dt, follow, output),
         Method::Second => advance_paths_by::<Second, _>(model, state, to, dt, follow, output),
         Method::Euler => advance_paths_by::<Euler, _>(model, state, to, dt, follow, output),
     }
@@ -788,12 +849,12 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A step with its exact slopes. `PLAIN`: in one substep and without extras, as most steps are. Not inlined, so
-/// that each has the registers to itself.
+/// A step with its exact slopes. `ONCE`: in one substep, as most steps are. Not inlined, so that each has the registers to
+/// itself.
 #[inline(never)]
-fn answer<T: Tableau, const PLAIN: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+fn answer<T: Tableau, const ONCE: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
     let mut by_end = ByEnd::new();
-    advance_by::<T, _, PLAIN>(model, to, dt, &mut by_end, state, output);
+    advance_by::<T, _, ONCE>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -820,6 +881,7 @@ pub fn advance(
     }
     match model.integration.method {
         Method::Fourth => advance_by::<Fourth, _, false>(model, to, dt, follow, state, output),
+        Method::Third => advance_by::<Third, _, false>(model, to, dt, follow, state, output),
         Method::Second => advance_by::<Second, _, false>(model, to, dt, follow, state, output),
         Method::Euler => advance_by::<Euler, _, false>(model, to, dt, follow, state, output),
     }
@@ -832,7 +894,7 @@ const LONGEST: f64 = 1e60;
 
 /// By one method, in place.
 #[inline(always)]
-fn advance_by<T: Tableau, F: Follow, const PLAIN: bool>(
+fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     model: &Model,
     to: &Input,
     dt: f64,
@@ -843,7 +905,7 @@ fn advance_by<T: Tableau, F: Follow, const PLAIN: bool>(
     let e = &model.elements;
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
-    let substeps = if PLAIN { 1 } else { model.integration.substeps(dt) };
+    let substeps = if ONCE { 1 } else { model.integration.substeps(dt) };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
     let path = Path::new(state.displacement, state.velocity, to, dt);
@@ -856,7 +918,7 @@ fn advance_by<T: Tableau, F: Follow, const PLAIN: bool>(
     if e.has_series() {
         let s = &e.series_compliance;
         let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
-        let mass = move_mass::<T>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
+        let mass = move_mass::<T, ONCE>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
         state.mass_displacement = mass.x;
         state.mass_velocity = mass.v;
         output.primary_force = mass.primary;
@@ -883,7 +945,7 @@ fn advance_by<T: Tableau, F: Follow, const PLAIN: bool>(
     force += friction.force + preload.force;
     by_x += friction.by_x + preload.by_x;
     by_v += friction.by_v + preload.by_v;
-    if !PLAIN && e.has_extras() {
+    if e.has_extras() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, F::SLOPES);

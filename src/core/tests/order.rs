@@ -54,7 +54,7 @@ fn falls(model: Model) {
     let motion = sine(0.02, 4.0);
     let (coarse, steps) = (2e-3, 250);
     let exact = reference_forces(&model, &motion, coarse, steps, 400);
-    for (method, order) in [(Method::Euler, 0.9), (Method::Second, 1.9), (Method::Fourth, 3.5)] {
+    for (method, order) in [(Method::Euler, 0.9), (Method::Second, 1.9), (Method::Third, 2.8), (Method::Fourth, 3.5)] {
         let model = model.with_integration(Integration::fixed(method, 1));
         let error = |finer: usize| {
             let forces = step_forces(&model, &motion, coarse / finer as f64, steps * finer, false);

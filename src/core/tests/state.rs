@@ -111,4 +111,4 @@ fn the_run_has_these_digits_on_every_platform() {
     assert_eq!(sum, DIGITS, "got {sum:#x}");
 }
 
-const DIGITS: u64 = 0x5264_d7d6_d501_ed9a;
+const DIGITS: u64 = 0xe986_fd9f_5a61_8f50;

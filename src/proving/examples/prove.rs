@@ -88,15 +88,13 @@ fn main() {
                     .take(4)
                     .map(|t| {
                         format!(
-                            "{} {} p {:.2} bic {:.0} share {:.2} size {:.2} loo {:.3} plausible {:.2}",
+                            "{} {} p {:.2} odds {:.1} share {:.2} strange {:.1}",
                             t.effect,
                             t.form,
                             t.confidence,
-                            t.evidence.bic_fall,
+                            t.evidence.log_odds,
                             t.evidence.share,
-                            t.evidence.size,
-                            t.evidence.left_out_gain,
-                            t.evidence.plausible
+                            t.evidence.implausibility
                         )
                     })
                     .collect();

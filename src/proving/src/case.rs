@@ -3,8 +3,8 @@
 use crate::ProvingError;
 use crate::severity;
 use dashpot_core::Params;
-use dashpot_lab::identification::{FitOptions, fit};
-use dashpot_lab::records::{self, Record};
+use dashpot_identification::{FitOptions, fit};
+use dashpot_records::{self as records, Record};
 use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// Elements of the model that is diagnosed: the thesis's, without the break-away peak.

@@ -7,12 +7,14 @@
 //! | file | what |
 //! |---|---|
 //! | [`case`] | a case: what is hidden at which severity, and which model is diagnosed |
+//! | [`laboratory`] | the same for campaigns of the second laboratory |
 //! | [`severity`] | the strength that makes a severity |
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
 //! | [`suite`] | the cases of the benchmark |
 //! | [`score`] | the table of figures and the confusion matrix |
 
 pub mod case;
+pub mod laboratory;
 pub mod outcome;
 pub mod score;
 pub mod severity;
@@ -24,15 +26,18 @@ pub enum ProvingError {
     /// The rig refuses it.
     #[error(transparent)]
     Rig(#[from] dashpot_rig::RigError),
+    /// The second laboratory refuses it.
+    #[error(transparent)]
+    Laboratory(#[from] dashpot_other_lab::LabError),
     /// Its records cannot be read back.
     #[error("reading the case's own records: {0}")]
     Records(String),
     /// The base model cannot be fitted.
     #[error(transparent)]
-    Fit(#[from] dashpot_lab::identification::FitError),
+    Fit(#[from] dashpot_identification::FitError),
     /// The diagnosis refuses it.
     #[error(transparent)]
-    Diagnosis(#[from] dashpot_lab::diagnosis::DiagnosisError),
+    Diagnosis(#[from] dashpot_diagnosis::DiagnosisError),
     /// No folder for the records.
     #[error("no folder for the records: {0}")]
     Folder(#[from] std::io::Error),

@@ -2,8 +2,8 @@
 
 use crate::ProvingError;
 use crate::case::{Case, Measured};
-use dashpot_lab::diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
-use dashpot_lab::records::Record;
+use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
+use dashpot_records::Record;
 use dashpot_rig::TestPoint;
 use serde::Serialize;
 
@@ -66,15 +66,33 @@ pub fn plain(name: &str) -> &str {
 /// What rig, reader, fit or diagnosis refuse.
 pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), ProvingError> {
     let measured = case.measure()?;
+    let (mut outcome, found) = judged(block, case.options.seed, &case.effects, &measured, &Options::default())?;
+    if block == "poor" && found.findings.is_empty() {
+        (outcome.with_proposed, outcome.with_all_proposed) = proposed(case, &measured, &found);
+    }
+    Ok((outcome, measured, found))
+}
+
+/// Diagnoses and scores what has been measured.
+///
+/// # Errors
+/// What the diagnosis refuses.
+pub fn judged(
+    block: &'static str,
+    seed: u64,
+    hidden: &[(String, f64)],
+    measured: &Measured,
+    options: &Options,
+) -> Result<(Outcome, Diagnosis), ProvingError> {
     let records: Vec<&Record> = measured.records.iter().collect();
     let start = std::time::Instant::now();
-    let found = diagnose(&records, &measured.held_out, &measured.base, &Options::default(), &|_, _| ())?;
+    let found = diagnose(&records, &measured.held_out, &measured.base, options, &|_, _| ())?;
     let seconds = start.elapsed().as_secs_f64();
-    let (clean_before, clean_after) = against_clean(&measured, &found);
+    let (clean_before, clean_after) = against_clean(measured, &found);
     let outcome = Outcome {
         block,
-        seed: case.options.seed,
-        hidden: case.effects.clone(),
+        seed,
+        hidden: hidden.to_vec(),
         forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
@@ -89,22 +107,18 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
             .map(|round| round.iter().map(|t| (t.effect.to_owned(), t.confidence, t.evidence)).collect())
             .collect(),
         could_not_test: found.could_not_test.iter().map(|c| c.effect.to_owned()).collect(),
-        with_proposed: if block == "poor" { with_proposed(case, &measured, &found, 1) } else { None },
-        with_all_proposed: if block == "poor" { with_proposed(case, &measured, &found, usize::MAX) } else { None },
+        with_proposed: None,
+        with_all_proposed: None,
     };
-    Ok((outcome, measured, found))
+    Ok((outcome, found))
 }
 
 /// Amplitudes that the rig drives, m, and speeds, m/s.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// The name given first once the tests that the diagnosis proposes, at most so many, have been run too.
-fn with_proposed(case: &Case, measured: &Measured, found: &Diagnosis, most: usize) -> Option<String> {
-    if !found.findings.is_empty() {
-        return None;
-    }
-    let point = |(k, test): (usize, &NextTest)| {
-        let (amplitude, frequency) = (test.amplitude_m?, test.frequency_hz?);
+/// The names given first once the first sine that the diagnosis proposes, and once all of them, have been run too.
+fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
+    let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;
         (amplitude >= DRIVES.0 && speed <= DRIVES.1).then(|| TestPoint {
             mean_displacement_m: test.mean_displacement_m.unwrap_or(0.0),
@@ -113,12 +127,21 @@ fn with_proposed(case: &Case, measured: &Measured, found: &Diagnosis, most: usiz
             ..TestPoint::at_peak_velocity(format!("proposed_{}", k + 1), amplitude, speed)
         })
     };
-    let sines = found.next_tests.iter().filter(|t| t.amplitude_m.is_some() && t.frequency_hz.is_some());
-    let points: Vec<TestPoint> = sines.take(most).enumerate().filter_map(point).collect();
-    if points.is_empty() {
+    let sines = found.next_tests.iter().filter_map(|t| Some((t.amplitude_m?, t.frequency_hz?)).map(|sine| (sine, t)));
+    let points: Vec<Option<TestPoint>> = sines.enumerate().map(|(k, (sine, test))| point(k, sine, test)).collect();
+    let first: Vec<TestPoint> = points.first().cloned().flatten().into_iter().collect();
+    let all: Vec<TestPoint> = points.into_iter().flatten().collect();
+    let with_first = name_with(case, measured, &first);
+    let with_all = if all.len() == first.len() { with_first.clone() } else { name_with(case, measured, &all) };
+    (with_first, with_all)
+}
+
+/// The name given first once tests beyond the plan have been run; empty where there is none yet, `None` without tests.
+fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
+    if more.is_empty() {
         return None;
     }
-    let again = case.measure_at(measured.strengths.clone(), &points).ok()?;
+    let again = case.measure_at(measured.strengths.clone(), more).ok()?;
     let records: Vec<&Record> = again.records.iter().collect();
     let found = diagnose(&records, &again.held_out, &again.base, &Options::default(), &|_, _| ()).ok()?;
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))
@@ -127,7 +150,7 @@ fn with_proposed(case: &Case, measured: &Measured, found: &Diagnosis, most: usiz
 /// Root mean square error against the noise-free force of the left-out tests, before and after.
 fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let records: Vec<&Record> = measured.clean.iter().collect();
-    let clean = dashpot_lab::diagnosis::mean_cycles(&records);
+    let clean = dashpot_diagnosis::mean_cycles(&records);
     let (mut before, mut after, mut count) = (0.0, 0.0, 0.0);
     for test in found.tests.iter().filter(|t| t.held_out) {
         let Some((_, forces)) =

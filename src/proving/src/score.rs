@@ -1,7 +1,7 @@
 //! The benchmark's table.
 
 use crate::outcome::{Outcome, plain};
-use dashpot_lab::diagnosis::Verdict;
+use dashpot_diagnosis::Verdict;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 

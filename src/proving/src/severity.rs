@@ -8,8 +8,8 @@
 use crate::ProvingError;
 use crate::case::{base_model, read, without_noise};
 use dashpot_core::Params;
-use dashpot_lab::diagnosis::refitted;
-use dashpot_lab::records::Record;
+use dashpot_diagnosis::refitted;
+use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
 /// How near the severity must come.
@@ -31,6 +31,14 @@ pub struct Ground {
     own: Vec<f64>,
 }
 
+/// The base model identified from records, with friction by side force or without.
+fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, ProvingError> {
+    let mut base = base_model(records)?;
+    // A name of the kernel's own list.
+    let _ = base.enable("side_force_friction", knows_side_force);
+    Ok(base)
+}
+
 fn seen(records: &[Record]) -> Vec<&Record> {
     records.iter().filter(|r| !r.name.starts_with(CHECK_PREFIX)).collect()
 }
@@ -42,10 +50,8 @@ impl Ground {
     /// What reader or fit refuse.
     pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<Ground, ProvingError> {
         let clean = read(&without_noise(neutral))?;
-        let mut base = base_model(&seen(&clean))?;
-        // A name of the kernel's own list.
-        let _ = base.enable("side_force_friction", knows_side_force);
         let records = seen(&clean);
+        let base = identified(&records, knows_side_force)?;
         let noise: Vec<f64> = records
             .iter()
             .map(|r| {
@@ -57,7 +63,7 @@ impl Ground {
         Ok(Ground { base, noise, own })
     }
 
-    /// Severity of a campaign; no more than `wanted` is told exactly.
+    /// Severity of a campaign; where it is not above `wanted`, no less than it.
     ///
     /// The refit goes on from the neutral damper's model. Where that leaves more than is wanted, a model identified from
     /// nothing is refitted as well, and what leaves less counts: friction in the FV curve behind the series spring is an
@@ -72,10 +78,8 @@ impl Ground {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        let mut identified = base_model(&records)?;
-        // A name of the kernel's own list.
-        let _ = identified.enable("side_force_friction", self.base.is_on("side_force_friction"));
-        Ok(self.left(&records, &identified)?.min(from_neutral))
+        let afresh = identified(&records, self.base.is_on("side_force_friction"))?;
+        Ok(self.left(&records, &afresh)?.min(from_neutral))
     }
 
     /// What refitting a model leaves beyond what it leaves of the neutral damper.

@@ -12,12 +12,15 @@ pub struct Meaning<'a> {
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 
+/// Brackets within brackets and signs before signs; a function of a damper has a handful, and the reader calls itself for each.
+const DEEPEST: usize = 100;
+
 /// The value of an expression in capitals without blanks.
 ///
 /// # Errors
 /// Where it holds what an FV damper does not: other functions, other markers, no expression.
 pub fn evaluate(text: &str, meaning: &Meaning<'_>) -> anyhow::Result<f64> {
-    let mut reader = Reader { rest: text, meaning };
+    let mut reader = Reader { rest: text, meaning, depth: 0 };
     let value = reader.sum()?;
     if !reader.rest.is_empty() {
         bail!("\"{}\" in its function is not understood", reader.rest);
@@ -27,6 +30,7 @@ pub fn evaluate(text: &str, meaning: &Meaning<'_>) -> anyhow::Result<f64> {
 
 struct Reader<'a> {
     rest: &'a str,
+    depth: usize,
     meaning: &'a Meaning<'a>,
 }
 
@@ -64,6 +68,16 @@ impl Reader<'_> {
     }
 
     fn factor(&mut self) -> anyhow::Result<f64> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            bail!("its function is nested more than {DEEPEST} deep");
+        }
+        let value = self.factor_within();
+        self.depth -= 1;
+        value
+    }
+
+    fn factor_within(&mut self) -> anyhow::Result<f64> {
         if self.take("-") {
             return Ok(-self.factor()?);
         }

@@ -1,7 +1,7 @@
 //! What a run folder of Adams needs for a damper: texts of all its files but the library.
 
 use super::native;
-use dashpot_core::{Input, Model, Params, State, evaluate::partials};
+use dashpot_core::{Model, Params};
 use dashpot_rig::Matrix;
 use std::fmt::Write as _;
 
@@ -22,7 +22,7 @@ pub fn files(
     length: f64,
     matrix: &Matrix,
 ) -> (Vec<File>, Option<&'static str>) {
-    let states = states(model);
+    let states = model.states();
     let fill = |template: &str| {
         let zeros = vec!["0.0"; states].join(", ");
         template
@@ -45,19 +45,6 @@ pub fn files(
         }
         Err(reason) => (files, Some(reason)),
     }
-}
-
-/// States that a GSE of this model integrates: internal mass, its velocity, and the private states in use. The library
-/// finds them in the same way, and stops a run whose GSE has another number.
-fn states(model: &Model) -> usize {
-    let mut count = 2;
-    for (x, v) in [(0.003, 0.02), (-0.011, -0.3), (0.02, 0.7)] {
-        let state: State = model.settled(&Input::motion(0.9 * x, 0.0));
-        let p = partials(model, &state, &Input::motion(x, v));
-        let moves = |i: usize| p.rate_by_input[i].iter().chain(&p.rate_by_state[i]).any(|d| *d != 0.0);
-        count = (count..p.rate_by_state.len()).filter(|i| moves(*i)).map(|i| i + 1).max().unwrap_or(count);
-    }
-    count
 }
 
 /// The test matrix on the rig, one line a command: every test begins and ends at rest in the middle, so that one follows the other.

@@ -12,27 +12,59 @@ pub struct Damper {
     pub name: String,
     /// Length at zero displacement, in model units.
     pub length: f64,
+    /// Path of its model file, as the solver will find it.
+    pub model_file: String,
+}
+
+/// The model with its dampers replaced.
+pub struct Patched {
+    /// The bytes of the file.
+    pub model: Vec<u8>,
+    /// What goes with the functions replaced and the user should know.
+    pub notes: Vec<String>,
 }
 
 const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
-/// The model with the dampers replaced; they read the model file `path`.
+/// The model with the dampers replaced. A force at rest, such as a gas force that the function adds to its spline, is replaced only
+/// where `with_preload` says that the model file holds it.
 ///
 /// # Errors
 /// Where a damper is not found or found twice, is no SFORCE with an FV spline, or gives a positive SFORCE in rebound: the
 /// model's signs are then not those of a damper, and the routine must not guess.
-pub fn patch(adm: &[u8], dampers: &[Damper], path: &str) -> anyhow::Result<Vec<u8>> {
+pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Result<Patched> {
     let lines = dataset::lines(adm);
     let string =
         1 + lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1).max().unwrap_or(0);
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
     let ending = dataset::ending(lines[0].1);
-    let mut changes = vec![(lines[end].0, lines[end].0, format!("STRING/{string}{ending}, STRING = {path}{ending}"))];
+    // One STRING for each model file.
+    let mut paths: Vec<&str> = Vec::new();
     for damper in dampers {
-        let function = function_of(&lines, &damper.name).with_context(|| damper.name.clone())?;
+        let path = damper.model_file.as_str();
+        if path.is_empty() || path.contains(|c: char| c.is_control() || c == '!') {
+            bail!(
+                "the model file {path:?} cannot stand in a STRING: it must have no line break and no exclamation mark"
+            );
+        }
+        if !paths.contains(&path) {
+            paths.push(path);
+        }
+    }
+    let strings: String = paths
+        .iter()
+        .enumerate()
+        .map(|(i, path)| format!("STRING/{}{ending}, STRING = {path}{ending}", string + i as u64))
+        .collect();
+    let mut changes = vec![(lines[end].0, lines[end].0, strings)];
+    let mut notes = Vec::new();
+    for damper in dampers {
+        let function =
+            function_of(&lines, &damper.name, with_preload, &mut notes).with_context(|| damper.name.clone())?;
         if changes.iter().any(|c| c.0 == function.begin) {
             bail!("{}: is named twice", damper.name);
         }
+        let string = string + paths.iter().position(|p| *p == damper.model_file).unwrap_or(0) as u64;
         let line = lines.iter().rev().find(|l| l.0 <= function.begin).map_or(ending, |l| dataset::ending(l.1));
         let line = if line.is_empty() { ending } else { line };
         // Behind a backslash the next argument may follow on the same line without a comma.
@@ -49,11 +81,16 @@ pub fn patch(adm: &[u8], dampers: &[Damper], path: &str) -> anyhow::Result<Vec<u
         from = end;
     }
     out.extend_from_slice(&adm[from..]);
-    Ok(out)
+    Ok(Patched { model: out, notes })
 }
 
 /// The function to replace, after all that must be so is seen to be so.
-fn function_of(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<Function> {
+fn function_of(
+    lines: &[(usize, &[u8])],
+    name: &str,
+    with_preload: bool,
+    notes: &mut Vec<String>,
+) -> anyhow::Result<Function> {
     let sforce = Statement::at(lines, find(lines, name)?);
     let function = sforce.function().context("its SFORCE has no \"FUNCTION = ...\"")?;
     if function.text.starts_with("USER(") {
@@ -68,7 +105,9 @@ fn function_of(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<Function>
             bail!("its SFORCE is {word}; a damper acts and reacts along a line");
         }
     }
-    check_sign(lines, &sforce, &function.text)?;
+    for note in check_function(lines, &sforce, &function.text, with_preload)? {
+        notes.push(format!("{name}: {note}"));
+    }
     Ok(function)
 }
 
@@ -96,8 +135,14 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     Ok(begin)
 }
 
-/// The existing function must resist rebound: with the sign of its own SPLINE it is negative where the speed is positive.
-fn check_sign(lines: &[(usize, &[u8])], sforce: &Statement, function: &str) -> anyhow::Result<()> {
+/// The existing function must resist rebound: with the sign of its own SPLINE it is negative where the speed is positive. What it is
+/// beside its spline would be lost without a word: a force at rest is refused, factors are told.
+fn check_function(
+    lines: &[(usize, &[u8])],
+    sforce: &Statement,
+    function: &str,
+    with_preload: bool,
+) -> anyhow::Result<Vec<String>> {
     let at = function
         .find("AKISPL(")
         .or_else(|| function.find("CUBSPL("))
@@ -112,6 +157,7 @@ fn check_sign(lines: &[(usize, &[u8])], sforce: &Statement, function: &str) -> a
     let spline: Spline = Statement::at(lines, begin).spline().with_context(|| format!("SPLINE/{id}"))?;
     let markers = [sforce.id_of("I"), sforce.id_of("J")];
     let markers = if markers.contains(&None) { [None; 2] } else { markers };
+    let mut notes = Vec::new();
     for list in 0..spline.y.len() {
         let asked = Cell::new(None);
         let force = |speed: f64| {
@@ -121,11 +167,19 @@ fn check_sign(lines: &[(usize, &[u8])], sforce: &Statement, function: &str) -> a
             };
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
-        let mut power = 0.0;
+        let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
+        // What the function is where its spline gives nothing.
+        let nothing = |_: u64, _: f64| Ok(0.0);
+        let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
-            power += speed * force(*speed)?;
+            let (whole, from_spline) = (force(*speed)?, spline.at(list, *speed));
+            power += speed * whole;
+            largest = largest.max(whole.abs());
             if asked.get().is_none_or(|x: f64| (x - speed).abs() > 1e-9 * speed.abs()) {
                 bail!("SPLINE/{id} is no function of VR alone");
+            }
+            if from_spline != 0.0 {
+                factors.push((*speed, whole / from_spline));
             }
         }
         if !(power < 0.0) {
@@ -133,8 +187,35 @@ fn check_sign(lines: &[(usize, &[u8])], sforce: &Statement, function: &str) -> a
                 "SPLINE/{id} gives a positive SFORCE in rebound; a damper's is negative, so its signs are not understood"
             );
         }
+        for speed in spline.x.iter().copied().chain([0.0]) {
+            let added = beside(speed)?;
+            if added.abs() > 1e-9 * largest && !with_preload {
+                bail!(
+                    "its function adds {added} to its spline, which the damper's routine would replace; where the model file \
+                     holds that force (gas_preload) give --replace-preload, else give it an SFORCE of its own first"
+                );
+            }
+        }
+        let rest = force(0.0)?;
+        if rest.abs() > 1e-9 * largest && !with_preload {
+            bail!(
+                "its force at rest is {rest}, which the damper's routine would replace; where the model file holds that force \
+                 (gas_preload) give --replace-preload, else give it an SFORCE of its own first"
+            );
+        }
+        if rest.abs() > 1e-9 * largest {
+            notes.push(format!("its force at rest, {rest}, is replaced by the gas force of the model file"));
+        }
+        let scaled = factors.iter().find(|(_, factor)| (factor.abs() - 1.0).abs() > 1e-6);
+        if let (Some((speed, factor)), true) = (scaled, rest.abs() <= 1e-9 * largest) {
+            notes.push(format!(
+                "its spline is taken {} times (at the speed {speed}); that factor goes with the spline and is not applied to the \
+                 identified damper",
+                factor.abs()
+            ));
+        }
     }
-    Ok(())
+    Ok(notes)
 }
 
 fn third_argument(text: &str) -> Option<u64> {
@@ -162,11 +243,11 @@ mod tests {
         , Y = 500, 0, -900\nEND\n";
 
     fn damper(name: &str) -> [Damper; 1] {
-        [Damper { name: name.into(), length: 412.5 }]
+        [Damper { name: name.into(), length: 412.5, model_file: "damper.toml".into() }]
     }
 
     fn refusal(model: &str, name: &str) -> String {
-        format!("{:#}", patch(model.as_bytes(), &damper(name), "damper.toml").unwrap_err())
+        format!("{:#}", patch(model.as_bytes(), &damper(name), false).map(|p| p.notes).unwrap_err())
     }
 
     #[test]
@@ -199,15 +280,48 @@ mod tests {
             (with("-100, 0, 100", "100, 0, -100"), name, "do not increase"),
             (with("500, 0, -900", "500, zero, -900"), name, "no number"),
             (with("\nEND\n", "\n"), name, "no END"),
+            (with(",0,9)\n!", ",0,9)+150\n!"), name, "adds 150"),
+            (with(",0,9)\n!", ",0,9)-2*abs(vr(75,76))\n!"), name, "adds -200"),
+            (with("500, 0, -900", "500, -30, -900"), name, "at rest is -30"),
+            (with("= step", &format!("= {}step", "-".repeat(28_000))), name, "nested"),
+            (with("= step", &format!("= {}1*step", "(".repeat(28_000))), name, "nested"),
         ] {
             let error = refusal(&model, name);
             assert!(error.contains(word), "{word}: {error}");
         }
-        let once = patch(MODEL.as_bytes(), &damper(name), "damper.toml").unwrap();
-        let error = refusal(&String::from_utf8(once).unwrap(), name);
+        let once = patch(MODEL.as_bytes(), &damper(name), false).unwrap();
+        assert!(once.notes.is_empty());
+        let error = refusal(&String::from_utf8(once.model).unwrap(), name);
         assert!(error.contains("this routine already"), "{error}");
         let twice = [damper(name), damper("SFORCE/1")].concat();
-        assert!(format!("{:#}", patch(MODEL.as_bytes(), &twice, "x").unwrap_err()).contains("named twice"));
+        let error = patch(MODEL.as_bytes(), &twice, false).map(|p| p.notes).unwrap_err();
+        assert!(format!("{error:#}").contains("named twice"));
+    }
+
+    #[test]
+    fn what_goes_with_the_function_is_said() {
+        let preload = MODEL.replace(",0,9)\n!", ",0,9)+150\n!");
+        let patched = patch(preload.as_bytes(), &damper("dal_ride_damper.force"), true).unwrap();
+        assert!(patched.notes.len() == 1 && patched.notes[0].contains("at rest, 150"), "{:?}", patched.notes);
+        let scaled = MODEL.replace("*akispl", "*0.8*akispl");
+        let patched = patch(scaled.as_bytes(), &damper("dal_ride_damper.force"), false).unwrap();
+        assert!(patched.notes.len() == 1 && patched.notes[0].contains("0.8 times"), "{:?}", patched.notes);
+    }
+
+    #[test]
+    fn each_model_file_has_its_string() {
+        let second = "SFORCE/2\n, TRANSLATIONAL\n, I = 1\n, J = 2\n, FUNCTION = 0";
+        let model = MODEL.replace(second, &second.replace("= 0", "= akispl(vr(1,2),0,9)"));
+        let mut both = [damper("dal_ride_damper.force"), damper("SFORCE/2")].concat();
+        both[1].model_file = "rear.toml".into();
+        let text = String::from_utf8(patch(model.as_bytes(), &both, false).unwrap().model).unwrap();
+        assert!(text.contains("STRING/104\n, STRING = damper.toml\nSTRING/105\n, STRING = rear.toml\nEND"), "{text}");
+        assert!(text.contains("USER(104, 412.5)") && text.contains("USER(105, 412.5)"), "{text}");
+        for bad in ["a\nb.toml", "a!b.toml", ""] {
+            both[1].model_file = bad.into();
+            let error = patch(model.as_bytes(), &both, false).map(|p| p.notes).unwrap_err();
+            assert!(format!("{error:#}").contains("STRING"), "{error:#}");
+        }
     }
 
     /// Numbers that look random, the same every time.
@@ -395,12 +509,16 @@ mod tests {
             want.extend_from_slice(format!("STRING/{string}{end}, STRING = a b.toml{end}").as_bytes());
             model.extend_from_slice(last);
             want.extend_from_slice(last);
-            let named = |(k, name): (usize, &String)| Damper { name: name.clone(), length: 400.5 + k as f64 };
+            let named = |(k, name): (usize, &String)| Damper {
+                name: name.clone(),
+                length: 400.5 + k as f64,
+                model_file: "a b.toml".into(),
+            };
             let mut dampers: Vec<Damper> = made.names.iter().enumerate().map(named).collect();
             if number % 2 == 0 {
                 dampers.reverse();
             }
-            let got = patch(&model, &dampers, "a b.toml");
+            let got = patch(&model, &dampers, false).map(|patched| patched.model);
             let text = String::from_utf8_lossy(&model);
             let got = got.unwrap_or_else(|e| panic!("file {number}: {e:#}\n{text}"));
             assert!(got == want, "file {number}\n{text}\nbecame\n{}", String::from_utf8_lossy(&got));

@@ -1,16 +1,17 @@
 //! `modelDescription.xml`, for FMI 2.0 and 3.0.
 
 use super::sources::Version;
-use super::variables::{Kind, Variable};
-use dashpot_core::parameter::{Parameter, Shape};
+use super::variables::{BETWEEN_POINTS, Kind, Variable};
+use dashpot_core::parameter::Shape;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// The identifier of model and binary.
 pub const IDENTIFIER: &str = "dashpot_damper";
 
-/// The description of an FMU with these variables.
-pub fn description(version: Version, variables: &[Variable], guid: &str) -> String {
+/// The description of an FMU with these variables. `name` is that of the model; `sources` are compiled by importers that compile.
+pub fn description(version: Version, variables: &[Variable], guid: &str, name: &str, sources: &[String]) -> String {
+    let name = escaped(name);
     let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
     let attributes = "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"";
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
@@ -18,20 +19,27 @@ pub fn description(version: Version, variables: &[Variable], guid: &str) -> Stri
     match version {
         Version::Two => {
             let attributes = attributes.replace("FMUState", "FMUstate");
+            let files: String = sources.iter().map(|s| format!("      <File name=\"{}\"/>\n", escaped(s))).collect();
+            let files = if files.is_empty() {
+                String::new()
+            } else {
+                format!("\n    <SourceFiles>\n{files}    </SourceFiles>\n  ")
+            };
+            let corners = variables.iter().filter(|v| v.kind == Kind::SpeedMargin).count();
             let _ = write!(
                 out,
-                "<fmiModelDescription fmiVersion=\"2.0\" modelName=\"dashpot damper\" guid=\"{guid}\" description=\"{about}\" \
-                 generationTool=\"{generator}\" variableNamingConvention=\"structured\" numberOfEventIndicators=\"0\">\n  \
+                "<fmiModelDescription fmiVersion=\"2.0\" modelName=\"{name}\" guid=\"{guid}\" description=\"{about}\" \
+                 generationTool=\"{generator}\" variableNamingConvention=\"structured\" numberOfEventIndicators=\"{corners}\">\n  \
                  <ModelExchange modelIdentifier=\"{IDENTIFIER}\" completedIntegratorStepNotNeeded=\"true\" {attributes} \
-                 providesDirectionalDerivative=\"true\"/>\n  \
-                 <CoSimulation modelIdentifier=\"{IDENTIFIER}\" canHandleVariableCommunicationStepSize=\"true\" {attributes} \
-                 providesDirectionalDerivative=\"true\"/>\n"
+                 providesDirectionalDerivative=\"true\">{files}</ModelExchange>\n  \
+                 <CoSimulation modelIdentifier=\"{IDENTIFIER}\" canHandleVariableCommunicationStepSize=\"true\" \
+                 canInterpolateInputs=\"true\" {attributes} providesDirectionalDerivative=\"true\">{files}</CoSimulation>\n"
             );
         }
         Version::Three => {
             let _ = write!(
                 out,
-                "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"dashpot damper\" instantiationToken=\"{guid}\" \
+                "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{name}\" instantiationToken=\"{guid}\" \
                  description=\"{about}\" generationTool=\"{generator}\" variableNamingConvention=\"structured\">\n  \
                  <ModelExchange modelIdentifier=\"{IDENTIFIER}\" {attributes} providesDirectionalDerivatives=\"true\" \
                  providesAdjointDerivatives=\"true\"/>\n  \
@@ -97,12 +105,12 @@ fn units(out: &mut String, variables: &[Variable]) {
     out.push_str("  </UnitDefinitions>\n");
 }
 
-fn choices(variables: &[Variable]) -> Vec<(&'static Parameter, &'static [&'static str])> {
-    let mut found: Vec<(&Parameter, &[&str])> = Vec::new();
+fn choices(variables: &[Variable]) -> Vec<(&'static str, &'static [&'static str])> {
+    let mut found: Vec<(&str, &[&str])> = vec![("inputs_between_points", &BETWEEN_POINTS)];
     for p in variables.iter().filter_map(|v| v.parameter) {
         if let Shape::Choice(words) = p.shape {
-            if !found.iter().any(|(q, _)| q.name == p.name) {
-                found.push((p, words));
+            if !found.iter().any(|(name, _)| *name == p.name) {
+                found.push((p.name, words));
             }
         }
     }
@@ -111,17 +119,14 @@ fn choices(variables: &[Variable]) -> Vec<(&'static Parameter, &'static [&'stati
 
 fn types(out: &mut String, variables: &[Variable], version: Version) {
     let choices = choices(variables);
-    if choices.is_empty() {
-        return;
-    }
     out.push_str("  <TypeDefinitions>\n");
-    for (p, words) in choices {
+    for (name, words) in choices {
         let (open, close) = match version {
             Version::Two => (
-                format!("<SimpleType name=\"{}_type\">\n      <Enumeration>", p.name),
+                format!("<SimpleType name=\"{name}_type\">\n      <Enumeration>"),
                 "</Enumeration>\n    </SimpleType>".to_owned(),
             ),
-            Version::Three => (format!("<EnumerationType name=\"{}_type\">", p.name), "</EnumerationType>".to_owned()),
+            Version::Three => (format!("<EnumerationType name=\"{name}_type\">"), "</EnumerationType>".to_owned()),
         };
         let _ = writeln!(out, "    {open}");
         for (value, word) in words.iter().enumerate() {
@@ -138,7 +143,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
         k if k.is_input() => ("input", "continuous", None),
         Kind::Status => ("output", "discrete", Some("calculated")),
         k if k.is_output() => ("output", "continuous", Some("calculated")),
-        Kind::State | Kind::Rate => ("local", "continuous", Some("calculated")),
+        Kind::State | Kind::Rate | Kind::SpeedMargin => ("local", "continuous", Some("calculated")),
         Kind::Parameter => ("parameter", "tunable", Some("exact")),
         _ => ("parameter", "fixed", Some("exact")),
     };
@@ -153,7 +158,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     let tag = match v.kind {
         Kind::Status => "Integer",
         Kind::DisplacementGiven => "Boolean",
-        Kind::Choice => "Enumeration",
+        Kind::Choice | Kind::BetweenPoints => "Enumeration",
         _ => "Real",
     };
     if v.unit != "-" && tag == "Real" {
@@ -166,8 +171,11 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
             let _ = write!(typed, " declaredType=\"{}_type\"", p.name);
         }
     }
-    if v.kind == Kind::State {
-        typed.push_str(" nominal=\"0.001\"");
+    if v.kind == Kind::BetweenPoints {
+        typed.push_str(" declaredType=\"inputs_between_points_type\"");
+    }
+    if let Some(nominal) = v.nominal {
+        let _ = write!(typed, " nominal=\"{nominal:?}\"");
     }
     if v.kind == Kind::Rate {
         let state = all.iter().position(|s| s.kind == Kind::State && (s.corner, s.index) == (v.corner, v.index));
@@ -229,5 +237,19 @@ fn structure(out: &mut String, version: Version, all: &[Variable]) {
     group(out, "Outputs", "Output", true, &Kind::is_output);
     group(out, "Derivatives", "ContinuousStateDerivative", true, &|k| k == Kind::Rate);
     group(out, "InitialUnknowns", "InitialUnknown", false, &|k| k.is_output() || matches!(k, Kind::State | Kind::Rate));
+    if !two {
+        group(out, "", "EventIndicator", false, &|k| k == Kind::SpeedMargin);
+    }
     out.push_str("  </ModelStructure>\n");
+}
+
+/// `sources/buildDescription.xml` of FMI 3.0. The kernel in `sources` is an object for one platform.
+pub fn build_description(platform: &str, sources: &[String]) -> String {
+    let files: String = sources.iter().map(|s| format!("      <SourceFile name=\"{}\"/>\n", escaped(s))).collect();
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  \
+         <BuildConfiguration modelIdentifier=\"{IDENTIFIER}\" platform=\"{platform}\" description=\"the kernel in lib is compiled for \
+         {platform}; for any other platform run build.sh\">\n    <SourceFileSet language=\"C99\">\n{files}    </SourceFileSet>\n  \
+         </BuildConfiguration>\n</fmiBuildDescription>\n"
+    )
 }

@@ -9,10 +9,12 @@ mod zip;
 
 pub use sources::Version;
 pub use variables::Scales;
+pub use zip::check_sum;
 
+use crate::runtimes;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
-use dashpot_lab::model_file;
+use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
 
@@ -34,69 +36,136 @@ impl Binary {
     }
 }
 
-/// An FMU of one or four corners, as the bytes of its file. `library` is the static library for this computer.
+/// What goes into an FMU beside its model.
+pub struct Options<'a> {
+    /// FMI version.
+    pub version: Version,
+    /// Signs, units and zero of the host.
+    pub scales: Scales,
+    /// Name of the model.
+    pub name: &'a str,
+    /// The static library for this computer: the binary is compiled of this FMU's own sources. None: the prebuilt runtime.
+    pub from_source: Option<&'a Path>,
+    /// Whether the sources go inside.
+    pub sources: bool,
+    /// Binaries for further platforms.
+    pub more: &'a [Binary],
+}
+
+/// An FMU in the making, and what it runs on.
+pub struct Made {
+    /// The bytes of its file.
+    pub bytes: Vec<u8>,
+    /// Folders below `binaries`.
+    pub platforms: Vec<String>,
+}
+
+/// What the text of every runtime holds: a runtime is told by it from a library compiled of one FMU's sources.
+const RUNTIME_MARK: &[u8] = b"dashpot-fmu 1";
+
+/// An FMU of one or four corners.
 ///
 /// # Errors
-/// Where the compiler is missing or refuses.
-pub fn fmu(
-    corners: &[Params],
-    version: Version,
-    scales: Scales,
-    library: &Path,
-    more: &[Binary],
-) -> anyhow::Result<Vec<u8>> {
+/// Where a compiler is asked for and missing or refuses, or there is no runtime.
+pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
+    let Options { version, scales, .. } = *options;
     let variables = variables::variables(corners, scales);
     let texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
-    let guid = guid(&[
-        &sources::model_data(&texts, &variables, scales, ""),
-        &description::description(version, &variables, ""),
-        env!("CARGO_PKG_VERSION"),
-    ]);
+    let describe =
+        |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
+    let contents = |guid: &str| sources::contents(corners.len(), &variables, scales, guid);
+    let guid = guid(&[&contents(""), &texts.concat(), &describe("", &[]), env!("CARGO_PKG_VERSION")]);
+    let contents = contents(&guid);
     let mut files: Vec<(String, Vec<u8>)> =
-        sources::bundled(version).into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
-    files.push(("model_data.h".into(), sources::model_data(&texts, &variables, scales, &guid).into()));
-    files.push(("model_data.c".into(), sources::MODEL_DATA_C.into()));
-    let binary = compile(&files, library)?;
+        sources::bundled().into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
+    files.push(("model_data.c".into(), sources::model_data(&contents, &texts).into()));
 
-    let mut archive = zip::Zip::default();
-    archive.add("modelDescription.xml", description::description(version, &variables, &guid).as_bytes());
-    archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
-    archive.add("documentation/index.html", page::page(&variables).as_bytes());
-    archive.add(
-        &format!("binaries/{}/{}{}", platform(version), description::IDENTIFIER, std::env::consts::DLL_SUFFIX),
-        &binary,
-    );
-    for other in more {
-        if !other.content.windows(guid.len()).any(|part| part == guid.as_bytes()) {
+    let mut binaries: Vec<(String, &str, Vec<u8>)> = Vec::new();
+    let kernel;
+    if let Some(library) = options.from_source {
+        binaries.push((platform(version), std::env::consts::DLL_SUFFIX, compile(&files, library)?));
+        kernel = Some((needed_of(library)?, platform(version)));
+    } else {
+        for (platform, suffix) in [("linux64", ".so"), ("win64", ".dll")] {
+            if let Some(runtime) = runtimes::compiled(platform, &format!("{}{suffix}", description::IDENTIFIER)) {
+                binaries.push((platform_of(platform, version), suffix, runtime.to_vec()));
+            }
+        }
+        let object = runtimes::compiled("linux64", "kernel.o");
+        kernel = object.map(|object| (object.to_vec(), platform_of("linux64", version)));
+    }
+    for other in options.more {
+        let holds = |what: &[u8]| other.content.windows(what.len()).any(|part| part == what);
+        if !holds(guid.as_bytes()) && !holds(RUNTIME_MARK) {
             bail!(
                 "the binary for {} was not compiled from the sources of this FMU: export it without, compile its sources for \
                  that platform (sources/build.sh), and export it again with the result",
                 other.platform
             );
         }
-        archive
-            .add(&format!("binaries/{}/{}{}", other.platform, description::IDENTIFIER, other.suffix()), &other.content);
+        // What the user gives goes before what the command holds.
+        binaries.retain(|(platform, ..)| *platform != other.platform);
+        binaries.push((other.platform.clone(), other.suffix(), other.content.clone()));
     }
-    for (name, content) in &files {
-        archive.add(&format!("sources/{name}"), content);
+
+    if binaries.is_empty() {
+        bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
     }
-    archive.add("sources/README.txt", sources::README.as_bytes());
-    archive.add("sources/build.sh", sources::BUILD.as_bytes());
-    archive.add("sources/lib/libdashpot.a", &needed_of(library)?);
-    for (name, text) in [
-        ("platform", platform(version)),
-        ("system", system()),
-        ("fmi", if version == Version::Two { "2" } else { "3" }.to_owned()),
-    ] {
-        archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes());
+
+    // What an importer that compiles is told: the C files and the kernel as an object.
+    let compiled: Vec<String> = if options.sources && kernel.is_some() {
+        let c = files.iter().map(|(name, _)| name.clone()).filter(|name| name.ends_with(".c"));
+        c.chain([KERNEL.to_owned()]).collect()
+    } else {
+        Vec::new()
+    };
+    let mut archive = zip::Zip::default();
+    archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes());
+    archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
+    archive.add("documentation/index.html", page::page(&variables).as_bytes());
+    for (platform, suffix, content) in &binaries {
+        archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content);
     }
-    for (name, text) in kernel::files() {
-        archive.add(&format!("sources/kernel/{name}"), text.as_bytes());
-    }
+    archive.add("resources/contents.txt", contents.as_bytes());
     for (i, text) in texts.iter().enumerate() {
-        archive.add(&format!("resources/model{}.toml", i + 1), text.as_bytes());
+        archive.add(&format!("resources/{}", variables::model_file_name(i, corners.len())), text.as_bytes());
     }
-    Ok(archive.finish())
+    if options.sources {
+        for (name, content) in &files {
+            archive.add(&format!("sources/{name}"), content);
+        }
+        archive.add("sources/README.txt", sources::README.as_bytes());
+        archive.add("sources/build.sh", sources::BUILD.as_bytes());
+        if let Some((object, platform)) = &kernel {
+            archive.add(&format!("sources/{KERNEL}"), object);
+            if version == Version::Three {
+                let text = description::build_description(platform, &compiled);
+                archive.add("sources/buildDescription.xml", text.as_bytes());
+            }
+            let system = if options.from_source.is_some() { system() } else { "Linux-x86_64".to_owned() };
+            for (name, text) in [("platform", platform), ("system", &system)] {
+                archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes());
+            }
+        }
+        let fmi = if version == Version::Two { "2\n" } else { "3\n" };
+        archive.add("sources/lib/fmi", fmi.as_bytes());
+        for (name, text) in kernel::files() {
+            archive.add(&format!("sources/kernel/{name}"), text.as_bytes());
+        }
+    }
+    Ok(Made { bytes: archive.finish(), platforms: binaries.into_iter().map(|(platform, ..)| platform).collect() })
+}
+
+/// The kernel as one object, below `sources`.
+const KERNEL: &str = "lib/kernel.o";
+
+/// A platform of FMI 2.0 as this version calls it.
+fn platform_of(two: &str, version: Version) -> String {
+    match (version, two) {
+        (Version::Three, "linux64") => "x86_64-linux".into(),
+        (Version::Three, "win64") => "x86_64-windows".into(),
+        _ => two.into(),
+    }
 }
 
 /// The folder of binaries for this computer.
@@ -123,6 +192,15 @@ fn system() -> String {
     format!("{name}-{machine}")
 }
 
+/// What a library for this computer begins with.
+fn is_of_this_computer(binary: &[u8]) -> bool {
+    match std::env::consts::OS {
+        "windows" => binary.starts_with(b"MZ"),
+        "macos" => !binary.starts_with(b"MZ") && !binary.starts_with(b"\x7fELF"),
+        _ => binary.starts_with(b"\x7fELF"),
+    }
+}
+
 fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
     for (name, content) in files {
@@ -134,35 +212,37 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     let mut command = Command::new(&compiler);
     command.current_dir(folder.path()).args(["-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-I."]);
     command.args(files.iter().map(|(name, _)| name).filter(|name| name.ends_with(".c")));
-    command.arg(library).args(["-Wl,--exclude-libs,ALL", "-s", "-lm", "-o"]).arg(&output);
+    command.arg(library).args(["-Wl,--exclude-libs,ALL", "-s", "-o"]).arg(&output);
     let ran = command.output().with_context(|| {
-        format!(
-            "an FMU is compiled when it is exported, and {} cannot be run; install gcc or set CC",
-            compiler.to_string_lossy()
-        )
+        format!("--from-source: {} cannot be run; install gcc or set CC", compiler.to_string_lossy())
     })?;
     if !ran.status.success() {
-        bail!("the compiler refuses the FMU: {}", String::from_utf8_lossy(&ran.stderr).trim());
+        bail!("--from-source: the compiler refuses the FMU: {}", String::from_utf8_lossy(&ran.stderr).trim());
     }
-    Ok(std::fs::read(output)?)
+    let binary = std::fs::read(&output).or_else(|_| std::fs::read(output.with_extension("bin.exe")))?;
+    if !is_of_this_computer(&binary) {
+        bail!(
+            "--from-source: {} compiles for another platform than this computer; unset CC, and compile the FMU's sources with it \
+             by sources/build.sh (TARGET=... CC=...), then give --binary",
+            compiler.to_string_lossy()
+        );
+    }
+    Ok(binary)
 }
 
-/// The library without the parts that nobody calls and without debugging: a tenth of it. All of it where the tools for that are
-/// missing.
+/// The library as one object without debugging.
 fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
-    let at = |name: &str| folder.path().join(name);
+    let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // One function pulls the whole interface in: it is one object.
-    link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(at("kernel.o"));
-    link.arg(std::path::absolute(library)?);
-    let mut pack = Command::new("ar");
-    pack.arg("crsD").arg(at("small.a")).arg(at("kernel.o"));
-    let runs = |command: &mut Command| command.output().is_ok_and(|ran| ran.status.success());
-    let small = runs(&mut link) && runs(&mut pack);
-    let from = if small { at("small.a") } else { library.to_path_buf() };
-    std::fs::read(&from).with_context(|| from.display().to_string())
+    // One function pulls the whole interface in.
+    link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
+    let ran = link.arg(std::path::absolute(library)?).output()?;
+    if !ran.status.success() {
+        bail!("--from-source: {}: {}", library.display(), String::from_utf8_lossy(&ran.stderr).trim());
+    }
+    Ok(std::fs::read(object)?)
 }
 
 /// A GUID that follows from what the FMU is: two FNV-1a sums of its texts.

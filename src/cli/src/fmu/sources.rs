@@ -1,6 +1,6 @@
 //! The C sources of the FMU: those that ship with the command, and the tables of this model.
 
-use super::variables::{STATES, Scales, Variable};
+use super::variables::{Scales, Variable};
 use std::fmt::Write as _;
 
 /// FMI 2.0 or 3.0.
@@ -18,53 +18,70 @@ macro_rules! bundled {
     };
 }
 
-/// Every source of one FMI version.
-pub fn bundled(version: Version) -> Vec<(&'static str, &'static str)> {
-    let common = bundled![
+/// Every C source of the FMU.
+pub fn bundled() -> Vec<(&'static str, &'static str)> {
+    let all = bundled![
         "dashpot.h" from "include",
         "corner.h" from "vi-crt-bridge/bridge",
         "corner.c" from "vi-crt-bridge/bridge",
+        "contents.h" from "vi-crt-bridge/fmu",
+        "contents.c" from "vi-crt-bridge/fmu",
+        "resources.h" from "vi-crt-bridge/fmu",
+        "resources.c" from "vi-crt-bridge/fmu",
         "instance.h" from "vi-crt-bridge/fmu",
         "instance.c" from "vi-crt-bridge/fmu",
+        "inputs.c" from "vi-crt-bridge/fmu",
+        "step.c" from "vi-crt-bridge/fmu",
+        "exchange.c" from "vi-crt-bridge/fmu",
         "partial.c" from "vi-crt-bridge/fmu",
+        "fmi2.h" from "vi-crt-bridge/fmu",
+        "fmi2.c" from "vi-crt-bridge/fmu",
+        "fmi3.h" from "vi-crt-bridge/fmu",
+        "fmi3.c" from "vi-crt-bridge/fmu",
     ];
-    let face = match version {
-        Version::Two => bundled!["fmi2.h" from "vi-crt-bridge/fmu", "fmi2.c" from "vi-crt-bridge/fmu"],
-        Version::Three => bundled!["fmi3.h" from "vi-crt-bridge/fmu", "fmi3.c" from "vi-crt-bridge/fmu"],
-    };
-    common.into_iter().chain(face).collect()
+    all.into()
 }
 
 /// The icon.
 pub const ICON: &[u8] = include_bytes!("../../../../vi-crt-bridge/fmu/model.png");
 
-/// `model_data.h`: model files and variables.
-pub fn model_data(texts: &[String], variables: &[Variable], scales: Scales, guid: &str) -> String {
+/// `contents.txt`: what the runtime has to know of this FMU.
+pub fn contents(corners: usize, variables: &[Variable], scales: Scales, guid: &str) -> String {
+    // Numbers as the bits of a double: C reads decimals by the host's locale.
+    let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
-        "/* Written by dashpot export. */\n#define MODEL_GUID \"{guid}\"\n#define CORNERS {}\n#define VARIABLES {}\n\
-         #define EXPORTED_STATES {STATES}\n#define MOTION_SCALE_START {:?}\n#define FORCE_SCALE_START {:?}\n\
-         /* A series spring deflects by about a millimetre. */\n#define STATE_NOMINAL 1e-3\n\n\
-         extern const char *const MODEL_TEXT[CORNERS];\nextern const struct variable VARIABLE[VARIABLES];\n",
-        texts.len(),
-        variables.len(),
-        scales.motion,
-        scales.force
+        "dashpot-fmu 1\nguid {guid}\ncorners {corners}\nscales {} {}\n",
+        bits(scales.motion),
+        bits(scales.force)
     );
-    out.push_str("\n#ifdef MODEL_DATA\nconst char *const MODEL_TEXT[CORNERS] = {\n");
-    for text in texts {
-        for line in text.lines() {
-            let _ = writeln!(out, "    \"{}\\n\"", line.replace('\\', "\\\\").replace('"', "\\\""));
-        }
-        out.push_str("    ,\n");
-    }
-    out.push_str("};\n\nconst struct variable VARIABLE[VARIABLES] = {\n");
     for v in variables {
         let corner = v.corner.map_or(-1, |c| c as i64);
         let index = v.index.map_or(-1, |i| i as i64);
-        let name = v.parameter.map_or("0".to_owned(), |p| format!("\"{}\"", p.name));
-        let _ = writeln!(out, "    {{{}, {corner}, {index}, {name}}},", v.kind.c());
+        let name = v.parameter.map_or("-", |p| p.name);
+        let _ = writeln!(out, "variable {} {corner} {index} {name}", v.kind.c());
+        if let Some(nominal) = v.nominal {
+            let _ = writeln!(out, "nominal {corner} {index} {}", bits(nominal));
+        }
     }
-    out.push_str("};\n#endif\n");
+    out
+}
+
+/// `model_data.c`: contents and models as texts, for a binary of this FMU alone.
+pub fn model_data(contents: &str, texts: &[String]) -> String {
+    let mut out = String::from("/* Written by dashpot export. */\n#include \"contents.h\"\n\n");
+    let text = |out: &mut String, text: &str| {
+        for line in text.lines() {
+            let _ = writeln!(out, "    \"{}\\n\"", line.replace('\\', "\\\\").replace('"', "\\\""));
+        }
+    };
+    out.push_str("const char *const EMBEDDED_CONTENTS =\n");
+    text(&mut out, contents);
+    out.push_str("    ;\n\nconst char *const EMBEDDED_MODEL[MOST_CORNERS] = {\n");
+    for model in texts {
+        text(&mut out, model);
+        out.push_str("    ,\n");
+    }
+    out.push_str("};\n");
     out
 }
 
@@ -74,11 +91,8 @@ pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 /// What the build script is, in words.
 pub const README: &str = "The damper FMU from its sources, which are all in this folder:\n\n\
      \x20   sh build.sh\n\n\
-     compiles it into ../binaries with a C compiler alone, on the platform where the FMU was exported: lib holds the kernel\n\
-     for that platform. For any other target the kernel is compiled from its Rust sources in kernel (one dependency, libm);\n\
+     compiles it into ../binaries with a C compiler alone, on the platform that lib/platform names: lib holds the kernel compiled\n\
+     for it. For any other target the kernel is compiled from its Rust sources in kernel (one dependency, libm);\n\
      the first lines of build.sh say how. No other library is needed. Where no shell runs, the two commands are:\n\n\
      \x20   cargo build --release --manifest-path kernel/Cargo.toml -p dashpot-dll --target YOUR-TARGET\n\
-     \x20   cc -std=c99 -O2 -fPIC -shared -fvisibility=hidden -I. *.c libdashpot.a -lm -o dashpot_damper.so\n";
-
-/// Defines what `model_data.h` declares.
-pub const MODEL_DATA_C: &str = "#define MODEL_DATA\n#include \"instance.h\"\n";
+     \x20   cc -std=c99 -O2 -fPIC -shared -fvisibility=hidden -I. *.c libdashpot.a -o dashpot_damper.so\n";

@@ -2,10 +2,16 @@
 
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Parameter, Shape};
-use dashpot_core::{Params, State};
+use dashpot_core::{Input, Model, Params, step};
 
-/// Numbers of a corner's state that a solver integrates: all but the velocity of the last step.
-pub const STATES: usize = size_of::<State>() / size_of::<f64>() - 1;
+/// Numbers of a corner's states, as the FMU's sources count them.
+const TRAVEL: usize = 0;
+const DEFLECTION: usize = 1;
+const MASS_VELOCITY: usize = 2;
+const FIRST_MEMORY: usize = 3;
+
+/// How inputs run between two instants at which the host sets them; the FMU's sources count them in this order.
+pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
 /// What a variable is; the names are those of `enum kind` in the FMU's sources.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +28,11 @@ pub enum Kind {
     Status,
     MotionScale,
     ForceScale,
+    PositionOffset,
     DisplacementGiven,
     InitialPosition,
+    SpeedMargin,
+    BetweenPoints,
     State,
     Rate,
     Parameter,
@@ -72,6 +81,8 @@ pub struct Variable {
     pub unit: &'static str,
     /// One sentence.
     pub meaning: String,
+    /// Of a state: what it is usually like.
+    pub nominal: Option<f64>,
 }
 
 /// How host and damper count motion and force.
@@ -81,9 +92,16 @@ pub struct Scales {
     pub motion: f64,
     /// The host's force per N of tension.
     pub force: f64,
+    /// The damper's extension, from the rig's zero, where the host's displacement is 0, m.
+    pub position_offset: f64,
 }
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
+
+/// The name of a corner's model in the FMU's resources; the FMU's sources know it too.
+pub fn model_file_name(corner: usize, corners: usize) -> String {
+    if corners == 1 { "model.toml".into() } else { format!("model_{}.toml", CORNERS[corner]) }
+}
 
 /// All variables of an FMU with these corners.
 pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
@@ -96,13 +114,27 @@ pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
         start: None,
         unit: "s",
         meaning: "time".into(),
+        nominal: None,
     }];
     let four = corners.len() > 1;
     for c in 0..corners.len() {
         all.extend(fixed_block(c, four, scales));
     }
-    for c in 0..corners.len() {
-        all.extend(states(c, four));
+    all.push(Variable {
+        kind: Kind::BetweenPoints,
+        corner: None,
+        index: None,
+        name: "inputs_between_points".into(),
+        parameter: None,
+        start: Some(0.0),
+        unit: "-",
+        meaning: "how inputs run between two instants at which the importer sets them: hold, extrapolate along the line through \
+                  the last two, or automatic (held in co-simulation, extrapolated in model exchange)"
+            .into(),
+        nominal: None,
+    });
+    for (c, params) in corners.iter().enumerate() {
+        all.extend(states(c, four, params));
     }
     for (c, params) in corners.iter().enumerate() {
         all.extend(parameters(c, four, params));
@@ -121,7 +153,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         |scale: f64, positive: &'static str, negative: &'static str| if scale > 0.0 { positive } else { negative };
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
-    let rows: [(Kind, String, Option<f64>, &'static str, String); 12] = [
+    let rows: [(Kind, String, Option<f64>, &'static str, String); 14] = [
         (
             Kind::Displacement,
             in_out("displacement", "Damper_Jounce"),
@@ -176,6 +208,13 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             "force per N of damper tension: sign, unit and motion ratio".into(),
         ),
         (
+            Kind::PositionOffset,
+            inner("position_offset"),
+            Some(scales.position_offset),
+            "m",
+            "extension of the damper, from the rig's zero, where the importer's displacement is 0".into(),
+        ),
+        (
             Kind::DisplacementGiven,
             inner("displacement_given"),
             Some(1.0),
@@ -187,7 +226,15 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             inner("initial_position"),
             Some(0.0),
             "m",
-            "extension at the start, where the displacement is not given".into(),
+            "extension at the start, from the rig's zero, where the displacement is not given".into(),
+        ),
+        (
+            Kind::SpeedMargin,
+            inner("speed_margin"),
+            None,
+            "m/s",
+            "how far the damper's velocity is from the end of the identified curve; negative outside; 1 where the curve has no end"
+                .into(),
         ),
     ];
     rows.into_iter()
@@ -200,22 +247,53 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             start,
             unit,
             meaning,
+            nominal: None,
         })
         .collect()
 }
 
-fn states(corner: usize, four: bool) -> Vec<Variable> {
+/// What the states are like on an ordinary stroke: the power of ten below the largest of each. Hosts multiply their relative tolerance
+/// by it. A private state may be a length, a speed, a force or a temperature, so it is measured and not told.
+fn usual(params: &Params) -> [f64; 11] {
+    // ±25 mm, 0.5 m/s, three strokes.
+    const AMPLITUDE: f64 = 0.025;
+    const SPEED: f64 = 0.5;
+    const STEP: f64 = 1e-3;
+    let mut largest = [0.0_f64; 11];
+    if let Ok(model) = Model::new(params) {
+        let motion = |t: f64| {
+            let phase = SPEED / AMPLITUDE * t;
+            Input::motion(-AMPLITUDE * phase.cos(), SPEED * phase.sin())
+        };
+        let mut state = model.settled(&motion(0.0));
+        for k in 1..=900 {
+            state = step(&model, &state, &motion(f64::from(k) * STEP), STEP).0;
+            let moved = [state.displacement, state.mass_displacement - state.displacement, state.mass_velocity];
+            for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.memory)) {
+                *most = most.max(now.abs());
+            }
+        }
+    }
+    // Below the first, a state that stands still on that stroke.
+    largest.map(|most| if most > 1e-9 { 10_f64.powi(most.log10().floor() as i32) } else { 1e-4 })
+}
+
+fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
+    let usual = usual(params);
+    // A model that cannot be is refused before anything is exported.
+    let (series, memories) =
+        Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories()));
     let name = |k: usize| match k {
-        0 => "travel".to_owned(),
-        1 => "mass_displacement".to_owned(),
-        2 => "mass_velocity".to_owned(),
-        _ => format!("memory[{}]", k - 2),
+        TRAVEL => "travel".to_owned(),
+        DEFLECTION => "deflection".to_owned(),
+        MASS_VELOCITY => "mass_velocity".to_owned(),
+        _ => format!("memory[{}]", k - FIRST_MEMORY + 1),
     };
     let meaning = |k: usize| match k {
-        0 => "displacement integrated from the velocity; at rest where the displacement is given".to_owned(),
-        1 => "displacement of the internal mass".to_owned(),
-        2 => "velocity of the internal mass".to_owned(),
-        _ => format!("private state {} of the elements; at rest where no element has it", k - 2),
+        TRAVEL => "displacement integrated from the velocity; at rest where the displacement is given".to_owned(),
+        DEFLECTION => "displacement of the internal mass relative to the driven end".to_owned(),
+        MASS_VELOCITY => "velocity of the internal mass".to_owned(),
+        _ => format!("private state {} of the elements", k - FIRST_MEMORY + 1),
     };
     let one = |k: usize, rate: bool| Variable {
         kind: if rate { Kind::Rate } else { Kind::State },
@@ -228,14 +306,16 @@ fn states(corner: usize, four: bool) -> Vec<Variable> {
         parameter: None,
         start: None,
         unit: match (k, rate) {
-            (0 | 1, false) => "m",
-            (0 | 1, true) | (2, false) => "m/s",
-            (2, true) => "m/s^2",
+            (TRAVEL | DEFLECTION, false) => "m",
+            (TRAVEL | DEFLECTION, true) | (MASS_VELOCITY, false) => "m/s",
+            (MASS_VELOCITY, true) => "m/s^2",
             _ => "-",
         },
         meaning: if rate { format!("rate of {}", name(k)) } else { meaning(k) },
+        nominal: (!rate).then(|| usual[k]),
     };
-    (0..STATES).map(|k| one(k, false)).chain((0..STATES).map(|k| one(k, true))).collect()
+    let used = || (TRAVEL..FIRST_MEMORY + memories).filter(move |k| series || *k == TRAVEL || *k >= FIRST_MEMORY);
+    used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 
 /// The parameters of the elements that are on.
@@ -259,6 +339,7 @@ fn parameters(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
                 start: Some(*value),
                 unit: p.unit,
                 meaning: p.meaning.to_owned(),
+                nominal: None,
             });
         }
     }

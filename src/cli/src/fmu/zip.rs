@@ -17,7 +17,7 @@ impl Zip {
         for half in [20, 0x0800, 0, 0, 0x21] {
             head.extend(u16::to_le_bytes(half));
         }
-        for word in [crc32(content), content.len() as u32, content.len() as u32] {
+        for word in [check_sum(content), content.len() as u32, content.len() as u32] {
             head.extend(u32::to_le_bytes(word));
         }
         head.extend((name.len() as u16).to_le_bytes());
@@ -49,8 +49,8 @@ impl Zip {
     }
 }
 
-/// The check sum of zip.
-fn crc32(content: &[u8]) -> u32 {
+/// The check sum of zip, CRC-32.
+pub fn check_sum(content: &[u8]) -> u32 {
     !content.iter().fold(!0_u32, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |c, _| if c & 1 == 1 { (c >> 1) ^ 0xedb8_8320 } else { c >> 1 })
     })
@@ -60,6 +60,6 @@ fn crc32(content: &[u8]) -> u32 {
 mod tests {
     #[test]
     fn check_sum_of_the_standard_text() {
-        assert_eq!(super::crc32(b"123456789"), 0xcbf4_3926);
+        assert_eq!(super::check_sum(b"123456789"), 0xcbf4_3926);
     }
 }

@@ -6,7 +6,7 @@ use super::overview::shorten;
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::Ticks;
-use dashpot_lab::diagnosis::TestOutcome;
+use dashpot_diagnosis::TestOutcome;
 
 /// The model as it came.
 pub const BEFORE: &str = "before";
@@ -150,7 +150,7 @@ fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use dashpot_lab::diagnosis::Curves;
+    use dashpot_diagnosis::Curves;
 
     /// A sine test whose model lacks 20 N of friction before and 1 N after.
     pub fn outcome(name: &str, held_out: bool) -> TestOutcome {

@@ -8,7 +8,7 @@ use super::of_test::{DISPLACEMENT, ERROR, FORCE, FV_ONLY, MEASURED, MODEL, VELOC
 use super::palette::Role;
 use super::simplify::Point;
 use super::svg::{Anchor, Svg, TextStyle};
-use dashpot_lab::validation::Compared;
+use dashpot_identification::validation::Compared;
 
 /// Turn of the box about the vertical, degrees.
 const TURN: f64 = 36.0;

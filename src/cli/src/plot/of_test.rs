@@ -5,7 +5,7 @@
 
 use super::axes::{Axis, Plane, Series};
 use super::palette::Role;
-use dashpot_lab::validation::{Compared, Hysteresis};
+use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
 /// Whole cycles shown in a loop.
@@ -41,6 +41,17 @@ pub fn force_velocity(compared: &Compared<'_>) -> String {
     plane("Force over velocity", VELOCITY, FORCE, series)
 }
 
+/// Force over velocity with another model beside the validated one.
+pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64]) -> String {
+    let velocity = &compared.record.velocity;
+    let shown = shown(compared);
+    let mut series = forces(compared, &shown, |i| 1e3 * velocity[i]);
+    series.retain(|one| one.role != Role::FvOnly);
+    let lines = shown.iter().map(|r| r.clone().map(|i| [1e3 * velocity[i], force[i]]).collect()).collect();
+    series.insert(1, Series { role: Role::Before, label: name, lines, dotted: false });
+    plane(name, VELOCITY, FORCE, series)
+}
+
 /// Force over displacement.
 pub fn force_displacement(compared: &Compared<'_>) -> String {
     let displacement = &compared.record.displacement;
@@ -74,7 +85,7 @@ pub fn error_displacement(compared: &Compared<'_>) -> String {
 
 /// Gap between the strokes over velocity, averaged over all whole cycles.
 pub fn hysteresis_gap(hysteresis: &Hysteresis) -> String {
-    let line = |role, label, gap: fn(&dashpot_lab::validation::OfEach) -> f64| Series {
+    let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,
         label,
         lines: vec![hysteresis.gap.iter().map(|bin| [1e3 * bin.velocity_m_s, gap(&bin.gap_n)]).collect()],
@@ -141,7 +152,7 @@ fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use dashpot_lab::records::Record;
+    use dashpot_records::Record;
 
     /// A sine test of `cycles` cycles with 400 samples each; none marked when `marked` is false.
     pub fn record(cycles: usize, marked: bool) -> Record {

@@ -5,7 +5,7 @@ use super::of_test::{FV_ONLY, MODEL};
 use super::palette::{Role, heat};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::{Ticks, number};
-use dashpot_lab::validation::{Errors, Validation};
+use dashpot_identification::validation::{Errors, Validation};
 
 /// Longest test name written out, characters.
 const NAME: usize = 28;
@@ -137,7 +137,7 @@ pub fn shorten(name: &str) -> String {
 mod tests {
     use super::super::of_test::tests::{compared, record};
     use super::*;
-    use dashpot_lab::validation::validate;
+    use dashpot_identification::validation::validate;
 
     #[test]
     fn every_test_has_a_dot_for_the_model_and_one_for_the_curve() {

@@ -5,7 +5,7 @@ use super::axes::{Axis, Plane, Scale, Series};
 use super::before_after::{AFTER, BEFORE};
 use super::of_test::VELOCITY;
 use super::palette::Role;
-use dashpot_lab::diagnosis::TestOutcome;
+use dashpot_diagnosis::TestOutcome;
 
 /// Bins of velocity, both directions together.
 const VELOCITY_BINS: usize = 30;

@@ -3,7 +3,7 @@
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
 use crate::plot::{in_space, of_test};
-use dashpot_lab::validation::{Compared, TestValidation, Validation};
+use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
 /// Tests whose plots still make a page that a browser opens at once (about 70 kB each).
 const MOST_SHOWN: usize = 120;

@@ -3,7 +3,7 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
 use crate::plot::overview;
-use dashpot_lab::validation::{Errors, MatrixRow, Validation};
+use dashpot_identification::validation::{Errors, MatrixRow, Validation};
 
 const MODEL: &str = "model";
 const CURVE: &str = "FV curve alone";

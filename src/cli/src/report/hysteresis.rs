@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{beside, error};
-use dashpot_lab::validation::{Hysteresis, OfEach, TestValidation, Validation};
+use dashpot_identification::validation::{Hysteresis, OfEach, TestValidation, Validation};
 
 const GAP: &str = "mean gap, N";
 const AREA: &str = "loop area ∮F dv, N·m/s";

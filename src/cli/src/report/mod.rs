@@ -8,6 +8,7 @@
 //!
 //! The same input gives the same bytes: no date, no random name, no machine.
 
+pub mod against;
 pub mod blocks;
 pub mod diagnosis;
 mod each_test;
@@ -16,15 +17,14 @@ mod hysteresis;
 pub mod numbers;
 mod page;
 mod parameters;
-mod replace;
 mod summary;
 
+pub use crate::output::replace_file;
 pub use blocks::{Block, Section};
 pub use parameters::ParameterRow;
-pub use replace::replace_file;
 
 use anyhow::Context as _;
-use dashpot_lab::validation::{Compared, Validation};
+use dashpot_identification::validation::{Compared, Validation};
 use std::path::{Path, PathBuf};
 
 /// Everything a report tells.
@@ -115,8 +115,8 @@ fn subtitle(input: &ReportInput<'_>) -> String {
 mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
-    use dashpot_lab::records::{Note, Record};
-    use dashpot_lab::validation::validate;
+    use dashpot_identification::validation::validate;
+    use dashpot_records::{Note, Record};
     use std::collections::BTreeSet;
 
     fn with_input<T>(records: &[Record], check: impl FnOnce(&ReportInput<'_>) -> T) -> T {

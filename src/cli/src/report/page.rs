@@ -1,6 +1,7 @@
 //! Sections as one HTML page: all markup, style and script of the report.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
+use crate::output::GENERATOR;
 use crate::plot::palette;
 use crate::plot::svg::escape;
 use std::fmt::Write as _;
@@ -12,7 +13,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section]) -> String {
     let _ = write!(
         html,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{GENERATOR}\n<title>{title}</title>\n\
          <style>\n{}{}</style>\n</head>\n<body>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
         include_str!("page.css"),
         palette::page_css(),

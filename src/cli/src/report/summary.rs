@@ -3,7 +3,7 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{digits, error, force, percent};
 use crate::plot::overview;
-use dashpot_lab::validation::{Errors, TestValidation, Validation};
+use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
 /// The first section.
 pub fn section(validation: &Validation) -> Section {
@@ -155,7 +155,7 @@ fn is_closer(test: &TestValidation) -> bool {
 mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
-    use dashpot_lab::validation::validate;
+    use dashpot_identification::validation::validate;
 
     #[test]
     fn the_headline_does_not_flatter() {

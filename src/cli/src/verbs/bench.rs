@@ -5,8 +5,8 @@ use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::step::{Integration, Method, step_into};
 use dashpot_core::{Input, Model, Output, Params};
-use dashpot_lab::accuracy::{Given, References, Sine, worst};
 use dashpot_rig::Matrix;
+use dashpot_simulation::accuracy::{Given, References, Sine, worst};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::Command;
@@ -53,6 +53,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(spin) = &args.spin {
         return spin_for(spin);
     }
+    output::check_kinds([(args.json.as_deref(), crate::output::Kind::Figures)])?;
     let tests: Vec<Sine> = Matrix::default()
         .points()
         .iter()

@@ -3,13 +3,13 @@
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
-use dashpot_lab::records::{Campaign, Options, Positive, Record, SignFinding, assignment, load};
+use dashpot_records::{Campaign, Note, Options, Positive, Record, SignFinding, assignment, glob, load};
 use std::path::PathBuf;
 
 /// How to read records.
 #[derive(Args, Debug, Clone)]
 pub struct DataArgs {
-    /// Record files (CSV, XLSX, MAT v5) or folders of them
+    /// Record files (text, XLSX, MAT v5) or folders of them; what a campaign.toml beside them says is obeyed
     #[arg(required = true, value_name = "DATA")]
     pub data: Vec<PathBuf>,
     /// Which direction the files count positive; worked out from the data if not given
@@ -20,9 +20,46 @@ pub struct DataArgs {
     flip: Vec<String>,
     #[command(flatten)]
     columns: ColumnArgs,
+    #[command(flatten)]
+    sensors: SensorArgs,
     /// Displacement at the first sample, m, where only velocity was recorded
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     initial_position: f64,
+    /// Files or tests to leave out, by name; * stands for anything
+    #[arg(long, value_name = "GLOB", value_delimiter = ',')]
+    exclude: Vec<String>,
+    /// Refuse folders that hold files which are no records, instead of leaving them out
+    #[arg(long)]
+    strict: bool,
+}
+
+/// What is known of the sensors.
+#[derive(Args, Debug, Clone)]
+struct SensorArgs {
+    /// How much later than the motion the force was recorded, s; taken out
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    delay: f64,
+    /// What the force channel shows without force, N, in the file's direction; taken off
+    #[arg(long, value_name = "N", default_value_t = 0.0, allow_negative_numbers = true)]
+    force_zero: f64,
+    /// What the displacement channel shows where displacement is to be zero, m, in the file's direction; taken off
+    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    displacement_zero: f64,
+    /// Factor on the force, after its zero was taken off
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    gain: f64,
+}
+
+impl SensorArgs {
+    /// Sensors as they are.
+    const NONE: SensorArgs = SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: 1.0 };
+    fn apply(&self, options: &mut Options) -> anyhow::Result<()> {
+        options.delay_s = self.delay;
+        options.force_zero_n = self.force_zero;
+        options.displacement_zero_m = self.displacement_zero;
+        options.gain = self.gain;
+        options.check().map_err(anyhow::Error::msg)
+    }
 }
 
 /// Which column is which channel, and in which unit.
@@ -31,7 +68,7 @@ pub struct ColumnArgs {
     /// Unit of a channel whose heading has none, such as force=kN
     #[arg(long, value_name = "CHANNEL=UNIT")]
     unit: Vec<String>,
-    /// Heading of a channel's column, such as force="Load Cell 1"
+    /// Heading of a channel's column, with or without its unit, or its number from 1: force="Load Cell 1", force=3
     #[arg(long, value_name = "CHANNEL=HEADING")]
     column: Vec<String>,
     /// Channel to leave unread, such as velocity
@@ -66,13 +103,23 @@ impl DataArgs {
             positive: None,
             flip: vec![],
             columns: ColumnArgs::default(),
+            sensors: SensorArgs::NONE,
             initial_position: 0.0,
+            exclude: vec![],
+            strict: false,
         }
     }
 
-    fn options(&self) -> anyhow::Result<Options> {
-        let mut options =
-            Options { positive: self.positive, initial_position: self.initial_position, ..self.columns.options()? };
+    /// As options of the reader.
+    pub fn options(&self) -> anyhow::Result<Options> {
+        let mut options = Options {
+            positive: self.positive,
+            initial_position: self.initial_position,
+            exclude: self.exclude.clone(),
+            strict: self.strict,
+            ..self.columns.options()?
+        };
+        self.sensors.apply(&mut options)?;
         for text in &self.flip {
             match text.as_str() {
                 "force" => options.flip_force = true,
@@ -85,14 +132,30 @@ impl DataArgs {
 
     /// Reads and cleans the records.
     pub fn load(&self) -> anyhow::Result<Campaign> {
+        self.load_like(&self.data)
+    }
+
+    /// Reads and cleans other records by the same options.
+    pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         let progress = Progress::new("reading");
-        Ok(load(&self.data, &self.options()?, &|p| progress.count(p.done, p.total))?)
+        let campaign = load(paths, &self.options()?, &|p| progress.count(p.done, p.total))?;
+        drop(progress);
+        // What decides which records count is said before the work, whatever the verb.
+        for note in campaign.notes.iter().filter(|n| is_said_first(n)) {
+            eprintln!("note: {}", note.text);
+        }
+        Ok(campaign)
     }
 
     /// The paths in words.
     pub fn named(&self) -> String {
         self.data.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
     }
+}
+
+/// Whether a note was said when the records were read.
+pub fn is_said_first(note: &Note) -> bool {
+    ["gap", "left_out", "late", "profile"].contains(&note.kind)
 }
 
 /// The sign that was found or given, in a sentence.
@@ -110,34 +173,5 @@ pub fn sign_in_words(sign: &SignFinding) -> String {
 
 /// Whether a test's name matches one of the patterns, in which `*` stands for anything and `?` for one character.
 pub fn matches(record: &Record, patterns: &[String]) -> bool {
-    patterns.iter().any(|p| glob(p.as_bytes(), record.name.as_bytes()))
-}
-
-fn glob(pattern: &[u8], name: &[u8]) -> bool {
-    match (pattern.split_first(), name.split_first()) {
-        (None, None) => true,
-        (Some((b'*', rest)), _) => (0..=name.len()).any(|k| glob(rest, &name[k..])),
-        (Some((b'?', rest)), Some((_, tail))) => glob(rest, tail),
-        (Some((p, rest)), Some((n, tail))) => p == n && glob(rest, tail),
-        _ => false,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn patterns() {
-        for (pattern, name, want) in [
-            ("a40*", "a40mm_v0052", true),
-            ("a40*", "a4mm", false),
-            ("*52*", "a40mm_v0052mm_s", true),
-            ("a?0*", "a50mm", true),
-            ("slow", "slower", false),
-            ("*", "", true),
-        ] {
-            assert_eq!(glob(pattern.as_bytes(), name.as_bytes()), want, "{pattern} {name}");
-        }
-    }
+    patterns.iter().any(|p| glob::matches(p, &record.name))
 }

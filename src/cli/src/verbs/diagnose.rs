@@ -2,6 +2,7 @@
 
 use super::data::{DataArgs, matches, sign_in_words};
 use super::output;
+use crate::output::{FolderLock, Kind};
 use crate::progress::Progress;
 use crate::report::ParameterRow;
 use crate::report::diagnosis::{DiagnosisReport, headline};
@@ -9,10 +10,10 @@ use crate::report::numbers::{digits, share, with_interval, with_unit};
 use anyhow::bail;
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
-use dashpot_lab::diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
-use dashpot_lab::identification::Standing;
-use dashpot_lab::model_file::{self, ModelFile};
-use dashpot_lab::records::{Campaign, Record};
+use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
+use dashpot_identification::Standing;
+use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_records::{Campaign, Record};
 use std::path::{Path, PathBuf};
 
 /// Find where a model and the records of its damper disagree, name the missing effect, and add it
@@ -50,6 +51,10 @@ pub struct Args {
     /// Effects that may be named, separated by commas; all if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     candidates: Option<Vec<String>>,
+    /// Records of the same tests on a damper known to be good: a folder or file; may be given several times. The question is then what
+    /// changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one
+    #[arg(long, value_name = "GOOD")]
+    reference: Vec<PathBuf>,
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
@@ -164,11 +169,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.as_deref().is_some_and(output::is_stdout) {
         bail!("--report needs a file name: standard output takes findings (--json -) or the model (-o -)");
     }
-    output::check([out, json, args.report.as_deref()].into_iter().flatten())?;
+    output::check_kinds([(out, Kind::Model), (json, Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     let model = model_file::read(&args.model)?;
     let campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
-    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone() };
+    let reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
+    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&sign_in_words(&campaign.sign))?;
@@ -220,6 +227,14 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
         let (before, after) = (with_unit(shift.before, shift.unit), with_unit(shift.after, shift.unit));
         lines.push(format!("  {:<30} {before:>16} -> {after}", shift.parameter));
     }
+    if !found.changed.is_empty() {
+        lines.push("Numbers that are others than on the reference damper:".to_owned());
+    }
+    for change in &found.changed {
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+        let before = with_unit(change.reference, change.unit);
+        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.parameter));
+    }
     lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
     lines.extend(found.next_tests.iter().take(NEXT).map(|test| format!("next test: {}", test.text)));
     lines.extend(found.could_not_test.iter().map(|c| format!("could not test {}: {}", c.effect, c.why)));
@@ -230,6 +245,13 @@ fn one(finding: &Finding) -> Vec<String> {
     let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
     let mut lines =
         vec![format!("Found {}{form}, {} sure: {}", finding.effect, share(finding.confidence), finding.meaning)];
+    lines.push(format!(
+        "  where: {}, family {} ({} sure); {} of the disagreement opens again without it",
+        finding.path,
+        finding.family,
+        share(finding.family_confidence),
+        share(finding.share)
+    ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
         let (value, interval) = with_interval(v.value, v.low, v.high, v.unit);
@@ -248,11 +270,12 @@ fn one(finding: &Finding) -> Vec<String> {
 /// Errors before and after as a small table.
 fn errors(found: &Diagnosis) -> Vec<String> {
     let row = |name: &str, f: &Figures| {
-        let left = f.held_out_rmse_n.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
-        format!("  {name:<10}{:>10}{left:>10}{:>10}", digits(f.rmse_n, 3), digits(f.noise_n, 3))
+        let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
+        let (left, left_noise) = (optional(f.held_out_rmse_n), optional(f.held_out_noise_n));
+        format!("  {name:<10}{:>10}{:>10}{left:>10}{left_noise:>10}", digits(f.rmse_n, 3), digits(f.noise_n, 3))
     };
     let mut lines = vec![
-        format!("  {:<10}{:>10}{:>10}{:>10}", "N rms", "fitted", "left out", "noise"),
+        format!("  {:<10}{:>10}{:>10}{:>10}{:>10}", "N rms", "fitted", "noise", "left out", "noise"),
         row("before", &found.before),
     ];
     if !found.findings.is_empty() {
@@ -260,7 +283,10 @@ fn errors(found: &Diagnosis) -> Vec<String> {
     }
     if let Some(gap) = found.gap_closed {
         let tests = if found.after.held_out_rmse_n.is_some() { "left-out" } else { "fitted" };
-        lines.push(format!("  {} of the gap is closed on {tests} tests", share(gap)));
+        lines.push(format!(
+            "  {} of the gap is closed on {tests} tests, each counted in units of its own noise",
+            share(gap)
+        ));
     }
     lines
 }

@@ -1,13 +1,15 @@
 //! `dashpot fit`: records in, model file out.
 
-use super::data::{DataArgs, matches, sign_in_words};
+use super::data::{DataArgs, is_said_first, matches, sign_in_words};
 use super::output;
+use crate::output::Kind;
 use crate::progress::Progress;
 use anyhow::bail;
 use clap::ValueEnum;
-use dashpot_lab::identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
-use dashpot_lab::model_file;
-use dashpot_lab::records::{Campaign, Record, SignFinding};
+use dashpot_identification::literature::{Literature, file, observation};
+use dashpot_identification::model_file;
+use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
+use dashpot_records::{Campaign, Record, SignFinding};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +28,8 @@ pub struct Args {
     /// Estimates, choices and notes as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Kind of model: the thesis's, the plain FV curve, or a polynomial FV curve with a first-order lag
+    /// Kind of model: the thesis's, or one of the literature to compare it with. fv, piecewise and lag become model files that
+    /// every verb and host runs; the others become files that only dashpot validate --against reads
     #[arg(long, value_enum, default_value_t = ModelKind::Thesis)]
     model: ModelKind,
     /// Elements that the fit may use, separated by commas; all of the model's if not given
@@ -41,7 +44,47 @@ pub struct Args {
 enum ModelKind {
     Thesis,
     Fv,
+    Piecewise,
     Lag,
+    Surface,
+    Dahl,
+    BoucWen,
+    Spencer,
+    Kwok,
+    Network,
+}
+
+/// What a kind of model becomes.
+enum Becomes {
+    /// A model file.
+    Kernel(Family),
+    /// A file of the literature's models, by name.
+    Literature(&'static str),
+}
+
+impl ModelKind {
+    fn becomes(self) -> Becomes {
+        match self {
+            ModelKind::Thesis => Becomes::Kernel(Family::Thesis),
+            ModelKind::Fv => Becomes::Kernel(Family::Fv),
+            ModelKind::Piecewise => Becomes::Kernel(Family::Piecewise),
+            ModelKind::Lag => Becomes::Kernel(Family::Lag),
+            ModelKind::Surface => Becomes::Literature("surface"),
+            ModelKind::Dahl => Becomes::Literature("dahl"),
+            ModelKind::BoucWen => Becomes::Literature("bouc-wen"),
+            ModelKind::Spencer => Becomes::Literature("spencer"),
+            ModelKind::Kwok => Becomes::Literature("kwok"),
+            ModelKind::Network => Becomes::Literature("network"),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct LiteratureJson<'a> {
+    model: &'a Path,
+    tests: &'a [String],
+    numbers: &'a Literature,
+    sign: &'a SignFinding,
 }
 
 #[derive(Serialize)]
@@ -110,6 +153,43 @@ fn short(value: f64) -> String {
     format!("{value:.digits$}")
 }
 
+/// What the reader found in the records.
+fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    say(&sign_in_words(&campaign.sign))?;
+    for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
+        say(&format!("note: {}", note.text))?;
+    }
+    for line in repairs(campaign) {
+        say(&format!("note: {line}"))?;
+    }
+    Ok(())
+}
+
+/// Identifies a model that the kernel cannot run and writes its own kind of file.
+fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> anyhow::Result<()> {
+    let records = kept(campaign, &args.hold_out)?;
+    let progress = Progress::new("fitting");
+    progress.set(0.1);
+    let found = Literature::fit(name, &observation::of_records(&records))?;
+    drop(progress);
+    let tests: Vec<String> = records.iter().map(|r| r.name.clone()).collect();
+    output::write(&args.output, &file::write(&found, &tests))?;
+    let say = |text: &str| output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
+    tell_of_records(campaign, &say)?;
+    say(&format!(
+        "{} tests fitted; {name} in {}, which only dashpot validate --against reads",
+        tests.len(),
+        args.output.display()
+    ))?;
+    if let Some(path) = args.json.as_deref() {
+        output::json(
+            path,
+            &LiteratureJson { model: &args.output, tests: &tests, numbers: &found, sign: &campaign.sign },
+        )?;
+    }
+    Ok(())
+}
+
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let json = args.json.as_deref();
@@ -117,25 +197,22 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    output::check([Some(args.output.as_path()), json].into_iter().flatten())?;
+    output::check_kinds([(Some(args.output.as_path()), Kind::Model), (json, Kind::Figures)])?;
+    let becomes = args.model.becomes();
+    if args.elements.is_some() && !matches!(becomes, Becomes::Kernel(Family::Thesis)) {
+        bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
+    }
     let campaign = args.data.load()?;
     let options = FitOptions {
-        family: match args.model {
-            ModelKind::Thesis => Family::Thesis,
-            ModelKind::Fv => Family::Fv,
-            ModelKind::Lag => Family::Lag,
+        family: match becomes {
+            Becomes::Kernel(family) => family,
+            Becomes::Literature(name) => return literature(args, &campaign, name, on_stdout > 0),
         },
         elements: args.elements.clone(),
     };
     let found = identify(&kept(&campaign, &args.hold_out)?, &options, &args.output)?;
     let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    say(&sign_in_words(&campaign.sign))?;
-    for note in campaign.notes.iter() {
-        say(&format!("note: {}", note.text))?;
-    }
-    for line in repairs(&campaign) {
-        say(&format!("note: {line}"))?;
-    }
+    tell_of_records(&campaign, &say)?;
     for choice in &found.choices {
         say(&format!("{}: {} — {}", choice.of, choice.chosen, choice.why))?;
     }

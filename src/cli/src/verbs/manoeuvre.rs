@@ -3,6 +3,7 @@
 use super::data::DataArgs;
 use super::output;
 use super::validate::prepared;
+use crate::output::Kind;
 use crate::plot::axes::{Axis, Plane, Series};
 use crate::plot::of_test::{FORCE, FV_ONLY, MODEL, VELOCITY};
 use crate::plot::palette::Role;
@@ -10,8 +11,8 @@ use crate::report::blocks::{Block, Column, Figure, Section, Table};
 use crate::report::{self, numbers};
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
-use dashpot_lab::model_file::{self, ModelFile};
-use dashpot_lab::vehicle::{CORNERS, Car, Manoeuvre, Run, SLOW, Sample, run as drive};
+use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_simulation::vehicle::{CORNERS, Car, Manoeuvre, Run, SLOW, Sample, run as drive};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -91,7 +92,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.as_deref().is_some_and(output::is_stdout) {
         bail!("--report needs a file name: standard output takes figures alone (--json -)");
     }
-    output::check([args.json.as_deref(), args.report.as_deref()].into_iter().flatten())?;
+    output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
     let Some((_, manoeuvre)) = Manoeuvre::ALL.into_iter().find(|(name, _)| *name == args.name) else {
         bail!("there is no manoeuvre {}", args.name);
     };
@@ -171,7 +172,7 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 
 fn covered(path: &Path) -> anyhow::Result<Covered> {
     let campaign = DataArgs::folder(path.to_path_buf()).load()?;
-    let points = |r: &dashpot_lab::records::Record| -> Vec<[f64; 2]> {
+    let points = |r: &dashpot_records::Record| -> Vec<[f64; 2]> {
         r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect()
     };
     let loops: Vec<Vec<[f64; 2]>> = campaign.records.iter().map(points).collect();

@@ -41,5 +41,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         options.frequency_limit_hz = limit;
     }
     let matrix = Matrix::thesis(&options)?;
+    output::check([args.output.as_path()])?;
     output::write(&args.output, &matrix.to_csv())
 }

@@ -7,9 +7,11 @@ pub mod diagnose;
 pub mod export;
 pub mod fit;
 pub mod import;
+pub mod import_profile;
 pub mod manoeuvre;
 pub mod matrix;
-mod output;
 pub mod rig;
 pub mod simulate;
 pub mod validate;
+
+use crate::output;

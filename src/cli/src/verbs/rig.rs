@@ -1,5 +1,6 @@
 //! `dashpot rig`: a campaign measured on the virtual rig.
 
+use crate::output::FolderLock;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use dashpot_proving::case::Case;
@@ -95,6 +96,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let plan = args.plan.as_deref().map(Plan::named).transpose()?;
     let matrix = args.matrix.as_deref().map(Matrix::read).transpose()?;
     let order = args.order.unwrap_or(args.seed);
+    let _held = FolderLock::take(&args.output)?;
     let progress = Progress::new("measuring");
     let tests = if args.hide.is_empty() {
         let matrix = matrix.or_else(|| plan.map(|plan| plan.matrix(order))).unwrap_or_default();

@@ -5,9 +5,9 @@ use super::output;
 use super::validate::prepared;
 use crate::progress::Progress;
 use dashpot_core::Model;
-use dashpot_lab::imposed_motion::{Answer, ImposedMotion};
-use dashpot_lab::model_file;
-use dashpot_lab::records::read_motion;
+use dashpot_identification::model_file;
+use dashpot_records::read_motion;
+use dashpot_simulation::imposed_motion::{Answer, ImposedMotion};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

@@ -2,18 +2,21 @@
 
 use super::data::{DataArgs, sign_in_words};
 use super::output;
+use crate::output::{FolderLock, Kind};
 use crate::progress::Progress;
+use crate::report::against::{self, Rival};
 use crate::report::{self, Block, ParameterRow, ReportInput};
 use anyhow::{Context as _, anyhow, bail};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
 use dashpot_core::{Model, Params};
-use dashpot_lab::identification::{Family, FitOptions, fit};
-use dashpot_lab::model_file::{self, Interval, ModelFile};
-use dashpot_lab::motion::smooth;
-use dashpot_lab::prediction::predict;
-use dashpot_lab::records::{Campaign, Record};
-use dashpot_lab::validation::{Compared, Validation, validate};
+use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
+use dashpot_identification::model_file::{self, Interval, ModelFile};
+use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
+use dashpot_identification::{Family, FitOptions, fit};
+use dashpot_records::smoothing::smooth;
+use dashpot_records::{Campaign, Record};
+use dashpot_simulation::prediction::predict;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -34,6 +37,10 @@ pub struct Args {
     /// Report with tables and plots, one file that opens without a network
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// Models of the literature to identify from the tests that MODEL was fitted to, and to compare with: fv, piecewise, lag,
+    /// surface, dahl, bouc-wen, spencer, kwok, network, separated by commas; all; or a file that dashpot fit --model wrote
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    against: Vec<String>,
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
@@ -44,13 +51,29 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.as_deref().is_some_and(output::is_stdout) {
         bail!("--report needs a file name: standard output takes figures alone (--json -)");
     }
-    output::check([args.json.as_deref(), args.report.as_deref()].into_iter().flatten())?;
+    output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
+    names_of_rivals(&args.against)?;
     let model = model_file::read(&args.model)?;
     let campaign = args.data.load()?;
     let compared = compare(&model, &campaign)?;
-    let validation = validate(&compared)?;
+    let mut validation = validate(&compared)?;
     let json = args.json.as_deref();
     output::say(json, &table(&validation))?;
+    let mut rivals = Vec::new();
+    if !args.against.is_empty() {
+        let found = identify_rivals(&args.against, &model, &campaign, json)?;
+        validation.against.push(Against::validated(&validation));
+        for (literature, forces) in found {
+            let name = literature.name();
+            let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
+            let mut against = Against::of(name, meaning, &compared, &forces);
+            against.numbers = Some(literature);
+            validation.against.push(against);
+            rivals.push(Rival { name, forces });
+        }
+        output::say(json, &against_table(&validation.against))?;
+    }
     let curve = prepared(&model.params)?;
     let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
     if let Some(first) = fast.first() {
@@ -69,7 +92,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.is_some() || args.svg.is_some() {
         let progress = Progress::new("drawing");
         progress.set(0.2);
-        let input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation);
+        let mut input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation);
+        input.extra.extend(against::section(&validation, &compared, &rivals));
         if let Some(path) = &args.report {
             report::write_atomic(&input, path)?;
             output::say(json, &format!("report: {}", path.display()))?;
@@ -80,6 +104,78 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     Ok(())
+}
+
+/// The models asked for, each once; a mistake is told before minutes of fitting, and before anything is said.
+fn names_of_rivals(wanted: &[String]) -> anyhow::Result<Vec<String>> {
+    let mut names: Vec<String> = Vec::new();
+    for name in wanted {
+        let more = if name == "all" { MODELS.map(|m| m.0.to_owned()).to_vec() } else { vec![name.clone()] };
+        names.extend(more.into_iter().filter(|n| !names.contains(n)).collect::<Vec<_>>());
+    }
+    let is_known = |name: &&String| MODELS.iter().any(|m| m.0 == *name) || Path::new(name.as_str()).exists();
+    match names.iter().find(|n| !is_known(n)) {
+        Some(name) => Err(LiteratureError::Unknown { name: name.clone() }.into()),
+        None => Ok(names),
+    }
+}
+
+/// Identifies the models asked for, or reads them, and simulates every record with each.
+fn identify_rivals(
+    wanted: &[String],
+    file: &ModelFile,
+    campaign: &Campaign,
+    json: Option<&Path>,
+) -> anyhow::Result<Vec<(Literature, Vec<Vec<f64>>)>> {
+    let names = names_of_rivals(wanted)?;
+    let is_name = |name: &str| MODELS.iter().any(|m| m.0 == name);
+    let identification = &file.identification;
+    let mut used: Vec<&Record> = campaign.records.iter().filter(|r| identification.used(r)).collect();
+    if used.is_empty() && names.iter().any(|n| is_name(n)) {
+        if !identification.tests.is_empty() {
+            bail!(
+                "--against identifies its models from the tests that the model was fitted to, and none of those {} is in the data \
+                 given, such as {:?}: give them beside the others",
+                identification.tests.len(),
+                identification.tests[0]
+            );
+        }
+        used = campaign.records.iter().collect();
+        output::say(
+            json,
+            "note: the model file names no tests; the models compared with are fitted to all tests given",
+        )?;
+    }
+    let tests = observation::of_records(&used);
+    let progress = Progress::new("comparing");
+    let motions: Vec<observation::Motion> = campaign.records.par_iter().map(observation::Motion::of).collect();
+    let mut found = Vec::new();
+    for (k, name) in names.iter().enumerate() {
+        progress.say(k as f64 / names.len() as f64, name);
+        let literature = if is_name(name) { Literature::fit(name, &tests)? } else { file::read(Path::new(name))? };
+        let forces = motions.par_iter().map(|motion| literature.forces(motion)).collect();
+        found.push((literature, forces));
+    }
+    Ok(found)
+}
+
+/// The model beside those of the literature as text.
+fn against_table(against: &[Against]) -> String {
+    let mut out = format!(
+        "{:<14}{:>8}{:>10}{:>9}{:>10}{:>10}{:>10}{:>9}{:>10}\n",
+        "", "fitted", "mean N", "error %", "rms N", "left out", "mean N", "error %", "rms N"
+    );
+    let figures = |summary: &Option<AgainstSummary>, width: usize| match summary {
+        Some(s) => format!(
+            "{:>width$}{:>10.2}{:>9.2}{:>10.2}",
+            s.tests, s.errors.mean_error_n, s.errors.error_percent, s.errors.rmse_n
+        ),
+        None => format!("{:>width$}{:>10}{:>9}{:>10}", 0, "-", "-", "-"),
+    };
+    for one in against {
+        out += &format!("{:<14}{}{}\n", one.model, figures(&one.used_in_fit, 8), figures(&one.left_out, 10));
+    }
+    out.trim_end().to_owned()
 }
 
 /// Whether a test is clearly faster than the FV curve reaches: by more than the scatter of measured peaks.
@@ -135,7 +231,7 @@ pub fn table(v: &Validation) -> String {
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
         "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
     );
-    let mut row = |label: &str, tests: usize, e: &dashpot_lab::validation::Errors| {
+    let mut row = |label: &str, tests: usize, e: &dashpot_identification::validation::Errors| {
         out += &format!(
             "{:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>12.2}{:>12.2}{:>10.2}\n",
             label,
@@ -167,7 +263,7 @@ pub fn table(v: &Validation) -> String {
 }
 
 /// Confidence below which the reader of a report must be warned of the sign that was worked out.
-const SURE_OF_SIGN: f64 = 0.8;
+const SURE_OF_SIGN: f64 = 0.9;
 
 /// Everything the report tells.
 pub fn report_input<'a>(

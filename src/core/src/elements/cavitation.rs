@@ -61,8 +61,8 @@ const CLOSED: f64 = 1e-5;
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
-/// Most Newton steps for the void at the end of a stage, and the relative change that is the last.
-const STEPS: usize = 40;
+/// Most steps for the void at the end of a stage, all of them halves, and the relative change that is the last.
+const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
 
 const FORCE: usize = 0;
@@ -271,29 +271,37 @@ impl Cavitation {
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
     }
 
-    /// The same where the cap grows with the void: e − g de/dt grows with e, and Newton's steps are kept between bounds.
+    /// The same where the cap grows with the void. e − g de/dt rises with e: the cap that opens it and the pressure that closes it
+    /// both grow. It is negative at the lower end of the bracket and positive at the upper, so there is one answer; Newton's
+    /// steps that do not halve what is left are replaced by halves (rtsafe: Press & al., *Numerical Recipes*, 9.4).
     fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
         let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
-        let (mut low, mut high) = (target.min(0.0), f64::INFINITY);
-        let (mut void, mut slope) = (target, 1.0);
+        let opens = softly(p.value - self.cap * (1.0 - self.short_at_onset), self.rounding) * self.per_resistance * g;
+        let (mut low, mut high) = (target.min(0.0), target.max(0.0) + opens);
+        // Where the ramps are straight and nothing closes, y = 1 + e/e_1 answers y² − b y = c.
+        let b = 1.0 + self.per_expansion * (target + g * self.per_resistance * (p.value - self.cap));
+        let c = g * self.per_resistance * self.cap * self.short_at_onset * self.per_expansion;
+        let root = libm::sqrt(0.25 * b * b + c);
+        let straight = (0.5 * b + root - 1.0) / self.per_expansion;
+        let mut void = if opens > 0.0 && straight > low && straight < high { straight } else { target.max(0.0) };
+        let (mut slope, mut last) = (1.0, high - low);
         for _ in 0..STEPS {
             let at = Dual::along(void, 0);
             let there = at - self.rate_at(p, k, at) * g;
             let over = there.value() - target;
-            slope = there.slope(0).max(1e-3);
+            slope = there.slope(0).max(1.0);
             if over > 0.0 {
                 high = void;
             } else {
                 low = void;
             }
-            let mut next = void - over / slope;
-            if !(low..=high).contains(&next) {
-                next = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(CLOSED) };
-            }
-            let moved = (next - void).abs();
+            let newton = void - over / slope;
+            let inside = newton >= low && newton <= high && (newton - void).abs() <= 0.5 * last;
+            let next = if inside { newton } else { 0.5 * (low + high) };
+            last = (next - void).abs();
             void = next;
-            if moved <= CLOSE * (void.abs() + CLOSED) {
+            if last <= CLOSE * (void.abs() + CLOSED) {
                 break;
             }
         }

@@ -104,6 +104,11 @@ const EMPTIES: f64 = 10.0;
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
+    /// Whether its state is a force: in the filter form.
+    pub(crate) fn holds_force(&self) -> bool {
+        !self.is_stroke && !self.is_bypass
+    }
+
     /// Bypass form: how fast z grows towards ±1, per τ.
     #[inline(always)]
     fn grows<R: Real>(&self, force: R) -> R {

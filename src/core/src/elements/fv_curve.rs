@@ -58,36 +58,49 @@ impl Prepare for FvCurve {
     const OFF: Self = FvCurve(Curve::ZERO);
 
     fn prepare(p: &View) -> Result<Self, Fault> {
+        let mut curve = Self::OFF;
+        curve.set(p)?;
+        Ok(curve)
+    }
+
+    fn set(&mut self, p: &View) -> Result<(), Fault> {
         if p.number(FORM) == 1.0 {
-            return piecewise(p);
+            return self.set_piecewise(p);
         }
         let interpolation =
             if p.number(INTERPOLATION) == 1.0 { Interpolation::Linear } else { Interpolation::MonotoneCubic };
-        match Curve::new(p.list(VELOCITY), p.list(FORCE), interpolation) {
-            Ok(curve) => Ok(FvCurve(curve)),
-            Err(reason) => {
-                let row = if matches!(reason, Reason::NotIncreasing) { VELOCITY } else { FORCE };
-                Err(p.fault(row, reason))
-            }
-        }
+        self.0.set(p.list(VELOCITY), p.list(FORCE), interpolation).map_err(|reason| {
+            let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
+            p.fault(row, reason)
+        })
+    }
+
+    fn clear(&mut self) {
+        self.0.clear();
     }
 }
 
-/// The thesis's comparison model: straight lines from the origin with two rebound knees and one compression knee.
-fn piecewise(p: &View) -> Result<FvCurve, Fault> {
-    let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
-    let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
-    let [cc1, cc2] = COMPRESSION_C.map(|row| p.number(row));
-    let vc1 = p.number(COMPRESSION_V);
-    if vr2 <= vr1 {
-        return Err(p.fault(REBOUND_V[1], Reason::Order));
+impl FvCurve {
+    /// The thesis's comparison model: straight lines from the origin with two rebound knees and one compression knee.
+    fn set_piecewise(&mut self, p: &View) -> Result<(), Fault> {
+        let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
+        let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
+        let [cc1, cc2] = COMPRESSION_C.map(|row| p.number(row));
+        let vc1 = p.number(COMPRESSION_V);
+        if vr2 <= vr1 {
+            return Err(p.fault(REBOUND_V[1], Reason::Order));
+        }
+        let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
+        let fr2 = fr1 + cr2 * (vr2 - vr1);
+        // One more point beyond each last knee carries the last slope outwards.
+        let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
+        let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
+        self.0.set(&v, &f, Interpolation::Linear).map_err(|reason| {
+            // Slopes are bounded by the table, so that only knees beside each other are left.
+            let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
+            p.fault(row, reason)
+        })
     }
-    let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
-    let fr2 = fr1 + cr2 * (vr2 - vr1);
-    // One more point beyond each last knee carries the last slope outwards.
-    let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
-    let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
-    Curve::new(&v, &f, Interpolation::Linear).map(FvCurve).map_err(|reason| p.fault(REBOUND_C[0], reason))
 }
 
 impl FvCurve {

@@ -2,7 +2,8 @@
 
 use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
-use crate::math::power;
+use crate::input::Path;
+use crate::math::{drawn, power};
 use crate::parameter::{Parameter, View};
 
 /// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
@@ -70,6 +71,15 @@ impl GasSpring {
         (inside, ratio - inside, power(inside, self.index - 1.0))
     }
 
+    /// What z is drawn to at `x`, with its first and second slope.
+    fn rests(&self, x: f64) -> [f64; 3] {
+        let (inside, below, value) = self.compressed(x);
+        let per_inside = 1.0 / inside;
+        let (rest, by_x) = self.prolonged(self.index - 1.0, value, per_inside, below);
+        let bends = if below < 0.0 { 0.0 } else { (self.index - 2.0) * by_x * per_inside * self.per_length };
+        [rest - 1.0, by_x, bends]
+    }
+
     /// A power of ξ, prolonged straight, and its slope over x, from its exponent and its value at `inside`.
     #[inline(always)]
     fn prolonged(&self, exponent: f64, value: f64, per_inside: f64, below: f64) -> (f64, f64) {
@@ -101,7 +111,23 @@ impl Memory for GasSpring {
     }
 
     fn settled(&self, at: &Motion) -> f64 {
-        let (inside, below, value) = self.compressed(at.displacement);
-        self.prolonged(self.index - 1.0, value, 1.0 / inside, below).0 - 1.0
+        self.rests(at.displacement)[0]
+    }
+
+    /// Exact but for the terms beyond the cubic of what it is drawn to on the way.
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<(f64, [f64; 2])> {
+        let h = path.length();
+        let (kept, takes) = drawn(h * self.per_time);
+        let ((x0, v0), (x1, v1)) = (path.start(), path.end());
+        let ([from, from_by_x, _], [to, to_by_x, to_bends]) = (self.rests(x0), self.rests(x1));
+        // From both ends' values and slopes, as the path itself.
+        let after = |to: f64, start: f64, end: f64| {
+            takes[1] * start + takes[2] * (3.0 * to - 2.0 * start - end) + takes[3] * (start + end - 2.0 * to)
+        };
+        let end = kept * z + takes[0] * from + after(to - from, h * v0 * from_by_x, h * v1 * to_by_x);
+        if !slopes {
+            return Some((end, [0.0; 2]));
+        }
+        Some((end, [after(to_by_x, 0.0, h * v1 * to_bends), after(0.0, 0.0, h * to_by_x)]))
     }
 }

@@ -1,7 +1,10 @@
 //! Polynomial FV curve behind a first-order lag: one of the models the thesis compares itself with.
 
+use crate::dual::{Dual, Real};
 use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
 use crate::fault::{Fault, Reason};
+use crate::input::Path;
+use crate::math::drawn;
 use crate::parameter::{Parameter, View};
 
 /// T(|v|) dy/dt + y = Σ a_k v^k, F = y.
@@ -18,6 +21,8 @@ pub struct LaggedPolynomial {
 }
 
 const MAX_TERMS: usize = 12;
+/// Parts of a step in which the rate is taken as constant.
+const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
     const MEANING: &'static str = "polynomial FV curve with a first-order lag whose time constant ramps with speed";
@@ -64,6 +69,35 @@ impl LaggedPolynomial {
         (value, slope)
     }
 
+    /// y after the step.
+    #[inline(always)]
+    fn after<R: Real>(&self, path: &Path, x1: R, v1: R, y: f64) -> R {
+        let [p0, p1, p2] = path.velocity(x1, v1);
+        let at = |theta: f64| {
+            let v = p0 + (p1 + p2 * theta) * theta;
+            let ((target, by_v), (time, time_by_v)) = (self.polynomial(v.value()), self.time_constant(v.value()));
+            (v.chain(target, by_v), v.chain(1.0 / time, -time_by_v / (time * time)))
+        };
+        let part = 1.0 / PARTS as f64;
+        let sixth = path.length() * part / 6.0;
+        let mut y = R::constant(y);
+        let mut first = at(0.0);
+        for k in 0..PARTS {
+            let from = k as f64 * part;
+            let (middle, last) = (at(from + 0.5 * part), at(from + part));
+            let rate = (first.1 + middle.1 * 4.0 + last.1) * sixth;
+            let r = rate.value();
+            let (kept, takes) = drawn(r);
+            // Slope of a moment: M_k/r − M_k + M_{k+1}.
+            let take = |k: usize| rate.chain(takes[k], takes[k] / r - takes[k] + takes[k + 1]);
+            let rise = last.0 - first.0;
+            let bend = (first.0 + last.0 - middle.0 * 2.0) * 2.0;
+            y = y * rate.chain(kept, -kept) + take(0) * first.0 + take(1) * (rise - bend) + take(2) * bend;
+            first = last;
+        }
+        y
+    }
+
     /// Time constant and its slope over velocity.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
@@ -94,5 +128,17 @@ impl Memory for LaggedPolynomial {
 
     fn settled(&self, at: &Motion) -> f64 {
         self.polynomial(at.velocity).0
+    }
+
+    /// Part by part exact for the mean rate of a part and the parabola through its targets: however much the time constant changes
+    /// on the way, y stays between what it was and what it is drawn to. (A Runge–Kutta method that is stable for every
+    /// constant rate need not be for one that changes a thousandfold.)
+    fn carried(&self, path: &Path, y: f64, slopes: bool) -> Option<(f64, [f64; 2])> {
+        let (x1, v1) = path.end();
+        if !slopes {
+            return Some((self.after(path, x1, v1, y), [0.0; 2]));
+        }
+        let after = self.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), y);
+        Some((after.value, after.slopes))
     }
 }

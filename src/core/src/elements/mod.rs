@@ -42,6 +42,7 @@ mod viscous_friction;
 pub(crate) use bushing::Relaxed;
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::input::Path;
 use crate::parameter::{Group, Parameter, Params, View};
 use crate::paths::{self, Slots};
 
@@ -150,6 +151,35 @@ pub trait Prepare: Sized {
     /// # Errors
     /// The parameter that does not fit the others.
     fn prepare(parameters: &View) -> Result<Self, Fault>;
+
+    /// As [`Prepare::prepare`], where the element is kept; large elements have one of their own.
+    ///
+    /// # Errors
+    /// The same; nothing is changed then.
+    fn set(&mut self, parameters: &View) -> Result<(), Fault> {
+        *self = Self::prepare(parameters)?;
+        Ok(())
+    }
+
+    /// Switches it off.
+    fn clear(&mut self) {
+        *self = Self::OFF;
+    }
+}
+
+/// Whether an element can be prepared. Not inlined: each takes its room on the stack and gives it back.
+#[inline(never)]
+fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), Fault> {
+    let mut probe = E::OFF;
+    probe.set(&View::new(params, place))
+}
+
+/// Prepares an element that [`checked`] accepted.
+#[inline(never)]
+fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, place: usize) {
+    if !on || element.set(&View::new(params, place)).is_err() {
+        element.clear();
+    }
 }
 
 /// An element whose force depends on the present motion alone.
@@ -186,6 +216,12 @@ pub trait Memory {
     fn recall(&self, at: &Motion, z: f64) -> Recall;
     /// The state after the motion has been held long enough.
     fn settled(&self, at: &Motion) -> f64;
+
+    /// The state after the motion along a path, in closed form, with its slopes over displacement and velocity at the end (0
+    /// where no `slopes` are asked for). `None` where there is no such form: the step then integrates the rate.
+    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<(f64, [f64; 2])> {
+        None
+    }
 }
 
 /// Most private states that a model may carry.
@@ -302,49 +338,101 @@ macro_rules! elements {
         }
 
         impl Elements {
-            /// Prepares the elements that are on.
+            /// No element.
+            pub const OFF: Elements = Elements {
+                on: 0,
+                $primary: <$Primary>::OFF,
+                $series: <$Series>::OFF,
+                $($law: <$Law>::OFF,)*
+                $($hydraulic: <$Hydraulic>::OFF,)*
+                $($inner: <$Inner>::OFF,)*
+                $($friction: <$Friction>::OFF,)*
+                $($preload: <$Preload>::OFF,)*
+                $($memory: <$Memory>::OFF,)*
+                $($stop: <$Stop>::OFF,)*
+                slots: Slots::NONE,
+                acting: 0,
+            };
+
+            /// Whether the elements that are on can be prepared, one by one and together.
             ///
             /// # Errors
             /// The parameter that does not fit.
-            pub fn prepare(params: &Params) -> Result<Elements, Fault> {
-                let on = params.elements();
-                macro_rules! ready {
+            pub fn check(params: &Params) -> Result<(), Fault> {
+                let on = |place: Place| params.elements() & (1 << place as usize) != 0;
+                macro_rules! each {
                     ($name:ident, $Type:ty) => {
-                        if on & (1 << Place::$name as usize) != 0 {
-                            <$Type>::prepare(&View::new(params, Place::$name as usize))?
-                        } else {
-                            <$Type>::OFF
+                        if on(Place::$name) {
+                            checked::<$Type>(params, Place::$name as usize)?;
                         }
                     };
                 }
-                let mut elements = Elements {
-                    on,
-                    $primary: ready!($primary, $Primary),
-                    $series: ready!($series, $Series),
-                    $($law: ready!($law, $Law),)*
-                    $($hydraulic: ready!($hydraulic, $Hydraulic),)*
-                    $($inner: ready!($inner, $Inner),)*
-                    $($friction: ready!($friction, $Friction),)*
-                    $($preload: ready!($preload, $Preload),)*
-                    $($memory: ready!($memory, $Memory),)*
-                    $($stop: ready!($stop, $Stop),)*
-                    slots: Slots::NONE,
-                    acting: 0,
-                };
-                if !elements.has_series() {
-                    $(if elements.has(Place::$law) {
+                each!($primary, $Primary);
+                each!($series, $Series);
+                $(each!($law, $Law);)*
+                $(each!($hydraulic, $Hydraulic);)*
+                $(each!($inner, $Inner);)*
+                $(each!($friction, $Friction);)*
+                $(each!($preload, $Preload);)*
+                $(each!($memory, $Memory);)*
+                $(each!($stop, $Stop);)*
+                if !on(Place::$series) {
+                    $(if on(Place::$law) {
                         return Err(View::new(params, Place::$law as usize).fault(0, Reason::NeedsSeries));
                     })*
                 }
-                if elements.has_series() && elements.$series.carries_whole {
-                    elements.on |= CARRIES_WHOLE;
-                }
-                elements.slots = paths::slots(&elements);
-                elements.acting = paths::acting::of(&elements);
-                if elements.memories() > MAX_MEMORY {
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                let beside = (params.elements() & MEMORY).count_ones() as usize;
+                if paths::states_of(params) + beside > MAX_MEMORY {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
-                Ok(elements)
+                Ok(())
+            }
+
+            /// Largest slope of the elements on the internal mass over the displacements `places`.
+            ///
+            /// # Errors
+            /// The parameter that does not fit.
+            #[inline(never)]
+            pub fn steepest_inner(params: &Params, places: impl Iterator<Item = f64>) -> Result<f64, Fault> {
+                $(
+                    let mut $inner = <$Inner>::OFF;
+                    if params.elements() & (1 << Place::$inner as usize) != 0 {
+                        $inner.set(&View::new(params, Place::$inner as usize))?;
+                    }
+                )*
+                let mut steepest = 0.0;
+                for displacement in places {
+                    let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
+                    let slope = 0.0 $(+ $inner.force(&at).by_x)*;
+                    steepest = if slope > steepest { slope } else { steepest };
+                }
+                Ok(steepest)
+            }
+
+            /// Prepares the elements that are on, where they are kept, from a set that [`Elements::check`] accepted.
+            pub fn set(&mut self, params: &Params) {
+                let on = params.elements();
+                self.on = on;
+                macro_rules! each {
+                    ($name:ident) => {
+                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                    };
+                }
+                each!($primary);
+                each!($series);
+                $(each!($law);)*
+                $(each!($hydraulic);)*
+                $(each!($inner);)*
+                $(each!($friction);)*
+                $(each!($preload);)*
+                $(each!($memory);)*
+                $(each!($stop);)*
+                if self.has_series() && self.$series.carries_whole {
+                    self.on |= CARRIES_WHOLE;
+                }
+                self.slots = paths::slots(self);
+                self.acting = paths::acting::of(self);
             }
 
             #[inline(always)]
@@ -444,6 +532,13 @@ macro_rules! elements {
                 let mut sum = Response::NONE;
                 $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
                 sum
+            }
+
+            /// Names and units of the private states of the elements beside the damper, in their order.
+            pub fn each_memory_name(&self, mut visit: impl FnMut(&'static str)) {
+                $(if self.has(Place::$memory) {
+                    visit(stringify!($memory));
+                })*
             }
 
             /// Number of private states.

@@ -1,8 +1,11 @@
 //! Moving mass: eye, clamp and tube between load cell and damper, where the load cell moves with them; or oil in a long
 //! passage, which the piston has to speed up.
 
+use crate::dual::Dual;
 use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
 use crate::fault::Fault;
+use crate::input::Path;
+use crate::math::drawn;
 use crate::parameter::{Parameter, View};
 
 /// F = M (v − z)/τ, dz/dt = (v − z)/τ.
@@ -75,5 +78,18 @@ impl Memory for MovingMass {
 
     fn settled(&self, at: &Motion) -> f64 {
         at.velocity
+    }
+
+    /// Exact: the velocity that draws it is a polynomial of second order.
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<(f64, [f64; 2])> {
+        let (kept, takes) = drawn(path.length() * self.per_time);
+        let (x1, v1) = path.end();
+        let after = |p: [f64; 3]| takes[0] * p[0] + takes[1] * p[1] + takes[2] * p[2];
+        let end = kept * z + after(path.velocity(x1, v1));
+        if !slopes {
+            return Some((end, [0.0; 2]));
+        }
+        let by = path.velocity(Dual::<2>::along(x1, 0), Dual::along(v1, 1));
+        Some((end, [0, 1].map(|k| after(by.map(|p| p.slopes[k])))))
     }
 }

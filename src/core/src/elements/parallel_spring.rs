@@ -50,18 +50,31 @@ impl Prepare for ParallelSpring {
     const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
 
     fn prepare(p: &View) -> Result<Self, Fault> {
+        let mut spring = Self::OFF;
+        spring.set(p)?;
+        Ok(spring)
+    }
+
+    fn set(&mut self, p: &View) -> Result<(), Fault> {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
-        let lookup = if has_lookup {
-            Curve::new(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
-                p.fault(if matches!(reason, Reason::NotIncreasing) { DISPLACEMENT } else { FORCE }, reason)
-            })?
+        if has_lookup {
+            self.lookup.set(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
+                let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
+                p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
+            })?;
         } else {
-            Curve::ZERO
-        };
-        let k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
-        let has_higher = k[2][0] != 0.0 || k[3][0] != 0.0;
-        Ok(ParallelSpring { k, has_higher, lookup, has_lookup })
+            self.lookup.clear();
+        }
+        self.has_lookup = has_lookup;
+        self.k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
+        self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
+        Ok(())
+    }
+
+    fn clear(&mut self) {
+        self.lookup.clear();
+        (self.k, self.has_higher, self.has_lookup) = ([[0.0; 2]; 4], false, false);
     }
 }
 

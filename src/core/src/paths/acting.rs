@@ -77,15 +77,41 @@ pub(crate) fn is_sharp(e: &Elements) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
+/// What bends the forces of a damper, where one element does so alone and the series path carries the hydraulic force alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Alone {
+    /// A bushing.
+    Rubber,
+    /// Cavitation.
+    Void,
+    /// Free play, oil, position, frequency, a valve without mass.
+    Kink,
+    /// Nothing, or several, or one that asks for more than these.
+    Other,
+}
+
+/// Which element acts alone.
+pub(crate) fn alone(e: &Elements) -> Alone {
+    let bends = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
+    match bends {
+        BUSHING => Alone::Rubber,
+        CAVITATION => Alone::Void,
+        COLUMN if !e.oil_compressibility.is_even() => Alone::Other,
+        FREE_PLAY | COLUMN | POSITION | GROOVE | PASSAGE | SELECTIVE | VALVE => Alone::Kink,
+        _ => Alone::Other,
+    }
+}
+
 /// Whether one acts in a stage that is compiled for those `ON`.
 #[inline(always)]
 pub fn acts<const ON: u32>(e: &Elements, bit: u32) -> bool {
     if ON == ANY { e.acting() & bit != 0 } else { ON & bit != 0 }
 }
 
-/// Whether a state moves.
+/// Whether a state moves in a stage that is compiled for those `ON`. Where it is compiled for any, all are taken to: to add
+/// nothing costs less than to ask.
 #[inline(always)]
-pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
+pub fn moves<const ON: u32>(state: usize) -> bool {
     let bit = match state {
         place::X | place::U => SERIES,
         place::BUSHING => BUSHING,
@@ -97,5 +123,5 @@ pub fn moves<const ON: u32>(e: &Elements, state: usize) -> bool {
         place::VALVE_RATE => SPOOL,
         _ => HEAT,
     };
-    acts::<ON>(e, bit)
+    ON & bit != 0
 }

@@ -22,6 +22,7 @@ pub mod soft_gap;
 pub(crate) mod solve;
 
 use crate::elements::{Elements, MAX_MEMORY};
+use crate::parameter::Params;
 use crate::state::State;
 
 /// Number of states that act on each other.
@@ -127,6 +128,40 @@ impl Slots {
             place::X | place::U => Some(place),
             _ => self.of(place).map(|slot| slot + 2),
         }
+    }
+}
+
+/// Number of private states of the elements in both paths that are on in a parameter set: as [`slots`] counts those of the
+/// prepared elements, before they are prepared.
+pub(crate) fn states_of(params: &Params) -> usize {
+    let on = |element: &str| usize::from(params.is_on(element));
+    let with =
+        |element: &str, name: &str, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.scalar(name)));
+    on("bushing")
+        + with("bushing", "bushing_slow_stiffness", |share| share > 0.0)
+        + usize::from(params.is_on("oil_compressibility") || params.is_on("aeration"))
+        + on("cavitation")
+        + on("frequency_selective_damping")
+        + on("valve_hysteresis")
+        + with("valve_hysteresis", "valve_form", |form| form == 2.0)
+        + with("temperature_fade", "fade_source", |source| source == 1.0)
+}
+
+/// Name and unit of the private state at a place, of the element set `e`.
+pub fn state_name(e: &Elements, place: usize) -> (&'static str, &'static str) {
+    match place {
+        place::X => ("internal_mass", "m"),
+        place::U => ("internal_mass_velocity", "m/s"),
+        place::BUSHING => ("bushing", "m"),
+        place::SLOW_BUSHING => ("bushing_slow", "m"),
+        place::COLUMN => ("oil_column", "m"),
+        place::VOID => ("cavitation_void", "m"),
+        place::SELECTIVE if e.frequency_selective_damping.holds_force() => ("frequency_selective_damping", "N"),
+        place::SELECTIVE => ("frequency_selective_damping", "-"),
+        place::VALVE if e.valve_hysteresis.holds_force() => ("valve_hysteresis", "N"),
+        place::VALVE => ("valve_hysteresis", "-"),
+        place::VALVE_RATE => ("valve_hysteresis_rate", "N"),
+        _ => ("oil_temperature_rise", "K"),
     }
 }
 

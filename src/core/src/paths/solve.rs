@@ -3,8 +3,9 @@
 use crate::curve::Value;
 use crate::elements::Elements;
 
-/// Most rounds; two are common, and each narrows a bracket once there is one.
-const ROUNDS: usize = 40;
+/// Most rounds; two are common. Past [`PATIENCE`] every other one halves what is left, so that the bracket has shrunk by 2^40
+/// when they end.
+const ROUNDS: usize = 96;
 /// Householder steps inside a piece of the FV curve: the rounds mend what they leave.
 const STEPS: usize = 2;
 
@@ -16,6 +17,10 @@ const PATIENCE: usize = 12;
 const REST: usize = 3;
 /// Relative step at which Newton's method has begun to settle.
 const SETTLED: f64 = 1e-4;
+
+/// What R may leave for the straight step, as a relative change of the velocity of the mass alone. Where the curve is steep and
+/// the oil behind it soft, a hardly visible step in w is a long one of the mass: straight on over a knee it would throw it.
+const STRAIGHT: f64 = 1e-4;
 
 /// R and its slopes over w and over F_d.
 #[derive(Clone, Copy, Debug)]
@@ -63,11 +68,24 @@ impl<A> Found<A> {
     }
 }
 
+/// One end of the bracket: a velocity and the FV curve's force there.
+#[derive(Clone, Copy)]
+struct End {
+    w: f64,
+    curve: f64,
+}
+
 /// Finds w from a guess. `tolerance` is the relative step that is the last: what it leaves is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
 /// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
 /// round lies on the right side of the last, and a bracket closes over those that do not settle.
+///
+/// # Why it always ends at an answer
+/// R is continuous and changes its sign: it follows the velocity of the mass (or the piston), which without end follows w.
+/// Steps that do not settle are replaced by halves of the bracket, in the measure a w + F_d(w) in which neither a steep nor a
+/// level piece of the curve is long. No answer leaves the bracket: the straight step that is left at the end is held
+/// inside, so that a slope is never carried beyond the places where R was looked at.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
     e: &Elements,
@@ -77,7 +95,8 @@ pub fn oil_velocity<Q: Equation>(
     equation: &Q,
 ) -> Found<Q::Seen> {
     let mut w = guess;
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut low = End { w: f64::NEG_INFINITY, curve: 0.0 };
+    let mut high = End { w: f64::INFINITY, curve: 0.0 };
     let mut last = 0.0;
     let mut round = 0;
     loop {
@@ -88,36 +107,51 @@ pub fn oil_velocity<Q: Equation>(
         let step = -r.value / (by_w + by_curve * curve.slope);
         let (size, scale) = (step.abs(), 1e-3 + w.abs());
         // Newton's steps shrink by their squares, so the next would be about step³/last².
+        let short = r.value.abs() <= STRAIGHT * scale * by_w;
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
-        if size <= tolerance * scale || settled || round == ROUNDS {
+        if short && (size <= tolerance * scale || settled) || round == ROUNDS {
+            let inside = w + step > low.w && w + step < high.w;
+            let step = if inside && round < ROUNDS { step } else { 0.0 };
             return Found { w, step, curve, look: seen };
         }
+        let here = End { w, curve: curve.value };
         if r.value > 0.0 {
-            high = w;
+            high = here;
         } else {
-            low = w;
+            low = here;
         }
         let newton = w + step;
         let mut next = newton;
+        let a = by_w / by_curve;
         // Beside the answer, where the curve was solved as well as its own steps can, Newton's step is closer.
         if round >= PATIENCE || size > NEAR * scale {
-            let per = 1.0 / by_curve;
-            let a = by_w * per;
-            (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value * per);
+            (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value / by_curve);
         }
         // The laws of air and valves are steepest at rest and level out to both sides: from there the steps do not swing.
         if round >= REST && next * w < 0.0 {
             next = 0.0;
         }
-        let bracketed = low.is_finite() && high.is_finite();
-        if !(next > low && next < high) {
-            // Rounding beside a steep place: halves, or the plain Newton step.
-            next = if bracketed { 0.5 * (low + high) } else { newton };
-        } else if round >= PATIENCE && round % 2 == 0 && bracketed {
-            next = 0.5 * (low + high);
+        let inside = next > low.w && next < high.w;
+        if !inside || round >= PATIENCE && round % 2 == 0 {
+            next = between(e, a, low, high, next, round);
         }
         last = (next - w).abs();
         w = next;
         round += 1;
+    }
+}
+
+/// The middle of a bracket; while one end is open, twice as far out in every round.
+#[cold]
+#[inline(never)]
+fn between(e: &Elements, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
+    match (low.w.is_finite(), high.w.is_finite()) {
+        (true, true) => {
+            let (middle, _) = e.fv_curve.solve::<STEPS>(a, 0.5 * (a * (low.w + high.w) + low.curve + high.curve));
+            if middle > low.w && middle < high.w { middle } else { 0.5 * (low.w + high.w) }
+        }
+        (true, false) if round >= PATIENCE => low.w + (low.w.abs() + 1e-3),
+        (false, true) if round >= PATIENCE => high.w - (high.w.abs() + 1e-3),
+        _ => next,
     }
 }

@@ -12,7 +12,7 @@
 
 mod stage;
 
-use super::{Euler, MOST_STAGES, REACH, Tableau};
+use super::{Euler, MOST_STAGES, REACH, Second, Tableau};
 use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;
@@ -92,8 +92,8 @@ impl Carried {
     /// Carries them over a stage. `seed` says how the direction moves the stage itself; its known parts are filled in
     /// here.
     #[inline(always)]
-    pub fn over<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>, mut seed: Seed) {
-        seed.known = known_part::<ON>(elements, &self.states, stage.row, stage.gamma, &self.gains, stage.index);
+    pub fn over<const ON: u32>(&mut self, _: &Elements, stage: &PathsStage<ON>, mut seed: Seed) {
+        seed.known = known_part::<ON>(&self.states, stage.row, stage.gamma, &self.gains, stage.index);
         if stage.valve_jumps {
             seed.known[place::VALVE] = self.states[place::VALVE];
         }
@@ -102,7 +102,7 @@ impl Carried {
             self.states = after.states;
             self.force = after.force;
         } else if let Some(gains) = self.gains.get_mut(stage.index) {
-            *gains = gain::<ON>(elements, &after.states, &seed.known);
+            *gains = gain::<ON>(&after.states, &seed.known);
         }
     }
 }
@@ -146,7 +146,6 @@ impl FollowPaths for PathsByEnd {
 /// The known part of a stage: the start plus Σ a_ij/γ gains_j over the stages before it.
 #[inline(always)]
 fn known_part<const ON: u32>(
-    e: &Elements,
     start: &[f64; STATES],
     row: &[f64],
     gamma: f64,
@@ -158,7 +157,7 @@ fn known_part<const ON: u32>(
     for (a, gain) in row.iter().zip(gains).take(index) {
         let a = a * per_gamma;
         for place in 0..STATES {
-            if moves::<ON>(e, place) {
+            if moves::<ON>(place) {
                 known[place] += a * gain[place];
             }
         }
@@ -168,10 +167,10 @@ fn known_part<const ON: u32>(
 
 /// What a stage adds to the states.
 #[inline(always)]
-fn gain<const ON: u32>(e: &Elements, after: &[f64; STATES], known: &[f64; STATES]) -> [f64; STATES] {
+fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; STATES] {
     let mut gain = [0.0; STATES];
     for place in 0..STATES {
-        if moves::<ON>(e, place) {
+        if moves::<ON>(place) {
             gain[place] = after[place] - known[place];
         }
     }
@@ -262,11 +261,7 @@ fn advance_on<const ON: u32>(
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
         let substep = Substep { elements: e, path, theta, part, ends_step: left == 0, side };
-        now = if e.has_cavitation() && substep.sees_the_void_turn::<ON>(&drive.method, &now) {
-            substep.in_pieces::<ON>(now, follow)
-        } else {
-            substep.run::<ON>(&drive.method, &now, follow)
-        };
+        now = substep.taken::<ON>(&drive.method, now, follow);
         theta += part;
     }
     slots.write(&now.states, state);
@@ -290,8 +285,6 @@ struct Now {
     force: f64,
     primary: f64,
     inner: f64,
-    /// Whether the void was overshot on the way.
-    overshot: bool,
 }
 
 impl Now {
@@ -303,7 +296,6 @@ impl Now {
         force: 0.0,
         primary: 0.0,
         inner: 0.0,
-        overshot: false,
     };
 }
 
@@ -328,26 +320,71 @@ const CLOSING: f64 = 2e-5;
 /// A void smaller than this, m, is closed.
 const SHUT: f64 = 1e-9;
 
+/// Pieces of a substep in which something turns that the method of the model carries on beyond its turn.
+const CALM: u32 = 8;
+/// How far beyond the forces of its stages, in parts of their spread, a substep may end. A smooth force, read at a quarter, a
+/// half and three quarters, goes on by half that spread.
+const THROWN: f64 = 2.0;
+/// The same beside the size of those forces: where they hardly spread, an end so near is no throw.
+const BESIDE: f64 = 0.02;
+
+/// What a substep came to.
+enum Ended {
+    /// Its end.
+    At(Now),
+    /// A void closed inside it.
+    VoidClosed,
+    /// It was thrown beyond what its stages know.
+    Thrown,
+}
+
 impl Substep<'_> {
-    /// All stages of one method.
+    /// By the method of the model; in pieces where something turns inside that this would carry on beyond its turn.
+    ///
+    /// # What keeps the force near
+    /// Each stage has an answer (see [`crate::paths::solve`]) and its own force is one that the elements make. What a method
+    /// puts together from its stages need not be: the last row of the one of fourth order weighs them by up to 31. Where
+    /// the force at the end lies outside those of its stages, the substep is done again by the method of second order, which
+    /// is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979): two motions of a damper that only
+    /// takes energy do not part in it, however sharply its elements turn.
     #[inline(always)]
-    fn run<const ON: u32>(&self, method: &Table, from: &Now, follow: &mut impl FollowPaths) -> Now {
+    fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl FollowPaths) -> Now {
+        let turns = acts::<ON>(self.elements, CAVITATION) && self.driven_turns(&from);
+        let ended = if turns { Ended::VoidClosed } else { self.run::<ON, true>(method, &from, follow) };
+        match ended {
+            Ended::At(end) => end,
+            Ended::VoidClosed => self.in_pieces::<ON>(&Table::of::<Euler>(), PIECES, from, follow),
+            // So rare that it is compiled once for all.
+            Ended::Thrown => self.in_pieces::<ANY>(&Table::of::<Second>(), CALM, from, follow),
+        }
+    }
+
+    /// All stages of one method. `WATCHED`: unless it ends where it should not; its last stage is then told to nobody, so that
+    /// who follows is where the substep began.
+    #[inline(always)]
+    fn run<const ON: u32, const WATCHED: bool>(
+        &self,
+        method: &Table,
+        from: &Now,
+        follow: &mut impl FollowPaths,
+    ) -> Ended {
         let e = self.elements;
         let h = self.path.length() * self.part;
         let g = method.gamma * h;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
         let mut now = *from;
-        now.overshot = false;
+        let mut overshot = false;
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for (index, (row, place_of)) in method.a.iter().zip(method.c).enumerate().take(method.stages) {
             let last = index + 1 == method.stages;
             let ends = last && self.ends_step;
             let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
-            let mut known = known_part::<ON>(e, &from.states, row, method.gamma, &gains, index);
+            let mut known = known_part::<ON>(&from.states, row, method.gamma, &gains, index);
             if valve_jumps {
                 known[place::VALVE] = from.states[place::VALVE];
             }
-            now.overshot |= known[place::VOID] < 0.0;
+            overshot |= known[place::VOID] < 0.0;
             // The oil follows the driven end, but where a void takes up the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
@@ -365,6 +402,19 @@ impl Substep<'_> {
             };
             let stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
             let balance = stage.balance();
+            if !last {
+                least = if balance.force < least { balance.force } else { least };
+                most = if balance.force > most { balance.force } else { most };
+            } else if WATCHED {
+                let void = from.states[place::VOID];
+                if acts::<ON>(e, CAVITATION) && void > 0.0 && (overshot || balance.states[place::VOID] < CLOSING) {
+                    return Ended::VoidClosed;
+                }
+                let near = THROWN * (most - least) + BESIDE * (most.abs() + least.abs());
+                if index > 1 && !(balance.force > least - near && balance.force < most + near) {
+                    return Ended::Thrown;
+                }
+            }
             follow.paths_stage(e, &stage);
             (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
@@ -374,32 +424,36 @@ impl Substep<'_> {
                 }
                 (now.force, now.primary, now.inner) = (balance.force, balance.primary, balance.inner);
             } else if let Some(gains) = gains.get_mut(index) {
-                *gains = gain::<ON>(e, &balance.states, &known.states);
+                *gains = gain::<ON>(&balance.states, &known.states);
             }
         }
-        now
+        Ended::At(now)
     }
 
-    /// Whether a void closes, or its driving pressure jumps, inside the substep: a method of higher order would then
-    /// carry on beyond it what was before.
-    fn sees_the_void_turn<const ON: u32>(&self, method: &Table, from: &Now) -> bool {
+    /// Whether the driven end turns round beside a void, whose pressure then jumps.
+    #[inline(always)]
+    fn driven_turns(&self, from: &Now) -> bool {
         let void = from.states[place::VOID];
-        let (start, end) = (self.path.at(self.theta).v, self.path.at(self.theta + self.part).v);
-        void > 0.0
-            && (start * end <= 0.0 || {
-                let ended = self.run::<ON>(method, from, &mut ());
-                ended.overshot || ended.states[place::VOID] < CLOSING
-            })
+        void > 0.0 && self.path.at(self.theta).v * self.path.at(self.theta + self.part).v <= 0.0
     }
 
-    /// In short implicit pieces of the first order, which keep the void from closing further than it is open.
+    /// In short pieces. Those of the first order keep a void from closing further than it is open.
     #[inline(never)]
-    fn in_pieces<const ON: u32>(&self, mut now: Now, follow: &mut impl FollowPaths) -> Now {
-        let part = self.part / PIECES as f64;
-        for piece in 1..=PIECES {
-            let theta = self.theta + (piece - 1) as f64 * part;
-            let ends_step = self.ends_step && piece == PIECES;
-            now = Substep { theta, part, ends_step, ..*self }.run::<ON>(&Table::of::<Euler>(), &now, follow);
+    fn in_pieces<const ON: u32>(
+        &self,
+        method: &Table,
+        pieces: u32,
+        mut now: Now,
+        follow: &mut impl FollowPaths,
+    ) -> Now {
+        let part = self.part / f64::from(pieces);
+        for piece in 1..=pieces {
+            let theta = self.theta + f64::from(piece - 1) * part;
+            let ends_step = self.ends_step && piece == pieces;
+            let piece = Substep { theta, part, ends_step, ..*self };
+            if let Ended::At(end) = piece.run::<ON, false>(method, &now, follow) {
+                now = end;
+            }
         }
         now
     }

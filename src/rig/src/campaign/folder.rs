@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Campaign, Record};
 use crate::RigError;
-use crate::files::{replace_file, write_file};
+use crate::files::write_file;
 use crate::hidden_case::SEALED_FOLDER;
 
 /// Name of the description; it marks a folder as a campaign.
@@ -90,7 +90,9 @@ impl Campaign {
         let description = toml::to_string(&self.description()).map_err(|error| {
             RigError::io("describe the campaign in", &folder.join(CAMPAIGN_FILE))(io::Error::other(error))
         })?;
-        replace_file(&folder.join(CAMPAIGN_FILE), |out| out.write_all(description.as_bytes()))?;
+        let place = folder.join(CAMPAIGN_FILE);
+        write_file(&aside.join(CAMPAIGN_FILE), |out| out.write_all(description.as_bytes()))?;
+        fs::rename(aside.join(CAMPAIGN_FILE), &place).map_err(RigError::io("write", &place))?;
         for file in &files {
             let place = folder.join(file);
             fs::rename(aside.join(file), &place).map_err(RigError::io("write", &place))?;

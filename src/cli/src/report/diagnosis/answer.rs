@@ -4,7 +4,7 @@ use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
 use crate::report::blocks::{Block, Column, Figure, Section, Table};
 use crate::report::numbers::{digits, percent, share};
-use dashpot_lab::diagnosis::{Diagnosis, TestOutcome, Verdict};
+use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 
 /// The first section.
 pub fn section(found: &Diagnosis) -> Section {
@@ -46,7 +46,7 @@ fn gap(found: &Diagnosis) -> Option<String> {
     };
     match found.verdict {
         Verdict::Named => Some(match found.gap_closed {
-            Some(gap) => format!("{where_from}; {} of the gap between model and noise is closed.", share(gap)),
+            Some(gap) => format!("{where_from}; {} of the gap between model and noise is closed, each test counted in units of its own noise.", share(gap)),
             None => format!("{where_from}."),
         }),
         Verdict::NothingMissing => Some("The model stays as it is; only its numbers were refitted.".to_owned()),
@@ -84,8 +84,9 @@ fn key_table(found: &Diagnosis) -> Table {
             vec![
                 name.to_owned(),
                 digits(f.rmse_n, 4),
-                held_out(f.held_out_rmse_n),
                 digits(f.noise_n, 4),
+                held_out(f.held_out_rmse_n),
+                held_out(f.held_out_noise_n),
                 percent(f.error_percent),
             ]
         })
@@ -93,8 +94,9 @@ fn key_table(found: &Diagnosis) -> Table {
     let columns = vec![
         Column::words("model"),
         Column::figures("fitted tests,\u{a0}N\u{a0}rms"),
+        Column::figures("noise of these,\u{a0}N\u{a0}rms"),
         Column::figures("left-out tests,\u{a0}N\u{a0}rms"),
-        Column::figures("noise alone,\u{a0}N\u{a0}rms"),
+        Column::figures("noise of these,\u{a0}N\u{a0}rms"),
         Column::figures("error,\u{a0}%"),
     ];
     let caption =

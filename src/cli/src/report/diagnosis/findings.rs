@@ -1,8 +1,8 @@
 //! What was added, with its numbers, and why not something else.
 
 use crate::report::blocks::{Block, Column, Section, Table};
-use crate::report::numbers::{digits, share, with_interval, with_unit};
-use dashpot_lab::diagnosis::{Diagnosis, Finding, Rival, Verdict};
+use crate::report::numbers::{share, with_interval, with_unit};
+use dashpot_diagnosis::{Diagnosis, Finding, Rival, Verdict};
 
 /// The findings, and the suspects of what got no name; `None` where nothing is missing.
 pub fn section(found: &Diagnosis) -> Option<Section> {
@@ -12,11 +12,9 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
     }
     if !found.suspects.is_empty() {
         let caption = match found.verdict {
-            Verdict::CannotTell => "These explain the disagreement about equally well, likeliest first.",
-            Verdict::Named => {
-                "These explain what is left about equally well, likeliest first; none is sure enough to be added."
-            }
-            _ => "What comes nearest, and why it is not named.",
+            Verdict::CannotTell => "One of these is missing, likeliest first.",
+            Verdict::Named => "What may be missing beside that, likeliest first; none is likely enough to be added.",
+            _ => "What comes nearest; none is likely enough to be named.",
         };
         blocks.push(Block::Table(rivals(caption, &found.suspects)));
     }
@@ -31,6 +29,10 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
              model; put the rig right before the next campaign.",
             all.join(", ")
         )));
+    }
+    if !found.changed.is_empty() {
+        blocks.push(Block::Heading("Numbers that are others than on the reference damper".into()));
+        blocks.push(Block::Table(changed(found)));
     }
     if !found.shifts.is_empty() {
         blocks.push(Block::Heading("Numbers of the model that moved".into()));
@@ -67,11 +69,11 @@ fn one(place: usize, finding: &Finding) -> Vec<Block> {
         Block::Heading(format!("{place}. {}{form}: {} sure", finding.effect, share(finding.confidence))),
         Block::Paragraph(format!("{}. {to_what}{gap}", capital(&finding.meaning))),
         Block::Paragraph(format!(
-            "Why: it explains {} of what was beyond the noise at that point (χ² falls by {}, by {} after the price of its \
-             numbers); leaving out one test at a time, {} of them are predicted better with it.",
-            share(e.share),
-            digits(e.chi2_fall, 3),
-            digits(e.bic_fall, 3),
+            "Where: {} (family {}, {} sure). Why: without it {} of the disagreement opens again; it leaves less of {} of the tests.",
+            finding.path,
+            finding.family,
+            share(finding.family_confidence),
+            share(finding.share),
             share(e.tests_better),
         )),
     ];
@@ -79,7 +81,7 @@ fn one(place: usize, finding: &Finding) -> Vec<Block> {
         blocks.push(Block::Table(parameters(finding)));
     }
     if !finding.rivals.is_empty() {
-        blocks.push(Block::Table(rivals("Rivals in the same round, and why they lost.", &finding.rivals)));
+        blocks.push(Block::Table(rivals("What else was tried in its place.", &finding.rivals)));
     }
     blocks
 }
@@ -114,6 +116,21 @@ fn rivals(caption: &str, rivals: &[Rival]) -> Table {
     let columns =
         vec![Column::words("effect"), Column::figures("confidence"), Column::figures("explains"), Column::words("why")];
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
+}
+
+fn changed(found: &Diagnosis) -> Table {
+    let row = |c: &dashpot_diagnosis::Change| {
+        let (value, interval) = with_interval(c.value, c.low, c.high, c.unit);
+        vec![c.parameter.to_owned(), with_unit(c.reference, c.unit), value, interval]
+    };
+    let columns = vec![
+        Column::words("parameter"),
+        Column::figures("reference"),
+        Column::figures("this damper"),
+        Column::figures("95 % interval"),
+    ];
+    let caption = "Shown are those that differ by more than three standard deviations of both fits.".to_owned();
+    Table { caption, columns, rows: found.changed.iter().map(row).collect(), sortable: false }
 }
 
 fn shifts(found: &Diagnosis) -> Table {

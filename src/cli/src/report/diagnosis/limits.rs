@@ -2,7 +2,7 @@
 
 use crate::report::blocks::{Block, Column, Section, Table};
 use crate::report::numbers::{digits, milli};
-use dashpot_lab::diagnosis::Diagnosis;
+use dashpot_diagnosis::Diagnosis;
 
 /// The last words.
 pub fn section(found: &Diagnosis, reading: &[String]) -> Section {

@@ -3,7 +3,7 @@
 use crate::plot::before_after;
 use crate::report::blocks::{Block, Figure, Section};
 use crate::report::numbers::{digits, share};
-use dashpot_lab::diagnosis::{Diagnosis, TestOutcome};
+use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
 /// Tests shown of each kind.
 const SHOWN: usize = 3;

@@ -3,9 +3,9 @@
 use crate::plot::overview;
 use crate::report::blocks::{Block, Figure, Section};
 use crate::report::errors;
-use dashpot_lab::diagnosis::{Diagnosis, TestOutcome};
-use dashpot_lab::records::Record;
-use dashpot_lab::validation::{Compared, Validation, validate};
+use dashpot_diagnosis::{Diagnosis, TestOutcome};
+use dashpot_identification::validation::{Compared, Validation, validate};
+use dashpot_records::Record;
 
 /// The error matrix; `None` where nothing can be compared.
 pub fn section(found: &Diagnosis, records: &[&Record]) -> Option<Section> {

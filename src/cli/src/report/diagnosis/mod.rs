@@ -21,8 +21,8 @@ mod tried;
 pub use answer::{headline, picture};
 
 use super::{ParameterRow, Section, page, parameters, write_figures, write_page};
-use dashpot_lab::diagnosis::Diagnosis;
-use dashpot_lab::records::Record;
+use dashpot_diagnosis::Diagnosis;
+use dashpot_records::Record;
 use std::path::{Path, PathBuf};
 
 /// Everything the report of a diagnosis tells.

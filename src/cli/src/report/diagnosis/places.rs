@@ -3,7 +3,7 @@
 use crate::plot::{residual, residual_map};
 use crate::report::blocks::{Block, Column, Figure, Section, Table};
 use crate::report::numbers::{beside, digits};
-use dashpot_lab::diagnosis::{Diagnosis, Region};
+use dashpot_diagnosis::{Diagnosis, Region};
 
 /// Regions, maps and curves.
 pub fn section(found: &Diagnosis) -> Section {

@@ -2,7 +2,7 @@
 
 use crate::report::blocks::{Block, Column, Section, Table};
 use crate::report::numbers::{digits, share};
-use dashpot_lab::diagnosis::Diagnosis;
+use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
 pub fn section(found: &Diagnosis) -> Option<Section> {
@@ -11,10 +11,11 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
         return None;
     }
     let mut blocks = vec![Block::Paragraph(
-        "In each round every candidate is added to the model, all numbers are refitted with it, and the best is kept if it \
-         deserves it. Explains: share of what is beyond the noise. χ² and its fall after the price of the candidate's numbers \
-         are in squares of the noise. Left-out gain: mean fall of the logarithm of a test's error when that test is left out \
-         of the refit."
+        "In each look every form of every effect is added to the model and all numbers are refitted with it, from several \
+         starts. Explains: share of the mean square beyond the noise. Error left: mean over the tests, in units of what noise and \
+         the form of curves leave. Log odds: how many more times the records are likely with it, as a natural logarithm, each test \
+         counted as one independent sample and its numbers paid for. Strange numbers: what values that dampers hardly show cost it, \
+         in the same units. Probability is that of the effect, over all its forms."
             .to_owned(),
     )];
     for (k, round) in rounds.iter().enumerate() {
@@ -27,30 +28,24 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
                     t.form.to_owned(),
                     share(t.confidence),
                     share(e.share),
-                    digits(e.chi2_fall, 3),
-                    digits(e.bic_fall, 3),
-                    digits(e.left_out_gain, 2),
+                    digits(e.mean_square_after.sqrt(), 3),
+                    digits(e.log_odds, 3),
+                    digits(e.implausibility, 2),
                     share(e.tests_better),
-                    if e.plausible < 1.0 { "no".into() } else { "yes".into() },
                 ]
             })
             .collect();
         let columns = vec![
             Column::words("effect"),
             Column::words("form"),
-            Column::figures("confidence"),
+            Column::figures("probability"),
             Column::figures("explains"),
-            Column::figures("χ² falls by"),
-            Column::figures("after its price"),
-            Column::figures("left-out gain"),
+            Column::figures("error left"),
+            Column::figures("log odds"),
+            Column::figures("strange numbers"),
             Column::figures("tests better"),
-            Column::words("plausible numbers"),
         ];
-        let kept = found.findings.get(k).map_or("nothing was added", |f| f.effect);
-        let caption = match found.findings.get(k) {
-            Some(_) => format!("Round {}: {kept} was added.", k + 1),
-            None => format!("Round {}: {kept}.", k + 1),
-        };
+        let caption = format!("Look {}.", k + 1);
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: true }));
     }
     Some(Section::new("tried", "Everything that was tried", blocks))

@@ -4,11 +4,11 @@ mod riddle;
 
 use super::data::DataArgs;
 use super::{fit, output, validate};
+use crate::output::FolderLock;
 use crate::progress::Progress;
 use crate::report;
-use anyhow::Context as _;
-use dashpot_lab::identification::FitOptions;
-use dashpot_lab::{model_file, validation};
+use dashpot_identification::FitOptions;
+use dashpot_identification::{model_file, validation};
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let say = |text: &str| output::say(None, text);
     let records = args.output.join("records");
-    std::fs::create_dir_all(&args.output).with_context(|| format!("making the folder {}", args.output.display()))?;
+    let _held = FolderLock::take(&args.output)?;
     say("1. A virtual rig measures a virtual damper over the thesis's test matrix.")?;
     let progress = Progress::new("measuring");
     let options = Options { seed: args.seed, ..Options::default() };

@@ -6,9 +6,9 @@ use crate::progress::Progress;
 use crate::report::diagnosis::picture;
 use crate::report::replace_file;
 use anyhow::Context as _;
-use dashpot_lab::diagnosis::Options as DiagnosisOptions;
-use dashpot_lab::identification::FitOptions;
-use dashpot_lab::model_file;
+use dashpot_diagnosis::Options as DiagnosisOptions;
+use dashpot_identification::FitOptions;
+use dashpot_identification::model_file;
 use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
 use std::path::{Path, PathBuf};
 

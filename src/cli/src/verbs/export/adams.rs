@@ -2,10 +2,11 @@
 
 use crate::adams::folder;
 use crate::report::replace_file;
+use crate::runtimes;
 use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::{Context as _, bail};
-use dashpot_lab::model_file;
+use dashpot_identification::model_file;
 use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
@@ -22,7 +23,7 @@ pub struct Args {
     /// Distance of the damper's markers at zero displacement, mm
     #[arg(long, value_name = "MM", default_value_t = 400.0)]
     length: f64,
-    /// The built library; if not given, the one beside this program
+    /// The library to hand out; if not given, those that this command holds (Linux and Windows), or the one beside it
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
 }
@@ -36,11 +37,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let params = model_file::read(&args.model)?.params;
     let model = prepared(&params)?;
-    let beside = std::env::current_exe().ok().map(|program| program.with_file_name(LIBRARY)).filter(|p| p.is_file());
-    let library = match args.library.clone().or(beside) {
-        Some(path) => Some(std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?),
-        None => None,
-    };
+    let libraries = libraries(args.library.as_deref())?;
     let text = std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?;
     std::fs::create_dir_all(&args.output).with_context(|| format!("making the folder {}", args.output.display()))?;
     let put = |name: &str, bytes: &[u8]| {
@@ -50,19 +47,49 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     put("damper.toml", &text)?;
     let (files, no_native) = folder::files(&params, &model, "damper.toml", args.length, &Matrix::default());
     for file in files {
-        put(file.name, file.text.as_bytes())?;
+        // Who opens the folder later has not seen what the command said.
+        let missing = libraries.is_empty() && file.name == "README.txt";
+        let note = if missing { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
+        put(file.name, (note + &file.text).as_bytes())?;
     }
     if let Some(reason) = no_native {
         output::say(None, &format!("note: no native.adm, because {reason}"))?;
     }
-    match library {
-        Some(bytes) => put(LIBRARY, &bytes)?,
-        None => output::say(
-            None,
-            &format!(
-                "note: no {LIBRARY} beside this program; build it with `make -C adams-usersub` and give --library"
-            ),
-        )?,
+    for (name, content) in &libraries {
+        put(name, content)?;
+    }
+    if libraries.is_empty() {
+        output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
     }
     output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
+}
+
+/// How to come by a library.
+fn no_library() -> String {
+    format!(
+        "This command holds no Adams library and there is no {LIBRARY} beside it: {}; or `make -C adams-usersub` and --library FILE.",
+        runtimes::HOW
+    )
+}
+
+/// Names and contents of the libraries to write.
+fn libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
+    let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
+    if let Some(path) = named {
+        let content = read(path)?;
+        // A library for Windows keeps its name on Linux too.
+        let name = if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" };
+        return Ok(vec![(name.into(), content)]);
+    }
+    let held: Vec<(String, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
+        .into_iter()
+        .filter_map(|(platform, name)| Some((name.to_owned(), runtimes::compiled(platform, name)?.to_vec())))
+        .collect();
+    if !held.is_empty() {
+        return Ok(held);
+    }
+    match std::env::current_exe().ok().map(|program| program.with_file_name(LIBRARY)).filter(|p| p.is_file()) {
+        Some(path) => Ok(vec![(LIBRARY.into(), read(&path)?)]),
+        None => Ok(Vec::new()),
+    }
 }

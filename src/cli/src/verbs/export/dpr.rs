@@ -1,18 +1,19 @@
 //! `dashpot export dpr`: the FV curve as an Adams Car property file.
 
-use crate::adams::dpr::{self, Curve};
-use crate::adams::gas_preload;
+use crate::adams::property::{self, Curve, Form, Properties};
 use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::bail;
+use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::{Model, Params};
-use dashpot_lab::model_file;
+use dashpot_identification::model_file;
 use std::path::PathBuf;
 
 /// Write the FV curve of a model as an Adams Car damper property file
 ///
 /// A property file holds the curve alone; friction, springs and series stiffness need the routines of `dashpot export adams`.
-/// A file name that ends in .xml gets the XML form, which holds the gas preload too.
+/// A file name that ends in .xml gets the XML form, which holds the gas preload too. What is left out stands in the file as a
+/// comment and is said.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot export dpr damper.toml -o damper.dpr")]
 pub struct Args {
@@ -34,14 +35,29 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let model = prepared(&file.params)?;
     let curve = curve(&file.params, &model);
     let xml = args.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-    let text = if xml {
-        let gas = if file.params.is_on("gas_preload") { file.params.scalar("gas_force") } else { 0.0 };
-        gas_preload::write(&curve, gas)
-    } else {
-        dpr::write(&curve)
-    };
+    let form = if xml { Form::Xml } else { Form::TeimOrbit };
+    let gas_force = if xml && file.params.is_on("gas_preload") { file.params.scalar("gas_force") } else { 0.0 };
+    let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
+    let left_out: Vec<&str> = GROUPS[..elements::COUNT]
+        .iter()
+        .map(|g| g.name)
+        .filter(|name| file.params.is_on(name) && !held(name))
+        .collect();
+    let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let mut notes = vec![format!(
+        "Written by dashpot {} from {} (check sum {:08x}). Rebound and tension are positive.",
+        env!("CARGO_PKG_VERSION"),
+        if named.is_ascii() { named } else { "a model file".into() },
+        crate::fmu::check_sum(&std::fs::read(&args.model)?)
+    )];
+    if !left_out.is_empty() {
+        notes.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
+    }
+    let points = curve.velocities.len();
+    let text = property::write(&Properties { curve, straight: false, gas_force, notes }, form);
     output::write(&args.output, &text)?;
-    output::say(Some(&args.output), &format!("{} points in {}", curve.velocities.len(), args.output.display()))
+    let more = if left_out.is_empty() { String::new() } else { format!("; left out: {}", left_out.join(", ")) };
+    output::say(Some(&args.output), &format!("{points} points in {}{more}", args.output.display()))
 }
 
 /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.

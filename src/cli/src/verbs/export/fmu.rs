@@ -3,17 +3,19 @@
 use super::super::{output, validate};
 use crate::fmu::{self, Binary, Scales, Version};
 use crate::report::replace_file;
+use crate::runtimes;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
-use dashpot_lab::model_file;
+use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
 
 /// A functional mock-up unit: co-simulation and model exchange in one file
 ///
 /// One model file makes an FMU of one damper (displacement and velocity in extension, force in tension). Two (front and
 /// rear) or four (L1, R1, L2, R2) make a vehicle's: Damper_Jounce_L1 and Damper_Jounce_Rate_L1 in compression,
-/// Damper_Force_L1 positive where the damper pushes. Signs, units and motion ratio are parameters of the FMU. It is
-/// compiled on this computer, for this computer; its sources are inside.
+/// Damper_Force_L1 positive where the damper pushes. Signs, units, motion ratio and the distance between the rig's zero and the
+/// vehicle's are parameters of the FMU. No compiler is needed: the FMU holds a runtime that reads the model from its resources,
+/// and the sources of it all.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export fmu front.toml rear.toml -o car.fmu"
@@ -37,10 +39,19 @@ pub struct Args {
     /// The host's force per N of tension [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force_scale: Option<f64>,
-    /// The static library of dashpot [default: libdashpot.a beside this command]
-    #[arg(long, value_name = "FILE")]
+    /// Damper extension from the rig's zero, in m, where the host's displacement is 0
+    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    position_offset: f64,
+    /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
+    #[arg(long)]
+    no_sources: bool,
+    /// Compile the binary here, for this computer alone, with the model inside it (needs a C compiler: cc, or CC)
+    #[arg(long)]
+    from_source: bool,
+    /// With --from-source: the static library of dashpot [default: libdashpot.a beside this command]
+    #[arg(long, value_name = "FILE", requires = "from_source")]
     library: Option<PathBuf>,
-    /// The binary for one more platform, such as win64, compiled from this FMU's own sources
+    /// The binary for one more platform, such as darwin64, compiled from this FMU's own sources
     #[arg(long, value_name = "PLATFORM=FILE")]
     binary: Vec<String>,
 }
@@ -68,7 +79,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         _ => bail!("give one model file, two (front, rear) or four (L1, R1, L2, R2)"),
     };
     let usual = if corners.len() == 1 { 1.0 } else { -1.0 };
-    let scales = Scales { motion: args.motion_scale.unwrap_or(usual), force: args.force_scale.unwrap_or(usual) };
+    let scales = Scales {
+        motion: args.motion_scale.unwrap_or(usual),
+        force: args.force_scale.unwrap_or(usual),
+        position_offset: args.position_offset,
+    };
+    if !(scales.position_offset.abs() <= 1.0) {
+        bail!("--position-offset is in m and lies between -1 and 1, not {}", scales.position_offset);
+    }
     for (name, scale) in [("--motion-scale", scales.motion), ("--force-scale", scales.force)] {
         if !scale.is_finite() || scale == 0.0 {
             bail!("{name} must be finite and not 0");
@@ -76,10 +94,34 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
-    let bytes = fmu::fmu(&corners, version, scales, &library(args.library.as_deref())?, &more)?;
-    replace_file(&args.output, &bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
+    // A command that holds no compiled runtime compiles one here, where that can be done.
+    let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
+    let compiles = args.from_source || !holds_one && library(None).is_ok();
+    if compiles && !args.from_source {
+        eprintln!(
+            "note: this command holds no compiled FMU runtime, so it is compiled here for this platform alone; {}",
+            runtimes::HOW
+        );
+    }
+    let library = if compiles { Some(library(args.library.as_deref())?) } else { None };
+    let stem = args.models[0].file_stem().map_or_else(|| "damper".into(), |stem| stem.to_string_lossy().into_owned());
+    let name =
+        if corners.len() == 1 { format!("dashpot {stem}") } else { format!("dashpot vehicle, four dampers ({stem})") };
+    let made = fmu::fmu(
+        &corners,
+        &fmu::Options {
+            version,
+            scales,
+            name: &name,
+            from_source: library.as_deref(),
+            sources: !args.no_sources,
+            more: &more,
+        },
+    )?;
+    replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
-    output::say(None, &format!("{}: FMI {}.0, {corners}", args.output.display(), args.fmi))
+    let platforms = made.platforms.join(", ");
+    output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))
 }
 
 /// A binary for another platform, from PLATFORM=FILE.

@@ -1,14 +1,14 @@
-//! `dashpot import dpr`: a model from the FV curve of an Adams Car property file.
+//! `dashpot import dpr`: a model from an Adams Car property file, TeimOrbit or XML.
 
-use crate::adams::dpr;
+use crate::adams::property;
 use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
-use dashpot_lab::model_file;
+use dashpot_identification::model_file;
 use std::path::PathBuf;
 
-/// Make a model file from an Adams Car damper property file: the FV curve alone
+/// Make a model file from an Adams Car damper property file, .dpr or .xml: the FV curve, and the gas force where it has one
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot import dpr mdi_0001.dpr -o damper.toml")]
 pub struct Args {
@@ -25,7 +25,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     output::check([args.output.as_path()])?;
     let named = || args.input.display().to_string();
     let bytes = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
-    let curve = dpr::read(&String::from_utf8_lossy(&bytes)).with_context(named)?;
+    let read = property::read(&bytes).with_context(named)?;
+    let curve = &read.curve;
     let mut params = Params::new();
     params.disable_all();
     let set = |params: &mut Params, name: &str, values: &[f64]| {
@@ -34,17 +35,35 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     params.enable("fv_curve", true).map_err(|fault| anyhow!("fv_curve {}", fault.reason.text()))?;
     set(&mut params, "fv_velocity", &curve.velocities)?;
     set(&mut params, "fv_force", &curve.forces)?;
+    let scalar = |params: &mut Params, name: &str, value: f64| {
+        params.set(name, value).map_err(|fault| anyhow!("{}: {name} {}", named(), fault.reason.text()))
+    };
+    if read.straight {
+        scalar(&mut params, "fv_interpolation", 1.0)?;
+    }
+    if read.gas_force != 0.0 {
+        params.enable("gas_preload", true).map_err(|fault| anyhow!("gas_preload {}", fault.reason.text()))?;
+        scalar(&mut params, "gas_force", read.gas_force)?;
+    }
     prepared(&params).with_context(named)?;
-    output::write(
-        &args.output,
-        &model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning)),
-    )?;
+    let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
+    let file = args.input.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let mut text = format!("# Read from {}.\n", file.escape_debug());
+    for note in &read.notes {
+        text += &format!("# Left out: {}.\n", note.escape_debug());
+    }
+    output::write(&args.output, &(text + "\n" + &flat))?;
+    let beside = if read.gas_force == 0.0 {
+        "friction, gas and series stiffness are off".to_owned()
+    } else {
+        format!("a gas force of {} N; friction and series stiffness are off", read.gas_force)
+    };
     output::say(
         Some(&args.output),
-        &format!(
-            "{} points in {}; friction, gas and series stiffness are off",
-            curve.velocities.len(),
-            args.output.display()
-        ),
-    )
+        &format!("{} points in {}; {beside}", curve.velocities.len(), args.output.display()),
+    )?;
+    for note in &read.notes {
+        output::say(Some(&args.output), &format!("  left out: {note}"))?;
+    }
+    Ok(())
 }

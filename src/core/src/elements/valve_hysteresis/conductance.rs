@@ -52,8 +52,9 @@ impl Conductance {
     pub const NONE: Conductance = Conductance { first: 0, strokes: [[At { g: 1.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
     /// From the force `opens` on, which h never falls below.
-    pub fn new(curve: &FvCurve, opens: f64) -> Conductance {
-        let mut table = Conductance { first: opens.to_bits() >> BEHIND, ..Conductance::NONE };
+    pub fn set(&mut self, curve: &FvCurve, opens: f64) {
+        let table = self;
+        table.first = opens.to_bits() >> BEHIND;
         for (stroke, places) in [-1.0, 1.0].into_iter().zip(&mut table.strokes) {
             for (at, bits) in places.iter_mut().zip(table.first..) {
                 *at = exact(curve, f64::from_bits(bits << BEHIND), stroke);
@@ -80,6 +81,13 @@ impl Conductance {
                 last.by_h = 0.0;
             }
         }
+    }
+
+    /// As [`Conductance::set`], by value.
+    #[cfg(test)]
+    fn new(curve: &FvCurve, opens: f64) -> Conductance {
+        let mut table = Conductance::NONE;
+        table.set(curve, opens);
         table
     }
 

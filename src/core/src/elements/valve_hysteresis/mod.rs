@@ -168,8 +168,13 @@ impl ValveHysteresis {
     /// Reads what its passage conducts off the FV curve.
     pub(crate) fn join(&mut self, curve: &FvCurve) {
         if self.form != Form::Opening {
-            self.conductance = Conductance::new(curve, self.middle);
+            self.conductance.set(curve, self.middle);
         }
+    }
+
+    /// Whether its state is the force at which it stands, and not an opening.
+    pub(crate) fn holds_force(&self) -> bool {
+        self.form != Form::Opening
     }
 
     /// Whether it has mass, and with it a second state: its rate times τ, N.

@@ -15,7 +15,7 @@ use crate::paths::{STATES, place};
 use core::cell::Cell;
 
 /// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
-const TOLERANCE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-5;
 
 /// One stage after it was solved: all that a derivative of the step needs. `ON` is what acts in it
 /// ([`crate::paths::acting`]).

@@ -1,0 +1,89 @@
+"""One damper from a model file, by ctypes: what the Python hosts beside this file share. Needs libdashpot.so or dashpot.dll alone."""
+import ctypes as c
+
+
+class Params(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("abi_version", c.c_uint32), ("opaque", c.c_uint64 * 1023)]
+
+
+class Model(c.Structure):
+    _fields_ = [("opaque", c.c_uint64 * 3072)]
+
+
+class State(c.Structure):
+    _fields_ = [("displacement", c.c_double), ("velocity", c.c_double), ("mass_displacement", c.c_double),
+                ("mass_velocity", c.c_double), ("memory", c.c_double * 8)]
+
+
+class Input(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("known", c.c_uint32)] + [
+        (n, c.c_double) for n in ("displacement", "velocity", "side_force", "temperature")]
+
+
+class Output(c.Structure):
+    _fields_ = [(n, c.c_double) for n in (
+        "force", "force_by_displacement", "force_by_velocity", "primary_force", "spring_force", "friction_force", "gas_force",
+        "series_deflection", "stop_force", "oil_temperature")]
+
+
+class Fault(c.Structure):
+    _fields_ = [("status", c.c_int32), ("line", c.c_uint32), ("parameter", c.c_char * 48)]
+
+
+ABI_VERSION, KNOWS_DISPLACEMENT = 9, 1
+
+
+def aligned(kind):
+    """A zeroed structure at an address divisible by 16, which Params and Model need and ctypes does not promise."""
+    block = c.create_string_buffer(c.sizeof(kind) + 16)
+    made = kind.from_buffer(block, -c.addressof(block) % 16)
+    made._block = block
+    return made
+
+
+class Damper:
+    """Extension velocity and tension are positive; SI. `evaluate` is for hosts whose solver integrates the states, `step` for all others."""
+
+    def __init__(self, library, model_file, position=0.0):
+        self.library = c.CDLL(library)
+        self.library.dashpot_status_text.restype = c.c_char_p
+        if self.library.dashpot_abi_version() != ABI_VERSION:
+            raise RuntimeError(f"{library} has interface version {self.library.dashpot_abi_version()}, this file was written for {ABI_VERSION}")
+        with open(model_file, "rb") as file:
+            text = file.read()
+        params, self.model, fault = aligned(Params), aligned(Model), Fault()
+        params.struct_size, params.abi_version = c.sizeof(Params), ABI_VERSION
+        if self.library.dashpot_params_read(c.byref(params), text, c.c_size_t(len(text)), c.byref(fault)) < 0:
+            self.check(fault.status, f"{model_file}, line {fault.line}: {fault.parameter.decode()} ")
+        self.check(self.library.dashpot_model_init(c.byref(self.model), c.byref(params)))
+        self.state, self.output = State(), Output()
+        self.rest(position)
+
+    def check(self, status, before=""):
+        if status < 0:
+            raise ValueError(before + self.library.dashpot_status_text(c.c_int32(status)).decode())
+
+    def rest(self, position):
+        """At rest at a position (m); its static force."""
+        self.check(self.library.dashpot_state_init(c.byref(self.model), c.c_double(position), c.byref(self.state)))
+        return self.try_step(position, 0.0, 0.0)[0]
+
+    def try_step(self, displacement, velocity, dt):
+        """Force and state at the end of a step of dt to this motion; the damper itself stays where it is."""
+        motion = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0)
+        reached = State()
+        self.check(self.library.dashpot_step(
+            c.byref(self.model), c.byref(self.state), c.byref(motion), c.c_double(dt), c.byref(reached), c.byref(self.output)))
+        return self.output.force, reached
+
+    def step(self, displacement, velocity, dt):
+        """The same, and the damper goes there."""
+        force, self.state = self.try_step(displacement, velocity, dt)
+        return force
+
+    def evaluate(self, state, displacement, velocity):
+        """Force and the rates of all states at one instant."""
+        motion, rate = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0), State()
+        self.check(self.library.dashpot_evaluate(
+            c.byref(self.model), c.byref(state), c.byref(motion), c.byref(self.output), c.byref(rate)))
+        return self.output.force, rate

@@ -1,0 +1,162 @@
+/* Your loop, our three calls: one wheel's sprung mass on a spring and a damper from a model file, driven by a road, in the three loops
+ * that host programs have. your-loop.md explains them.
+ *
+ *   cc -O2 -I include examples/your_loop.c -L target/release -ldashpot -Wl,-rpath,$PWD/target/release -lm -o your_loop
+ *   ./your_loop demo/damper.toml implicit 0.001
+ *
+ * Arguments: model file, explicit, trial or implicit, step in s. Prints time (s), body position (m) and damper force (N) every 10 ms. */
+#include "dashpot.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double MASS = 380.0, STIFFNESS = 24000.0; /* kg; N/m */
+static const double END = 2.0;                         /* s */
+
+static dashpot_params params = DASHPOT_PARAMS_INIT;
+static dashpot_model model;
+
+/* Body position and velocity, up positive, from where it stands still. The damper is between body and wheel: it extends where the
+ * body rises. */
+struct body {
+    double position, velocity;
+};
+
+static double road(double t)
+{
+    return 0.01 * (1.0 - cos(9.0 * t));
+}
+
+static double road_rate(double t)
+{
+    return 0.09 * sin(9.0 * t);
+}
+
+static void check(int32_t status)
+{
+    if (status < 0) {
+        fprintf(stderr, "%s\n", dashpot_status_text(status));
+        exit(EXIT_FAILURE);
+    }
+}
+
+static dashpot_input motion(const struct body *body, double t)
+{
+    return dashpot_input_motion(body->position - road(t), body->velocity - road_rate(t));
+}
+
+/* Tension pulls the body down. `rest` is the damper's force at rest, which the standing spring carries. */
+static double acceleration(const struct body *body, double t, double force, double rest)
+{
+    return (-STIFFNESS * (body->position - road(t)) - (force - rest)) / MASS;
+}
+
+/* 1. The host moves on with the force of the last step, then asks for the next: one call a step, on one state. */
+static double explicit_step(struct body *body, dashpot_state *state, double t, double dt, double force, double rest)
+{
+    dashpot_output output;
+    dashpot_input input;
+
+    body->velocity += dt * acceleration(body, t, force, rest);
+    body->position += dt * body->velocity;
+    input = motion(body, t + dt);
+    check(dashpot_step(&model, state, &input, dt, state, &output));
+    return output.force;
+}
+
+/* 2. The host tries a step, looks at it and takes it or tries a shorter one. Trials start at the committed state and write
+ * elsewhere, so that as many may be made as it likes; committing is an assignment. */
+static double trial_step(struct body *body, dashpot_state *state, double t, double dt, double force, double rest)
+{
+    double done = 0.0, h = dt;
+
+    while (done < dt - 1e-12) {
+        struct body tried = *body;
+        dashpot_state reached;
+        dashpot_output output;
+        dashpot_input input;
+
+        if (h > dt - done)
+            h = dt - done;
+        tried.velocity += h * acceleration(body, t + done, force, rest);
+        tried.position += h * tried.velocity;
+        input = motion(&tried, t + done + h);
+        check(dashpot_step(&model, state, &input, h, &reached, &output));
+        if (fabs(output.force - force) > 1.0 && h > dt / 16) {
+            h /= 2;
+            continue;
+        }
+        *body = tried;
+        *state = reached;
+        force = output.force;
+        done += h;
+        h *= 2;
+    }
+    return force;
+}
+
+/* 3. The host solves for the velocity at the step's end with the force there: Newton, with the damper's own slopes. */
+static double implicit_step(struct body *body, dashpot_state *state, double t, double dt, double rest)
+{
+    struct body next = *body;
+    dashpot_state reached;
+    dashpot_output output;
+    int k;
+
+    for (k = 0; k < 20; k++) {
+        dashpot_input input;
+        double off, slope;
+
+        next.position = body->position + dt * next.velocity;
+        input = motion(&next, t + dt);
+        check(dashpot_step(&model, state, &input, dt, &reached, &output));
+        off = next.velocity - body->velocity - dt * acceleration(&next, t + dt, output.force, rest);
+        slope = 1.0 + dt / MASS * (output.force_by_velocity + dt * (output.force_by_displacement + STIFFNESS));
+        if (fabs(off) < 1e-10)
+            break;
+        next.velocity -= off / slope;
+    }
+    *body = next;
+    *state = reached;
+    return output.force;
+}
+
+int main(int argc, char **argv)
+{
+    static char text[1 << 20];
+    struct body body = {0.0, 0.0};
+    dashpot_state state;
+    dashpot_output output;
+    dashpot_input still = dashpot_input_motion(0.0, 0.0);
+    double dt = argc == 4 ? strtod(argv[3], NULL) : 0.0, force, rest;
+    FILE *file = argc == 4 ? fopen(argv[1], "rb") : NULL;
+    long k, steps, every;
+
+    if (!file || !(dt > 0.0 && dt <= 0.01)) {
+        fprintf(stderr, "usage: %s MODEL explicit|trial|implicit STEP\n", argv[0]);
+        return EXIT_FAILURE;
+    }
+    check(dashpot_params_read(&params, text, fread(text, 1, sizeof text, file), NULL));
+    fclose(file);
+    check(dashpot_model_init(&model, &params));
+    check(dashpot_state_init(&model, 0.0, &state));
+    /* A step of no length: the static force. */
+    check(dashpot_step(&model, &state, &still, 0.0, &state, &output));
+    rest = force = output.force;
+    steps = (long)(END / dt + 0.5);
+    every = (long)(0.01 / dt + 0.5);
+    for (k = 0; k < steps; k++) {
+        double t = (double)k * dt;
+
+        if (!strcmp(argv[2], "explicit"))
+            force = explicit_step(&body, &state, t, dt, force, rest);
+        else if (!strcmp(argv[2], "trial"))
+            force = trial_step(&body, &state, t, dt, force, rest);
+        else
+            force = implicit_step(&body, &state, t, dt, rest);
+        if ((k + 1) % every == 0)
+            printf("%.2f %.9g %.9g\n", t + dt, body.position, force);
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,118 @@
+//! What the force of a case must keep to.
+
+use crate::case::{Case, Failure, Given, Run, prepare};
+
+/// Elements whose force depends on the motion of the driven end alone: it has no equation to solve.
+const BESIDE: [&str; 11] = [
+    "coulomb_friction",
+    "stribeck_friction",
+    "viscous_friction",
+    "side_force_friction",
+    "gas_preload",
+    "lagged_polynomial",
+    "presliding_friction",
+    "gas_spring",
+    "moving_mass",
+    "bump_stop",
+    "rebound_stop",
+];
+
+fn largest(forces: &[f64]) -> f64 {
+    forces.iter().fold(0.0, |top, f| f.abs().max(top))
+}
+
+/// The case in steps of a `parts`-th, along the same cubic paths.
+fn finer(case: &Case, parts: usize) -> Case {
+    let (mut x0, mut v0) = (case.start, 0.0);
+    let mut fine = Case { motion: Vec::with_capacity(case.motion.len() * parts), ..case.clone() };
+    for g in &case.motion {
+        let x1 = g.x.unwrap_or(x0 + 0.5 * g.dt * (v0 + g.v));
+        let (dx, p1, q1) = (x1 - x0, g.dt * v0, g.dt * g.v);
+        let (p2, p3) = (3.0 * dx - 2.0 * p1 - q1, p1 + q1 - 2.0 * dx);
+        for part in 1..=parts {
+            let t = part as f64 / parts as f64;
+            let x = x0 + t * (p1 + t * (p2 + t * p3));
+            let v = if part == parts { g.v } else { (p1 + t * (2.0 * p2 + t * 3.0 * p3)) / g.dt };
+            fine.motion.push(Given { x: Some(x), v, dt: g.dt / parts as f64, ..*g });
+        }
+        (x0, v0) = (x1, g.v);
+    }
+    fine
+}
+
+/// Fastest that the driven end moves on its cubic paths.
+fn fastest(case: &Case) -> f64 {
+    finer(case, 4).motion.iter().fold(0.0, |top, g| g.v.abs().max(top))
+}
+
+/// Height of the FV curve at a speed, to either side.
+fn curve(case: &Case, speed: f64) -> f64 {
+    let mut alone = Case { on: vec!["fv_curve"], motion: Vec::new(), ..case.clone() };
+    alone.motion =
+        [speed, -speed, 0.0].map(|v| Given { x: Some(0.0), v, side: 0.0, temperature: 20.0, dt: 1e-3 }).to_vec();
+    alone.start = 0.0;
+    run(&alone).map_or(0.0, |run| largest(&run.forces))
+}
+
+/// Force of the series spring that catches the internal mass from a speed, the mass moved with it included.
+fn caught(case: &Case, speed: f64) -> f64 {
+    if !case.on.contains(&"series_compliance") {
+        return 0.0;
+    }
+    let number = |name: &str| {
+        let set = case.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
+        set.unwrap_or_else(|| dashpot_core::Params::new().scalar(name))
+    };
+    let (mut mass, mut stiffness) = (number("internal_mass"), number("series_stiffness"));
+    if case.on.contains(&"moving_mass") && number("moving_mass_place") == 1.0 {
+        mass += number("moving_mass");
+    }
+    if case.on.contains(&"bushing") {
+        stiffness *=
+            1.0 + ["loss", "slow", "stop"].iter().map(|s| number(&format!("bushing_{s}_stiffness"))).sum::<f64>();
+    }
+    speed * ((stiffness * mass).sqrt() + number("series_damping"))
+}
+
+fn run(case: &Case) -> Option<Run> {
+    case.run(&*prepare(case)?, false).ok()
+}
+
+/// The same with another method.
+fn by(case: &Case, method: f64, substeps: f64) -> Case {
+    let mut other = case.clone();
+    other.values.retain(|(name, _)| *name != "method" && *name != "substeps");
+    other.values.push(("method", vec![method]));
+    other.values.push(("substeps", vec![substeps]));
+    other
+}
+
+/// Holds the forces of a run against what the elements make one by one and, where they are larger, against what the same
+/// motion comes to in short steps.
+pub fn check(case: &Case, found: &Run) -> Result<(), Failure> {
+    let top = largest(&found.forces);
+    let speed = fastest(case);
+    let mut beside = case.clone();
+    beside.on.retain(|name| BESIDE.contains(name));
+    let beside = run(&beside).map_or(0.0, |run| largest(&run.forces));
+    let elements = 2.0 * (beside + curve(case, 3.0 * speed) + caught(case, 2.0 * speed)) + 100.0;
+    if top <= elements {
+        return Ok(());
+    }
+    let step = found.forces.iter().position(|f| f.abs() == top).unwrap_or(0);
+    let parts = 32;
+    let until = Case { motion: case.motion[..=step.min(case.motion.len() - 1)].to_vec(), ..case.clone() };
+    let fine = finer(&until, parts);
+    let largest_of = |case: &Case| run(case).map_or(f64::INFINITY, |run| largest(&run.forces));
+    let (same, euler) = (largest_of(&fine), largest_of(&by(&fine, 2.0, 1.0)));
+    if top > 1.5 * same + 0.2 * elements || top > 10.0 * euler + elements {
+        return Err(Failure {
+            step,
+            by: top / same.min(10.0 * euler),
+            what: format!(
+                "{top:.4e} N, where the elements make {elements:.4e} N and steps of 1/{parts} come to {same:.4e} N, implicit Euler to {euler:.4e} N"
+            ),
+        });
+    }
+    Ok(())
+}

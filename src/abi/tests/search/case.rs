@@ -1,0 +1,282 @@
+//! A case: a parameter set and a motion, and how it is run through the C interface.
+
+use crate::random::Random;
+use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian, dashpot_partials};
+use dashpot_abi::input::{
+    DASHPOT_KNOWS_DISPLACEMENT, DASHPOT_KNOWS_SIDE_FORCE, DASHPOT_KNOWS_TEMPERATURE, dashpot_input,
+};
+use dashpot_abi::model::{dashpot_model, dashpot_model_init};
+use dashpot_abi::params::{
+    dashpot_params, dashpot_params_default, dashpot_params_enable, dashpot_params_set, dashpot_params_set_list,
+};
+use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init};
+use dashpot_abi::step::dashpot_step;
+use dashpot_abi::version::DASHPOT_ABI_VERSION;
+use dashpot_core::elements::{GROUPS, names};
+use dashpot_core::parameter::{Shape, table};
+use std::ffi::CString;
+use std::fmt::Write as _;
+use std::mem::{MaybeUninit, size_of, zeroed};
+
+/// What the host gives in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given {
+    pub x: Option<f64>,
+    pub v: f64,
+    pub side: f64,
+    pub temperature: f64,
+    pub dt: f64,
+}
+
+/// All that a run depends on.
+#[derive(Clone, Debug)]
+pub struct Case {
+    pub on: Vec<&'static str>,
+    /// Parameters that are not at their defaults.
+    pub values: Vec<(&'static str, Vec<f64>)>,
+    pub start: f64,
+    pub motion: Vec<Given>,
+    /// Whether the motion is one that a damper can make: then the force is held against its bound.
+    pub ordinary: bool,
+}
+
+/// What went wrong, and in which step.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    pub step: usize,
+    /// How far from what was promised, as a factor.
+    pub by: f64,
+    pub what: String,
+}
+
+/// Forces of a run.
+pub struct Run {
+    pub forces: Vec<f64>,
+    pub places: Vec<f64>,
+    pub refused: usize,
+}
+
+/// A model, prepared where it lies.
+pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
+    let mut params: dashpot_params = unsafe { zeroed() };
+    params.struct_size = size_of::<dashpot_params>() as u32;
+    params.abi_version = DASHPOT_ABI_VERSION;
+    assert_eq!(unsafe { dashpot_params_default(&mut params) }, 0);
+    for name in names() {
+        let c = CString::new(name).unwrap();
+        assert_eq!(unsafe { dashpot_params_enable(&mut params, c.as_ptr(), u32::from(case.on.contains(&name))) }, 0);
+    }
+    for (name, values) in &case.values {
+        let row = dashpot_core::parameter::find(name).unwrap();
+        let name = CString::new(*name).unwrap();
+        let status = match row.parameter.shape {
+            Shape::List(_) => unsafe {
+                dashpot_params_set_list(&mut params, name.as_ptr(), values.as_ptr(), values.len() as u32)
+            },
+            _ => unsafe { dashpot_params_set(&mut params, name.as_ptr(), values[0]) },
+        };
+        if status < 0 {
+            return None;
+        }
+    }
+    let mut model = Box::new(MaybeUninit::<dashpot_model>::uninit());
+    let status = unsafe { dashpot_model_init(model.as_mut_ptr(), &params) };
+    (status >= 0).then(|| unsafe { Box::from_raw(Box::into_raw(model).cast::<dashpot_model>()) })
+}
+
+impl Given {
+    pub fn input(&self) -> dashpot_input {
+        let mut known = DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+        if self.x.is_some() {
+            known |= DASHPOT_KNOWS_DISPLACEMENT;
+        }
+        dashpot_input {
+            struct_size: size_of::<dashpot_input>() as u32,
+            known,
+            displacement: self.x.unwrap_or(0.0),
+            velocity: self.v,
+            side_force: self.side,
+            temperature: self.temperature,
+        }
+    }
+}
+
+fn numbers<T>(block: &T) -> &[f64] {
+    assert_eq!(size_of::<T>() % 8, 0);
+    unsafe { std::slice::from_raw_parts((block as *const T).cast(), size_of::<T>() / 8) }
+}
+
+fn finite<T>(block: &T) -> bool {
+    numbers(block).iter().all(|x| x.is_finite())
+}
+
+impl Case {
+    /// Steps through the motion; every answer that is not a refusal is finite, and a refusal changes nothing.
+    pub fn run(&self, model: &dashpot_model, at_each_instant: bool) -> Result<Run, Failure> {
+        let mut state: dashpot_state = unsafe { zeroed() };
+        let mut run = Run { forces: Vec::new(), places: Vec::new(), refused: 0 };
+        let fail = |step, what: String| Failure { step, by: f64::INFINITY, what };
+        if unsafe { dashpot_state_init(model, self.start, &mut state) } < 0 {
+            run.refused += 1;
+            return Ok(run);
+        }
+        if !finite(&state) {
+            return Err(fail(0, format!("the state at the start is {:?}", numbers(&state))));
+        }
+        for (i, given) in self.motion.iter().enumerate() {
+            let input = given.input();
+            let mut output: dashpot_output = unsafe { zeroed() };
+            if at_each_instant {
+                let (mut rate, mut partials): (dashpot_state, dashpot_partials) = unsafe { (zeroed(), zeroed()) };
+                let status = unsafe { dashpot_evaluate(model, &state, &input, &mut output, &mut rate) };
+                if status >= 0 && !(finite(&output) && finite(&rate)) {
+                    return Err(fail(
+                        i,
+                        format!("evaluate answers {status} with {:?} {:?}", numbers(&output), numbers(&rate)),
+                    ));
+                }
+                let status = unsafe { dashpot_jacobian(model, &state, &input, &mut partials) };
+                if status >= 0 && !finite(&partials) {
+                    return Err(fail(i, format!("jacobian answers {status} with {:?}", numbers(&partials))));
+                }
+                output = unsafe { zeroed() };
+            }
+            let before = numbers(&state).to_vec();
+            let state_at: *mut dashpot_state = &mut state;
+            let status = unsafe { dashpot_step(model, state_at, &input, given.dt, state_at, &mut output) };
+            if status < 0 {
+                run.refused += 1;
+                if before.iter().zip(numbers(&state)).any(|(a, b)| a.to_bits() != b.to_bits()) {
+                    return Err(fail(i, format!("refused with {status}, and the state has changed")));
+                }
+                continue;
+            }
+            if !(finite(&output) && finite(&state)) {
+                return Err(fail(i, format!("status {status} with {:?} at {:?}", numbers(&output), numbers(&state))));
+            }
+            run.forces.push(output.force);
+            run.places.push(state.displacement);
+        }
+        Ok(run)
+    }
+
+    /// The case as code.
+    pub fn told(&self) -> String {
+        let mut text = String::from("Case {\n");
+        writeln!(text, "    on: vec!{:?},", self.on).unwrap();
+        writeln!(text, "    values: vec![").unwrap();
+        for (name, values) in &self.values {
+            writeln!(text, "        ({name:?}, vec!{values:?}),").unwrap();
+        }
+        writeln!(text, "    ],\n    start: {:?},\n    motion: vec![", self.start).unwrap();
+        for g in &self.motion {
+            writeln!(
+                text,
+                "        Given {{ x: {:?}, v: {:?}, side: {:?}, temperature: {:?}, dt: {:?} }},",
+                g.x, g.v, g.side, g.temperature, g.dt
+            )
+            .unwrap();
+        }
+        writeln!(text, "    ],\n    ordinary: {},\n}}", self.ordinary).unwrap();
+        text
+    }
+}
+
+/// Where a number of the table lies: anywhere, most often by decade, at times at an end.
+fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
+    match r.one_of(8) {
+        0 => low,
+        1 => high,
+        2 | 3 => default,
+        4 => r.between(low, high),
+        _ if low >= 0.0 => r.decade(if low > 0.0 { low } else { 1e-6 * high }, high).clamp(low, high),
+        _ => {
+            let size = r.decade(1e-6 * high.max(-low), high.max(-low));
+            (if r.chance(0.5) { size } else { -size }).clamp(low, high)
+        }
+    }
+}
+
+/// A rising table, with jumps and level parts.
+fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
+    let most = if r.chance(0.1) { 61 } else { 14 };
+    let n = 2 + r.one_of(most);
+    let nearest = r.decade(1e-7, 0.1);
+    let (mut x, mut f) = (vec![0.0], vec![0.0]);
+    for _ in 1..n {
+        let gap = if r.chance(0.3) { nearest } else { r.share() };
+        let rise = match r.one_of(4) {
+            0 => 0.0,
+            1 => r.decade(1e-6, 1.0),
+            _ => r.share(),
+        };
+        x.push(x[x.len() - 1] + gap);
+        f.push(f[f.len() - 1] + rise);
+    }
+    let (span, top) = (x[n - 1], f[n - 1].max(1e-9));
+    let off = if r.chance(0.7) { r.between(-1.0, 1.0) } else { 0.0 };
+    // Most dampers have a curve through the origin.
+    let through = r.chance(0.6).then(|| r.one_of(n));
+    let (x0, f0) = through.map_or((0.5 * span, 0.5 * top + off * top), |i| (x[i], f[i]));
+    (x.iter().map(|x| (x - x0) / span * width).collect(), f.iter().map(|f| (f - f0) / top * height).collect())
+}
+
+impl Case {
+    /// A parameter set with these elements on.
+    pub fn set(r: &mut Random, on: Vec<&'static str>) -> Case {
+        let mut values = Vec::new();
+        // Whether most numbers stay at their defaults: far corners hide each other.
+        let near = r.chance(0.4);
+        for row in table() {
+            let (p, group) = (row.parameter, GROUPS[row.group].name);
+            if !on.contains(&group) && group != "integration" || near && r.chance(0.7) {
+                continue;
+            }
+            match p.shape {
+                Shape::Choice(words) => values.push((p.name, vec![r.one_of(words.len()) as f64])),
+                Shape::Scalar if p.name == "substeps" => {
+                    let n = if r.chance(0.7) { 0.0 } else { r.one_of(9) as f64 };
+                    values.push((p.name, vec![n]));
+                }
+                Shape::Scalar => values.push((p.name, vec![scalar(r, p.low, p.high, p.default[0])])),
+                Shape::List(n) if p.name == "polynomial" => {
+                    let count = 1 + r.one_of(n);
+                    values.push((p.name, (0..count).map(|_| r.between(-1e4, 1e4)).collect()));
+                }
+                Shape::List(_) => {}
+            }
+        }
+        if on.contains(&"fv_curve") && r.chance(0.7) {
+            let (width, height) = (r.decade(1e-2, 20.0), r.decade(10.0, 5e4));
+            let (v, f) = rising(r, width, height);
+            values.push(("fv_velocity", v));
+            values.push(("fv_force", f));
+        }
+        if on.contains(&"parallel_spring") && r.chance(0.2) {
+            let (width, height) = (r.decade(1e-2, 1.0), r.decade(1.0, 1e4));
+            let (x, f) = rising(r, width, height);
+            values.push(("spring_displacement", x));
+            values.push(("spring_force", f));
+        }
+        Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
+    }
+
+    /// The default elements, or some of them, with `more`.
+    pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
+        let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(n)).collect();
+        if r.chance(0.3) {
+            on.retain(|n| *n == "fv_curve" || *n == "series_compliance" && r.chance(0.7));
+        }
+        on.extend(more.iter().filter(|n| !on.contains(n)).copied().collect::<Vec<_>>());
+        Case::set(r, on)
+    }
+
+    /// Any elements.
+    pub fn any(r: &mut Random) -> Case {
+        let share = r.share();
+        let on = names()
+            .filter(|n| r.chance(if matches!(*n, "fv_curve" | "series_compliance") { 0.9 } else { share }))
+            .collect();
+        Case::set(r, on)
+    }
+}

@@ -1,0 +1,108 @@
+//! The damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. In both and here rebound velocity and tension are positive.
+
+mod teim_orbit;
+mod units;
+mod xml;
+
+/// A force-velocity table in SI.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Curve {
+    /// Velocities, m/s.
+    pub velocities: Vec<f64>,
+    /// Forces, N.
+    pub forces: Vec<f64>,
+}
+
+/// What a property file says of a damper, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Properties {
+    /// The damper's curve.
+    pub curve: Curve,
+    /// Whether it runs straight between its points: a linear rate.
+    pub straight: bool,
+    /// Constant gas force, N, positive where it pushes the rod out.
+    pub gas_force: f64,
+    /// Read: what the file says beside these and this form has no place for. Written: what it leaves out, and whose it is.
+    pub notes: Vec<String>,
+}
+
+/// Which form a file has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// `.dpr`; has no place for a gas force.
+    TeimOrbit,
+    /// `.xml`.
+    Xml,
+}
+
+/// The text of a property file in mm, s and N.
+pub fn write(properties: &Properties, form: Form) -> String {
+    match form {
+        Form::TeimOrbit => teim_orbit::write(properties),
+        Form::Xml => xml::write(properties),
+    }
+}
+
+/// Reads either form, whatever the name of the file.
+///
+/// # Errors
+/// Where the file is of another type, a unit is unknown, or the table is not one: with the line.
+pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
+    // Property files are ASCII or Latin-1; a byte that is no UTF-8 stands in a comment or a name.
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }
+}
+
+/// One row of a table; `line` is told where it is none.
+fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
+    let number = |word: &str| word.replace(['D', 'd'], "e").parse::<f64>().ok().filter(|n| n.is_finite());
+    let words = text.split([' ', '\t', ',']).filter(|w| !w.is_empty());
+    let numbers: Option<Vec<f64>> = words.map(number).collect();
+    match numbers.as_deref() {
+        Some(&[x, y]) => Ok([x, y]),
+        _ => anyhow::bail!("line {line}: a row of {what} is two finite numbers, not \"{text}\""),
+    }
+}
+
+/// Adds a row to a curve whose velocities must increase.
+fn push(curve: &mut Curve, [v, f]: [f64; 2], line: usize) -> anyhow::Result<()> {
+    if curve.velocities.last().is_some_and(|last| *last >= v) {
+        anyhow::bail!("line {line}: velocity {v} does not lie above the one before; the velocities must increase");
+    }
+    curve.velocities.push(v);
+    curve.forces.push(f);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn example() -> Properties {
+        Properties {
+            curve: Curve {
+                velocities: vec![-0.254, -0.1, 0.0, 0.0333, 1.0 / 3.0],
+                forces: vec![-809.5, -300.1, 0.0, 127.0, 1423.4],
+            },
+            straight: false,
+            gas_force: 0.0,
+            notes: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn what_is_written_reads_back() {
+        for (form, gas_force) in [(Form::TeimOrbit, 0.0), (Form::Xml, 0.0), (Form::Xml, 141.5)] {
+            let notes =
+                vec!["from a model, with -- and $ and ! in its <name>".to_owned(), "left out: friction".to_owned()];
+            let out = Properties { gas_force, notes, ..example() };
+            let back = read(write(&out, form).as_bytes()).unwrap();
+            for (a, b) in out.curve.velocities.iter().zip(&back.curve.velocities) {
+                assert!((a - b).abs() <= 1e-15 * a.abs(), "{a} {b}");
+            }
+            assert_eq!((&back.curve.forces, back.gas_force, back.straight), (&out.curve.forces, gas_force, false));
+            assert_eq!(back.notes, Vec::<String>::new(), "{form:?}: our own file says nothing that we do not read");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! The XML form: root `afc` with bibliography, units and the damper side by side. It has a place for a gas force.
+
+use super::units::{self, Units};
+use super::{Curve, Properties, push, row};
+use anyhow::{Context as _, bail};
+use roxmltree::{Document, Node};
+use std::fmt::Write as _;
+
+/// The properties as a file in mm, s and N.
+pub fn write(properties: &Properties) -> String {
+    let mut rows = String::new();
+    for (v, f) in properties.curve.velocities.iter().zip(&properties.curve.forces) {
+        let _ = writeln!(rows, "        {:?} {f:?}", 1e3 * v);
+    }
+    // Two hyphens end a comment.
+    let notes: String =
+        properties.notes.iter().map(|note| format!("  <!-- {} -->\n", note.replace("--", "- -"))).collect();
+    let gas = properties.gas_force;
+    include_str!("../templates/damper.xml")
+        .replace("{notes}", &notes)
+        .replace("{version}", env!("CARGO_PKG_VERSION"))
+        .replace("{rows}", rows.trim_end())
+        .replace("{gas_method}", if gas == 0.0 { "none" } else { "constant" })
+        .replace("{gas_force}", &format!("{gas:?}"))
+}
+
+/// Reads a property file.
+///
+/// # Errors
+/// As [`super::read`].
+pub fn read(text: &str) -> anyhow::Result<Properties> {
+    let document = Document::parse(text)?;
+    let element = |name: &str| document.descendants().find(|n| n.is_element() && n.tag_name().name() == name);
+    let Some(damper) = element("DamperProperties").or_else(|| element("StrutProperties")) else {
+        let root = document.root_element().tag_name().name().to_owned();
+        let held: Vec<&str> = document
+            .descendants()
+            .filter_map(|n| n.is_element().then(|| n.tag_name().name()).filter(|n| n.ends_with("Properties")))
+            .collect();
+        bail!(
+            "this is no damper: there is neither DamperProperties nor StrutProperties in <{root}>{}",
+            if held.is_empty() { String::new() } else { format!(", but {}", held.join(", ")) }
+        );
+    };
+    let line = |node: &Node| document.text_pos_at(node.range().start).row as usize;
+    let setting = |name: &str| {
+        document.descendants().find(|n| n.tag_name().name() == "UnitSetting" && n.attribute("name") == Some(name))
+    };
+    let unit = |name: &str, factor: fn(&str) -> anyhow::Result<f64>| {
+        let node = setting(name).with_context(|| format!("its units lack {name}"))?;
+        let at = || format!("line {}", line(&node));
+        factor(node.attribute("current").unwrap_or_default()).with_context(at)
+    };
+    let units = Units {
+        length: unit("length", units::length)?,
+        time: unit("time", units::time)?,
+        force: unit("force", units::force)?,
+    };
+    let mut notes = Vec::new();
+    for attribute in damper.attributes() {
+        let known = [
+            "active",
+            "definition",
+            "userDefined",
+            "method",
+            "dampingMethod",
+            "rate",
+            "gasPreloadMethod",
+            "gasPreloadConstant",
+        ];
+        if !known.contains(&attribute.name()) {
+            notes.push(format!("{} = {}", attribute.name(), attribute.value()));
+        }
+    }
+    let number = |name: &str| -> anyhow::Result<f64> {
+        let text = damper.attribute(name).unwrap_or("0").trim();
+        let value = text.parse::<f64>().ok().filter(|n| n.is_finite());
+        value.with_context(|| format!("line {}: {name} = \"{text}\" is no number", line(&damper)))
+    };
+    let spline =
+        |name: &str| damper.children().find(|n| n.tag_name().name() == "Spline" && n.attribute("name") == Some(name));
+    for other in damper.children().filter(Node::is_element) {
+        let name = other.attribute("name").unwrap_or_default();
+        if other.tag_name().name() != "Spline" || !["spline_data", "gasPreloadForceCurve"].contains(&name) {
+            notes.push(format!("<{}> {name}", other.tag_name().name()));
+        }
+    }
+    // Both attributes are in use; where both are there, dampingMethod is the newer one.
+    let method = damper.attribute("dampingMethod").or(damper.attribute("method")).unwrap_or("non_linear");
+    let (curve, straight) = match method {
+        "linear" => {
+            let rate = number("rate")? * units.force * units.time / units.length;
+            if !(rate > 0.0) {
+                bail!("line {}: a linear damper needs a rate above 0", line(&damper));
+            }
+            // Prolonged straight beyond: any two speeds do.
+            (Curve { velocities: vec![-1.0, 0.0, 1.0], forces: vec![-rate, 0.0, rate] }, true)
+        }
+        "non_linear" => {
+            let node = spline("spline_data")
+                .with_context(|| format!("line {}: no Spline named spline_data", line(&damper)))?;
+            let mut curve = table(&document, &node, &units, true)?;
+            if curve.velocities.len() < 2 {
+                bail!("line {}: spline_data has fewer than two rows", line(&node));
+            }
+            curve.velocities.shrink_to_fit();
+            (curve, node.attribute("interpolation_method") == Some("linear"))
+        }
+        other => bail!("line {}: dampingMethod \"{other}\" is not known (linear, non_linear)", line(&damper)),
+    };
+    let gas_force = match damper.attribute("gasPreloadMethod").unwrap_or("none") {
+        "none" => 0.0,
+        "constant" => number("gasPreloadConstant")? * units.force,
+        "non_linear" => {
+            let node = spline("gasPreloadForceCurve")
+                .with_context(|| format!("line {}: no Spline named gasPreloadForceCurve", line(&damper)))?;
+            let gas = table(&document, &node, &units, false)?;
+            let at = gas.velocities.iter().position(|x| *x >= 0.0).unwrap_or(0);
+            let Some(force) = gas.forces.get(at) else {
+                bail!("line {}: gasPreloadForceCurve has no row", line(&node));
+            };
+            if gas.forces.iter().any(|f| f != force) {
+                notes.push(format!(
+                    "how the gas force changes with length, {:?} to {:?} N (it is taken as {force:?} N throughout, its value at 0; \
+                     give gas_spring a stiffness for the rest)",
+                    gas.forces[0],
+                    gas.forces[gas.forces.len() - 1]
+                ));
+            }
+            *force
+        }
+        other => {
+            bail!("line {}: gasPreloadMethod \"{other}\" is not known (none, constant, non_linear)", line(&damper))
+        }
+    };
+    Ok(Properties { curve, straight, gas_force, notes })
+}
+
+/// The rows of a spline in SI: over velocity, or over length.
+fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -> anyhow::Result<Curve> {
+    let first = document.text_pos_at(node.range().start).row as usize;
+    // A spline may name units of its own.
+    let own = |name: &str| node.attribute(name).map(str::trim).filter(|u| !u.is_empty());
+    let mut units = *units;
+    let at = || format!("line {first}");
+    if let Some(unit) = own("xUnit") {
+        let (length, time) = unit.split_once('/').unwrap_or((unit, ""));
+        units.length = units::length(length.trim()).with_context(at)?;
+        if !time.is_empty() {
+            units.time = units::time(time.trim()).with_context(at)?;
+        }
+    }
+    if let Some(unit) = own("yUnit") {
+        units.force = units::force(unit).with_context(at)?;
+    }
+    let mut curve = Curve::default();
+    for part in node.children().filter(Node::is_text) {
+        let from = document.text_pos_at(part.range().start).row as usize;
+        for (i, line) in part.text().unwrap_or_default().lines().enumerate() {
+            if !line.trim().is_empty() {
+                let [x, y] = row(line.trim(), from + i, "the spline")?;
+                let x = if over_velocity { units.velocity(x) } else { units.metres(x) };
+                push(&mut curve, [x, y * units.force], from + i)?;
+            }
+        }
+    }
+    Ok(curve)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n\
+        <afc xmlns=\"http://www.mscsoftware.com/:vfc\" xmlns:afc=\"http://www.mscsoftware.com/:afc\">\n\
+        <afc:Bibliography>\n<Revision version=\"2\" />\n</afc:Bibliography>\n<afc:Units>\n\
+        <afc:UnitSetting name=\"force\" current=\"newton\" />\n<afc:UnitSetting\n name=\"length\"\n current=\"mm\"\n/>\n\
+        <afc:UnitSetting name=\"time\" current=\"second\" />\n</afc:Units>\n\
+        <DamperProperties active=\"true\" method=\"non_linear\" upperDiameter=\"60\" rate=\"0.5\" dampingMethod=\"non_linear\" \
+        gasPreloadMethod=\"non_linear\" gasPreloadConstant=\"1000\">\n\
+        <Spline name=\"spline_data\" interpolation_method=\"akima\">\n<![CDATA[\n -1270  -1495.5\n 0 0\n 254   1423.4\n]]>\n</Spline>\n\
+        <Spline name=\"gasPreloadForceCurve\">\n<![CDATA[\n 0 2000\n 500 1000\n]]>\n</Spline>\n</DamperProperties>\n</afc>\n";
+
+    #[test]
+    fn a_file_like_those_of_the_program() {
+        let read_it = read(FILE).unwrap();
+        assert_eq!(read_it.curve.velocities, [-1.27, 0.0, 0.254]);
+        assert_eq!(read_it.gas_force, 2000.0);
+        assert_eq!(read_it.notes.len(), 2, "{:?}", read_it.notes);
+        let linear = read(&FILE.replace("dampingMethod=\"non_linear\"", "dampingMethod=\"linear\"")).unwrap();
+        assert_eq!((linear.curve.forces[2], linear.straight), (500.0, true));
+        let constant = read(&FILE.replace("\"non_linear\" gasPreloadC", "\"constant\" gasPreloadC")).unwrap();
+        assert_eq!((constant.gas_force, constant.notes.len()), (1000.0, 1));
+        let own = read(&FILE.replace("\"akima\"", "\"akima\" xUnit=\"m/sec\" yUnit=\"kN\"")).unwrap();
+        assert_eq!((own.curve.velocities[2], own.curve.forces[2]), (254.0, 1_423_400.0));
+    }
+
+    #[test]
+    fn a_bad_file_is_refused_in_words() {
+        for (from, to, word) in [
+            ("254   1423.4", "254   x", "line 19"),
+            ("254   1423.4", "-9   1423.4", "must increase"),
+            ("\"mm\"", "\"cubit\"", "line 8"),
+            ("name=\"time\"", "name=\"tide\"", "lack time"),
+            ("DamperProperties", "SpringProperties", "SpringProperties"),
+            ("spline_data", "spline", "spline_data"),
+            ("gasPreloadMethod=\"non_linear\"", "gasPreloadMethod=\"magic\"", "magic"),
+            ("</afc>", "", "never closed"),
+        ] {
+            assert!(FILE.contains(from));
+            let error = format!("{:#}", read(&FILE.replace(from, to)).unwrap_err());
+            assert!(error.to_lowercase().contains(&word.to_lowercase()), "{word}: {error}");
+        }
+    }
+}

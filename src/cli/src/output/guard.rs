@@ -1,0 +1,180 @@
+//! What an output may take the place of: nothing, or an older output of its own kind.
+
+use super::inputs;
+use super::kind::Kind;
+use anyhow::bail;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether the user said `--force`.
+static FORCE: AtomicBool = AtomicBool::new(false);
+
+/// Takes over whether the user said `--force`.
+pub fn set_force(force: bool) {
+    FORCE.store(force, Ordering::Relaxed);
+}
+
+/// What an output path leads to.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A file, new or old, at the end of all symbolic links: replaced as a whole.
+    File(PathBuf),
+    /// A device or a pipe: written into, never replaced.
+    Stream(PathBuf),
+}
+
+/// Most symbolic links that are followed; the limit of Linux.
+const LINKS: usize = 40;
+/// Largest file, bytes, that is looked into for its kind; what we write is smaller.
+const LOOKED_INTO: u64 = 1 << 28;
+
+/// Follows links and finds out what may be done there. `new` is what will be written, where that is known.
+///
+/// # Errors
+/// Where something would be lost that `--force` was not given for; a sentence that says what.
+pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
+    target_forced(path, new, FORCE.load(Ordering::Relaxed))
+}
+
+fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result<Target> {
+    let shown = path.display();
+    let path = follow(path)?;
+    let Ok(there) = fs::metadata(&path) else { return Ok(Target::File(path)) };
+    if there.is_dir() {
+        bail!("{shown}: it is a folder; name a file in it");
+    }
+    if !there.is_file() {
+        return match stream(&there) {
+            Stream::Pipe => Ok(Target::Stream(path)),
+            Stream::Device if force => Ok(Target::Stream(path)),
+            Stream::Device => {
+                bail!("{shown} is a device; name a file, - for standard output, or give --force to write into it")
+            }
+            Stream::Disk => bail!("{shown} is a disk or a socket; name a file"),
+        };
+    }
+    if force {
+        return Ok(Target::File(path));
+    }
+    if inputs::reads(&path) {
+        bail!("{shown} is read by this run and would be lost; name another file, or give --force to replace it");
+    }
+    if there.permissions().readonly() {
+        bail!("{shown} is write-protected; name another file, or give --force to replace it");
+    }
+    if is_listed_record(&path) {
+        bail!("{shown} is a record of the campaign in its folder; name another file, or give --force to replace it");
+    }
+    let old = match there.len() {
+        0 => Kind::Empty,
+        size if size > LOOKED_INTO => Kind::Other("a very large file"),
+        _ => Kind::of(&fs::read(&path)?),
+    };
+    match new {
+        Some(new) if old != Kind::Empty && old != *new => bail!(
+            "{shown} is there already and holds {old}, no older version of what is to be written ({new}); name another \
+             file, or give --force to replace it"
+        ),
+        _ => Ok(Target::File(path)),
+    }
+}
+
+/// The path behind symbolic links, whether or not there is a file at their end.
+fn follow(path: &Path) -> anyhow::Result<PathBuf> {
+    let mut at = path.to_owned();
+    for _ in 0..LINKS {
+        match fs::read_link(&at) {
+            Ok(to) => at = at.parent().unwrap_or(Path::new("")).join(to),
+            Err(_) => return Ok(at),
+        }
+    }
+    bail!("{} is a symbolic link that leads in a circle", path.display())
+}
+
+enum Stream {
+    Pipe,
+    Device,
+    Disk,
+}
+
+#[cfg(unix)]
+fn stream(there: &fs::Metadata) -> Stream {
+    use std::os::unix::fs::FileTypeExt as _;
+    let kind = there.file_type();
+    match () {
+        () if kind.is_fifo() => Stream::Pipe,
+        () if kind.is_char_device() => Stream::Device,
+        () => Stream::Disk,
+    }
+}
+
+#[cfg(not(unix))]
+fn stream(_: &fs::Metadata) -> Stream {
+    Stream::Device
+}
+
+/// Whether the description of a campaign in the same folder names this file as one of its records.
+fn is_listed_record(path: &Path) -> bool {
+    let description = path.with_file_name("campaign.toml");
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    fs::read_to_string(description)
+        .is_ok_and(|text| text.lines().any(|line| line.trim() == format!("file = {:?}", name.as_ref())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(path: &Path, new: Option<&Kind>) -> String {
+        target_forced(path, new, false).map_or_else(|e| e.to_string(), |t| format!("{t:?}"))
+    }
+
+    #[test]
+    fn an_output_replaces_its_own_kind_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.toml");
+        assert!(said(&path, Some(&Kind::Model)).starts_with("File"));
+        fs::write(&path, "").unwrap();
+        assert!(said(&path, Some(&Kind::Model)).starts_with("File"));
+        fs::write(&path, "format = 1\nelements = []\n").unwrap();
+        assert!(said(&path, Some(&Kind::Model)).starts_with("File"));
+        fs::write(&path, "time_s,force_N\n0,1\n").unwrap();
+        let message = said(&path, Some(&Kind::Model));
+        assert!(message.contains("a table that begins with \"time_s,force_N\"") && message.contains("--force"));
+        assert!(target_forced(&path, Some(&Kind::Model), true).is_ok());
+    }
+
+    #[test]
+    fn records_that_a_campaign_lists_are_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("campaign.toml"), "[[test]]\nfile = \"a.csv\"\n").unwrap();
+        for (name, kept) in [("a.csv", true), ("b.csv", false)] {
+            let path = folder.path().join(name);
+            fs::write(&path, "time_s,force_N\n").unwrap();
+            let kind = Kind::Table("time_s,force_N".into());
+            assert_eq!(said(&path, Some(&kind)).contains("is a record of the campaign"), kept, "{name}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_devices_are_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let link = |to: &str, name: &str| {
+            let path = folder.path().join(name);
+            std::os::unix::fs::symlink(to, &path).unwrap();
+            path
+        };
+        let dangling = link("new.toml", "dangling");
+        assert_eq!(target_forced(&dangling, None, false).unwrap(), Target::File(folder.path().join("new.toml")));
+        assert!(said(&link("circle", "circle"), None).contains("circle"));
+        let null = link("/dev/null", "null");
+        assert!(said(&null, None).contains("is a device"));
+        assert_eq!(target_forced(&null, None, true).unwrap(), Target::Stream("/dev/null".into()));
+        let locked = folder.path().join("locked");
+        fs::write(&locked, "x").unwrap();
+        fs::set_permissions(&locked, std::os::unix::fs::PermissionsExt::from_mode(0o444)).unwrap();
+        assert!(said(&locked, None).contains("write-protected"));
+    }
+}

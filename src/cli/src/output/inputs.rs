@@ -1,0 +1,86 @@
+//! The files and folders that a run reads: no output may take their place.
+
+use clap::ArgMatches;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// Options that name an output, in every verb.
+const OUTPUTS: [&str; 4] = ["output", "json", "report", "svg"];
+
+static INPUTS: OnceLock<Vec<PathBuf>> = OnceLock::new();
+
+/// Remembers every existing file or folder that the command line names outside the output options, whatever the verb.
+pub fn remember(matches: &ArgMatches) {
+    let mut found = Vec::new();
+    gather(matches, &mut found);
+    // Said once, at the start of the program.
+    let _ = INPUTS.set(found);
+}
+
+fn gather(matches: &ArgMatches, found: &mut Vec<PathBuf>) {
+    for id in matches.ids().filter(|id| !OUTPUTS.contains(&id.as_str())) {
+        // A group of options has values of no one type.
+        let Ok(Some(values)) = matches.try_get_raw(id.as_str()) else { continue };
+        for value in values {
+            let whole = PathBuf::from(value);
+            // `--binary win64=file` and the like.
+            let behind = value.to_str().and_then(|v| v.split_once('=')).map(|(_, file)| PathBuf::from(file));
+            found.extend([Some(whole), behind].into_iter().flatten().filter_map(|p| std::fs::canonicalize(p).ok()));
+        }
+    }
+    if let Some((_, below)) = matches.subcommand() {
+        gather(below, found);
+    }
+}
+
+/// Whether an existing file is read by this run: named itself, or a record in a folder that is named.
+pub fn reads(path: &Path) -> bool {
+    INPUTS.get().is_some_and(|inputs| is_among(path, inputs))
+}
+
+fn is_among(path: &Path, inputs: &[PathBuf]) -> bool {
+    let Ok(path) = std::fs::canonicalize(path) else { return false };
+    inputs.iter().any(|input| {
+        same_file(input, &path)
+            || (input.is_dir() && path.parent() == Some(input) && dashpot_records::is_record_name(&path))
+    })
+}
+
+/// Whether two paths are one file; hard links are.
+fn same_file(a: &Path, b: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt as _;
+        if let (Ok(a), Ok(b)) = (std::fs::metadata(a), std::fs::metadata(b)) {
+            return (a.dev(), a.ino()) == (b.dev(), b.ino());
+        }
+    }
+    a == b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_named_and_records_of_folders_named_are_inputs() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = std::fs::canonicalize(folder.path()).unwrap();
+        std::fs::create_dir(root.join("records")).unwrap();
+        for name in ["records/a.csv", "records/m.toml", "b.csv", "c.csv"] {
+            std::fs::write(root.join(name), "x").unwrap();
+        }
+        std::fs::hard_link(root.join("b.csv"), root.join("d.csv")).unwrap();
+        let inputs = [root.join("records"), root.join("b.csv")];
+        for (name, wanted) in [
+            ("records/a.csv", true),
+            ("records/../b.csv", true),
+            ("records/m.toml", false),
+            ("c.csv", false),
+            ("new.csv", false),
+            ("d.csv", cfg!(unix)),
+        ] {
+            assert_eq!(is_among(&root.join(name), &inputs), wanted, "{name}");
+        }
+    }
+}

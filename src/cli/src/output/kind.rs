@@ -1,0 +1,137 @@
+//! What kind of file a text is: an output may replace an older file of its own kind, and no other.
+
+use std::fmt;
+
+/// What a file holds, as far as the first look tells.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Kind {
+    /// Nothing at all, as `touch` and `mktemp` leave it.
+    Empty,
+    /// A model file of dashpot.
+    Model,
+    /// What is known about records, said once beside them.
+    Profile,
+    /// Figures of one of the verbs as JSON.
+    Figures,
+    /// A report of dashpot.
+    Report,
+    /// A picture.
+    Picture,
+    /// A table with this header line.
+    Table(String),
+    /// An FMU.
+    Fmu,
+    /// A program or library; the first four bytes name its format.
+    Program([u8; 4]),
+    /// Another text, told apart by its first line.
+    Text(String),
+    /// Anything else.
+    Other(&'static str),
+}
+
+/// Keys that stand at the top of the JSON of some verb; a foreign JSON file has none of them.
+const OWN_KEYS: [&str; 7] = ["parameters", "misfit", "overall", "findings", "suspects", "corners", "rms_percent_1ms"];
+/// What every report of dashpot says of itself in its head.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
+
+impl Kind {
+    /// Looks at the content of a file.
+    pub fn of(bytes: &[u8]) -> Kind {
+        if bytes.iter().all(u8::is_ascii_whitespace) {
+            return Kind::Empty;
+        }
+        let has = |wanted: &str| bytes.windows(wanted.len()).any(|w| w == wanted.as_bytes());
+        if bytes.starts_with(b"PK") {
+            return if has("modelDescription.xml") { Kind::Fmu } else { Kind::Other("a workbook or an archive") };
+        }
+        match bytes {
+            [0x7f, b'E', b'L', b'F', ..] | [b'M', b'Z', ..] | [0xcf, 0xfa, 0xed, 0xfe, ..] => {
+                let mut magic = [0; 4];
+                magic.copy_from_slice(&bytes[..4]);
+                // Windows says no more than `MZ` at this place.
+                if magic.starts_with(b"MZ") {
+                    magic = *b"MZ  ";
+                }
+                return Kind::Program(magic);
+            }
+            _ => {}
+        }
+        let Ok(text) = std::str::from_utf8(bytes) else { return Kind::Other("no text") };
+        if text.contains('\0') {
+            return Kind::Other("no text");
+        }
+        let text = text.trim_start_matches('\u{feff}').trim_start();
+        let begins = |wanted: &str| text.get(..wanted.len()).is_some_and(|t| t.eq_ignore_ascii_case(wanted));
+        if begins("<!doctype html") || begins("<html") {
+            return if text.contains(GENERATOR) { Kind::Report } else { Kind::Other("a web page of other origin") };
+        }
+        if begins("<svg") || (begins("<?xml") && text.contains("<svg")) {
+            return Kind::Picture;
+        }
+        if begins("{") || begins("[") {
+            if let Ok(value) = serde_json::from_str::<serde_json::Value>(text) {
+                let first = value.as_array().and_then(|rows| rows.first()).unwrap_or(&value);
+                let own = first.as_object().is_some_and(|o| OWN_KEYS.iter().any(|key| o.contains_key(*key)));
+                return if own { Kind::Figures } else { Kind::Other("JSON of other origin") };
+            }
+        }
+        let says = |key: &str| text.lines().any(|line| line.split('=').next().is_some_and(|k| k.trim() == key));
+        if says("format") && text.contains(dashpot_records::profile::FORMAT) {
+            return Kind::Profile;
+        }
+        if says("format") && says("elements") {
+            return Kind::Model;
+        }
+        let first = text.lines().next().unwrap_or_default().trim_end();
+        if first.contains(',') && first.chars().any(char::is_alphabetic) {
+            return Kind::Table(first.to_owned());
+        }
+        Kind::Text(first.to_owned())
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Kind::Empty => f.write_str("nothing"),
+            Kind::Model => f.write_str("a model file"),
+            Kind::Profile => f.write_str("the profile of a campaign"),
+            Kind::Figures => f.write_str("figures as JSON"),
+            Kind::Report => f.write_str("a report"),
+            Kind::Picture => f.write_str("a picture"),
+            Kind::Table(header) => write!(f, "a table that begins with {:?}", short(header)),
+            Kind::Fmu => f.write_str("an FMU"),
+            Kind::Program(_) => f.write_str("a program or library"),
+            Kind::Text(first) => write!(f, "a text that begins with {:?}", short(first)),
+            Kind::Other(what) => f.write_str(what),
+        }
+    }
+}
+
+fn short(text: &str) -> String {
+    text.chars().take(50).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_told_apart_by_their_content() {
+        let of = |text: &str| Kind::of(text.as_bytes());
+        assert_eq!(of(" \n"), Kind::Empty);
+        assert_eq!(of("# mine\nformat = 1\nelements = []\n"), Kind::Model);
+        assert_eq!(of("format = \"dashpot campaign profile 1\"\n"), Kind::Profile);
+        assert_eq!(of("{\"parameters\": []}"), Kind::Figures);
+        assert_eq!(of("[{\"rms_percent_1ms\": 1}]"), Kind::Figures);
+        assert!(matches!(of("{\"name\": \"x\"}"), Kind::Other(_)));
+        assert!(matches!(of("<!DOCTYPE html><title>x</title>"), Kind::Other(_)));
+        assert_eq!(of(&format!("<!DOCTYPE html>\n{GENERATOR}")), Kind::Report);
+        assert_eq!(of("time_s,force_N\n0,1\n"), Kind::Table("time_s,force_N".into()));
+        assert_ne!(of("time_s,force_N\n0,1\n"), of("t,x_mm,F\n0,1,2\n"));
+        assert!(matches!(Kind::of(b"PK\x03\x04xl/workbook.xml"), Kind::Other(_)));
+        assert_eq!(Kind::of(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
+        assert_ne!(Kind::of(b"\x7fELF12"), Kind::of(b"MZ\x90\x00"));
+        assert!(matches!(Kind::of(b"\xff\xfe\x00\x01"), Kind::Other(_)));
+    }
+}

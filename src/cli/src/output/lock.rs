@@ -1,0 +1,114 @@
+//! Who is at work: a folder takes the results of one run at a time, and temporary files tell whether their run lives.
+
+use anyhow::{Context as _, bail};
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+/// Holds a folder for this run until dropped.
+pub struct FolderLock {
+    held: Option<File>,
+    /// The folder, where this run made it: taken away again if nothing came into it.
+    made: Option<PathBuf>,
+}
+
+impl FolderLock {
+    /// Makes the folder if need be and takes it.
+    ///
+    /// # Errors
+    /// When it cannot be made, or another run holds it.
+    pub fn take(folder: &Path) -> anyhow::Result<FolderLock> {
+        let made = (!folder.exists()).then(|| folder.to_owned());
+        fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))?;
+        match hold(folder) {
+            Ok(held) => Ok(FolderLock { held, made }),
+            Err(Held) => bail!(
+                "another run of dashpot writes into the folder {}; wait for it, or choose another folder",
+                folder.display()
+            ),
+        }
+    }
+}
+
+impl Drop for FolderLock {
+    fn drop(&mut self) {
+        drop(self.held.take());
+        if let Some(folder) = &self.made {
+            // Fails, as it should, where something is in it.
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+/// Somebody else holds it.
+struct Held;
+
+/// Locks a folder; nothing where the file system knows no locks.
+#[cfg(unix)]
+fn hold(folder: &Path) -> Result<Option<File>, Held> {
+    let Ok(file) = File::open(folder) else { return Ok(None) };
+    match rustix::fs::flock(&file, rustix::fs::FlockOperation::NonBlockingLockExclusive) {
+        Err(rustix::io::Errno::WOULDBLOCK) => Err(Held),
+        _ => Ok(Some(file)),
+    }
+}
+
+/// A file in the folder that others cannot open and that the system removes with the run.
+#[cfg(windows)]
+fn hold(folder: &Path) -> Result<Option<File>, Held> {
+    use std::os::windows::fs::OpenOptionsExt as _;
+    /// `FILE_FLAG_DELETE_ON_CLOSE` of the Windows interface.
+    const DELETE_ON_CLOSE: u32 = 0x0400_0000;
+    /// `ERROR_SHARING_VIOLATION` of the Windows interface.
+    const SHARING_VIOLATION: i32 = 32;
+    let mut open = fs::OpenOptions::new();
+    open.write(true).create(true).share_mode(0).custom_flags(DELETE_ON_CLOSE);
+    match open.open(folder.join(".dashpot-lock")) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) if error.raw_os_error() == Some(SHARING_VIOLATION) => Err(Held),
+        Err(_) => Ok(None),
+    }
+}
+
+/// Marks a temporary file as one of a living run; the mark goes with the run, however it ends.
+pub fn mark_alive(file: &File) {
+    // Where the file system knows no locks there is no mark, and such files are left alone below.
+    #[cfg(unix)]
+    let _ = rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockShared);
+    // Windows refuses to remove a file that is open without leave to delete it; nothing is needed.
+    #[cfg(not(unix))]
+    let _ = file;
+}
+
+/// Whether a temporary file belongs to a living run, or this cannot be told.
+pub fn is_alive(path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        let Ok(file) = File::open(path) else { return true };
+        rustix::fs::flock(&file, rustix::fs::FlockOperation::NonBlockingLockExclusive).is_err()
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = path;
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_held_by_one_and_an_empty_one_goes_again() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("new");
+        let first = FolderLock::take(&folder).unwrap();
+        assert!(FolderLock::take(&folder).is_err());
+        drop(first);
+        assert!(!folder.exists());
+        let again = FolderLock::take(&folder).unwrap();
+        fs::write(folder.join("x"), "y").unwrap();
+        drop(again);
+        assert!(folder.join("x").exists());
+        assert!(FolderLock::take(&folder).is_ok());
+    }
+}

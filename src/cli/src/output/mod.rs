@@ -1,0 +1,90 @@
+//! Where results go, for all verbs: files replaced as a whole and only by their own kind, or standard output for `-`.
+
+mod guard;
+mod inputs;
+mod kind;
+mod lock;
+mod replace;
+mod stdout;
+
+use anyhow::{Context as _, bail};
+use replace::{folder_of, try_folder, write_file};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+pub use guard::set_force;
+pub use inputs::remember as remember_inputs;
+pub use kind::{GENERATOR, Kind};
+pub use lock::FolderLock;
+pub use replace::replace_file;
+pub use stdout::closed as stdout_closed;
+
+/// Whether the path stands for standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Makes sure, before long work, that files can be written to these paths and that nothing else is lost by it.
+///
+/// # Errors
+/// Where a path is a folder, an input, a device or write-protected, two are the same, or a folder is missing or cannot be
+/// written to.
+pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
+    check_each(paths.into_iter().map(|path| (path, None)))
+}
+
+/// As [`check`], knowing what will be written: a file of another kind is refused before the work, not after it.
+///
+/// # Errors
+/// As [`check`], and where a file of another kind is there already.
+pub fn check_kinds<'a>(outputs: impl IntoIterator<Item = (Option<&'a Path>, Kind)>) -> anyhow::Result<()> {
+    check_each(outputs.into_iter().filter_map(|(path, kind)| path.map(|path| (path, Some(kind)))))
+}
+
+fn check_each<'a>(outputs: impl Iterator<Item = (&'a Path, Option<Kind>)>) -> anyhow::Result<()> {
+    let mut seen: Vec<PathBuf> = Vec::new();
+    for (path, kind) in outputs.filter(|(p, _)| !is_stdout(p)) {
+        let named = || format!("cannot write {}", path.display());
+        let folder = folder_of(path);
+        if !folder.is_dir() {
+            bail!("{}: there is no folder {}; make it first", named(), folder.display());
+        }
+        let guard::Target::File(file) = guard::target(path, kind.as_ref()).with_context(named)? else { continue };
+        let folder = folder_of(&file);
+        if let Err(error) = try_folder(folder) {
+            bail!("{}: the folder {} refuses files ({})", named(), folder.display(), error.kind());
+        }
+        let place = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+        let place = place.join(file.file_name().unwrap_or_default());
+        if seen.contains(&place) {
+            bail!("{}: two results would go to this file; give each its own", named());
+        }
+        seen.push(place);
+    }
+    Ok(())
+}
+
+/// Writes text or bytes to a file, or to standard output where the path is `-`.
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
+    if is_stdout(path) {
+        let mut out = std::io::stdout().lock();
+        out.write_all(text.as_ref())?;
+        return Ok(out.flush()?);
+    }
+    write_file(path, text.as_ref())
+}
+
+/// Writes a value as JSON.
+pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
+    let mut text = serde_json::to_string_pretty(value)?;
+    text.push('\n');
+    write(path, text)
+}
+
+/// Prints a line for people: on standard output, or on standard error where standard output carries `result`.
+pub fn say(result: Option<&Path>, text: &str) -> anyhow::Result<()> {
+    if result.is_some_and(is_stdout) {
+        return Ok(writeln!(std::io::stderr().lock(), "{text}")?);
+    }
+    Ok(writeln!(std::io::stdout().lock(), "{text}")?)
+}

@@ -1,0 +1,71 @@
+//! The model beside those of the literature, on the tests that they were identified from and on those left out.
+
+use super::blocks::{Block, Column, Figure, Section, Table};
+use super::numbers::{error, percent};
+use crate::plot::of_test;
+use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation};
+
+/// A model of the literature and its force at the samples of every test.
+#[derive(Debug, Clone)]
+pub struct Rival {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its force at every sample of every test, in the order of the tests, N.
+    pub forces: Vec<Vec<f64>>,
+}
+
+/// The section; `None` where nothing was compared.
+pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival]) -> Option<Section> {
+    if validation.against.is_empty() {
+        return None;
+    }
+    let about =
+        "Every model is identified by least squares, from several starts, from the tests that the validated model was \
+                 fitted to, and then asked for the tests left out. rms and mean error are means over tests."
+            .to_owned();
+    let mut blocks = vec![Block::Paragraph(about), Block::Table(table(&validation.against))];
+    for (left_out, heading) in [(true, "left out of the fit"), (false, "used in the fit")] {
+        let Some(place) = hardest(validation, !left_out) else { continue };
+        blocks.push(Block::Heading(format!("{}, {heading}", validation.tests[place].name)));
+        let figure = |(k, rival): (usize, &Rival)| {
+            let kind = if left_out { "left-out" } else { "fitted" };
+            let svg = of_test::force_velocity_against(&tests[place], rival.name, &rival.forces[place]);
+            Figure::new(format!("against-{}-{}-{kind}", k + 1, rival.name), svg)
+        };
+        blocks.push(Block::Figures(rivals.iter().enumerate().map(figure).collect()));
+    }
+    Some(Section::new("against", "Against the literature", blocks))
+}
+
+/// The test that the validated model misses by the largest share of its force.
+fn hardest(validation: &Validation, used: bool) -> Option<usize> {
+    let tests = &validation.tests;
+    (0..tests.len())
+        .filter(|k| tests[*k].used_in_fit == used)
+        .max_by(|a, b| tests[*a].errors.model.error_percent.total_cmp(&tests[*b].errors.model.error_percent))
+}
+
+fn table(against: &[Against]) -> Table {
+    let figures = |summary: Option<&AgainstSummary>| match summary {
+        Some(s) => [error(s.errors.mean_error_n), percent(s.errors.error_percent), error(s.errors.rmse_n)],
+        None => ["", "", ""].map(str::to_owned),
+    };
+    let row = |one: &Against| {
+        let mut row = vec![one.model.clone(), one.meaning.clone()];
+        row.extend(figures(one.used_in_fit.as_ref()));
+        row.extend(figures(one.left_out.as_ref()));
+        row
+    };
+    let three = |group| {
+        ["mean error,\u{a0}N", "error,\u{a0}%", "rms error,\u{a0}N"].map(|heading| Column::figures(heading).of(group))
+    };
+    let mut columns = vec![Column::words("model"), Column::words("what it is")];
+    columns.extend(three("used in the fit"));
+    columns.extend(three("left out of the fit"));
+    Table {
+        caption: "Error in percent of the largest measured force of each test.".to_owned(),
+        columns,
+        rows: against.iter().map(row).collect(),
+        sortable: true,
+    }
+}

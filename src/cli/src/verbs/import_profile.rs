@@ -1,0 +1,48 @@
+//! `dashpot import-profile`: what is known about records, written beside them.
+
+use super::data::{DataArgs, sign_in_words};
+use crate::output::{self, Kind};
+use anyhow::bail;
+use dashpot_records::{Profile, profile};
+use std::path::PathBuf;
+
+/// Write what is said about records once, beside them, so that every verb obeys it
+///
+/// Takes the options of the other verbs, reads the records with them, and writes them to campaign.toml in the folder of the
+/// records. What a campaign.toml there says already is kept where no option says otherwise.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Example:\n  dashpot import-profile records/ --column time=Zeit --column force=\"Kanal 3\" --unit force=kN --positive compression --exclude 'warmup*'"
+)]
+pub struct Args {
+    #[command(flatten)]
+    data: DataArgs,
+    /// Where to write instead
+    #[arg(short, long, value_name = "F.toml")]
+    output: Option<PathBuf>,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let mut folders: Vec<PathBuf> = args.data.data.iter().map(|p| profile::folder_of(p)).collect();
+    folders.dedup();
+    let [folder] = &folders[..] else {
+        bail!("the records lie in {} folders; write one profile for each", folders.len());
+    };
+    let path = args.output.clone().unwrap_or_else(|| folder.join(profile::FILE));
+    output::check_kinds([(Some(path.as_path()), Kind::Profile)])?;
+    let campaign = args.data.load()?;
+    let mut options = args.data.options()?;
+    if let Some(earlier) = Profile::of(folder)? {
+        options = options.over(&earlier.options().map_err(anyhow::Error::msg)?);
+        options.exclude.sort();
+        options.exclude.dedup();
+    }
+    output::write(&path, Profile::from_options(&options).text())?;
+    let to = Some(path.as_path());
+    output::say(to, &sign_in_words(&campaign.sign))?;
+    for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
+        output::say(to, &format!("note: {}", note.text))?;
+    }
+    output::say(to, &format!("{} tests can be read so; said in {}", campaign.records.len(), path.display()))
+}

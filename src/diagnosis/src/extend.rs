@@ -1,0 +1,140 @@
+//! An explanation with one more effect: switched on, its numbers free, at one of its starts.
+
+use super::spring_end::straighten;
+use super::vocabulary::{Candidate, DrawnOn, Fresh, Start};
+use dashpot_core::Params;
+use dashpot_core::parameter::find;
+use dashpot_estimation::hypothesis::{Free, Hypothesis, Number, number};
+use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
+
+/// The explanation at `theta` with a candidate added at one of its starts.
+pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
+    let mut to = from.clone().starting_at(theta);
+    for element in candidate.elements {
+        // Only elements of the kernel's own list are candidates.
+        let _ = to.base.enable(element, true);
+    }
+    for (name, value) in &candidate.fixed {
+        set(&mut to.base, name, *value);
+    }
+    for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
+        if let Free::Model(unknown) = &fresh.free {
+            place(&mut to.base, unknown, *value);
+        }
+    }
+    for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
+        to.numbers.push(fresh_number(&to.base, fresh, *value));
+    }
+    for (name, factor) in &start.moves {
+        scale(&mut to, name, *factor);
+    }
+    if let Some(drawn) = &start.unbend {
+        unbend(&mut to, drawn);
+    }
+    if let Some(side) = start.straighten {
+        straighten(&mut to, side);
+    }
+    if start.level > 0.0 {
+        level(&mut to, start.level);
+    }
+    to
+}
+
+/// Sets a scalar, held inside its bounds.
+fn set(params: &mut Params, name: &str, value: f64) {
+    if let Some(row) = find(name) {
+        let _ = params.set(name, value.clamp(row.parameter.low, row.parameter.high));
+    }
+}
+
+fn place(params: &mut Params, unknown: &Unknown, value: f64) {
+    match unknown {
+        Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => set(params, name, value),
+        Unknown::Rise { .. } | Unknown::Entry(..) => {}
+    }
+}
+
+fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
+    match &fresh.free {
+        Free::Model(unknown) => {
+            let mut number = number(base, unknown.clone());
+            if let Unknown::Linear(_) = unknown {
+                let (low, high) = fresh.plausible;
+                number.step = (0.3 * value.abs()).max(0.02 * (high - low).abs().min(10.0 * value.abs().max(1e-6)));
+            }
+            number
+        }
+        Free::Rig(artefact) => {
+            Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds: artefact.bounds(), prior: None }
+        }
+        Free::Cooling | Free::HeatCapacity => {
+            let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0, 1e5) };
+            let start = value.ln();
+            let prior = fresh.deviation.map(|d| (start, d));
+            Number { free: fresh.free.clone(), start, step: 0.3, bounds: (low.ln(), high.ln()), prior }
+        }
+    }
+}
+
+/// Multiplies a free number of the base.
+fn scale(to: &mut Hypothesis, name: &str, factor: f64) {
+    for number in &mut to.numbers {
+        let (low, high) = number.bounds;
+        match &number.free {
+            Free::Model(Unknown::Log(n)) if *n == name => number.start = (number.start + factor.ln()).clamp(low, high),
+            Free::Model(Unknown::Linear(n)) if *n == name => number.start = (number.start * factor).clamp(low, high),
+            _ => {}
+        }
+    }
+}
+
+/// Places of the free rises of one stroke's branch of the FV curve among the numbers, each with its point, innermost first.
+fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)> {
+    let mut rises: Vec<(usize, usize)> = of
+        .numbers
+        .iter()
+        .enumerate()
+        .filter_map(|(place, n)| match &n.free {
+            Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) if velocity[*point] * stroke > 0.0 => {
+                Some((place, *point))
+            }
+            _ => None,
+        })
+        .collect();
+    rises.sort_by(|a, b| velocity[a.1].abs().total_cmp(&velocity[b.1].abs()));
+    rises
+}
+
+/// Takes so much force out of the innermost rises of the FV curve, on both strokes.
+fn level(to: &mut Hypothesis, force: f64) {
+    let velocity = to.base.list("fv_velocity").to_vec();
+    for stroke in [1.0, -1.0] {
+        let mut left = force;
+        for (place, _) in branch(to, &velocity, stroke) {
+            let number = &mut to.numbers[place];
+            let taken = left.min(0.9 * number.start);
+            number.start -= taken;
+            left -= taken;
+        }
+    }
+}
+
+/// Draws one stroke's branch of the FV curve on from where it is trusted.
+fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
+    let velocity = to.base.list("fv_velocity").to_vec();
+    let zero = anchor(&velocity);
+    let (mut force, mut slope) = (0.0, None);
+    for (place, point) in branch(to, &velocity, drawn.stroke) {
+        let span = (velocity[point] - velocity[towards_zero(point, zero)]).abs();
+        let number = &mut to.numbers[place];
+        let rise = number.start;
+        force += rise;
+        match slope {
+            Some(slope) if force > drawn.from => {
+                number.start = rise.max(drawn.steepness * slope * span).clamp(number.bounds.0, number.bounds.1);
+                force += number.start - rise;
+            }
+            _ => slope = Some(rise / span),
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Which tests are left out, so that the improvement is shown on records that no refit has seen.
+
+use dashpot_records::Record;
+
+/// One test in so many is left out.
+const ONE_IN: usize = 4;
+/// Fewest tests of which any can be spared.
+const FEWEST: usize = 8;
+
+/// Marks the tests to leave out: every fourth along amplitude and speed, so that every band of both has some.
+///
+/// The largest stroke, the fastest and the tests at the ends of mean displacement and side force stay in: what only one
+/// test shows cannot be learned without it.
+pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
+    let n = records.len();
+    let mut out = vec![false; n];
+    if n < FEWEST {
+        return out;
+    }
+    let side = |r: &Record| {
+        r.side_force.as_ref().map_or(0.0, |c| c.iter().map(|f| f.abs()).sum::<f64>() / c.len().max(1) as f64)
+    };
+    let band = |x: f64| if x > 0.0 { (2.0 * x.log2()).round() } else { -1000.0 };
+    let key = |r: &Record| {
+        [(side(r) / 100.0).round(), (r.mean_displacement / 0.01).round(), band(r.amplitude), r.peak_velocity]
+    };
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| {
+        let (ka, kb) = (key(records[*a]), key(records[*b]));
+        ka.iter().zip(&kb).map(|(a, b)| a.total_cmp(b)).find(|o| o.is_ne()).unwrap_or(a.cmp(b))
+    });
+    let mut keep = vec![false; n];
+    let mut extreme = |of: &dyn Fn(&Record) -> f64| {
+        let by = |a: &usize, b: &usize| of(records[*a]).total_cmp(&of(records[*b]));
+        if let (Some(low), Some(high)) = ((0..n).min_by(by), (0..n).max_by(by)) {
+            keep[low] = true;
+            keep[high] = true;
+        }
+    };
+    extreme(&|r| r.amplitude);
+    extreme(&|r| r.peak_velocity);
+    extreme(&|r| r.mean_displacement + r.amplitude);
+    extreme(&|r| r.mean_displacement - r.amplitude);
+    extreme(&side);
+    let offset = 1 + (seed as usize) % (ONE_IN - 1);
+    let spare: Vec<usize> = order.into_iter().filter(|k| !keep[*k]).collect();
+    for place in spare.iter().skip(offset).step_by(ONE_IN) {
+        out[*place] = true;
+    }
+    out
+}

@@ -1,0 +1,69 @@
+//! The improved model as a fit, so that it is written, read and reported like any other.
+
+use super::name_of;
+use super::outcome::Diagnosis;
+use super::search::{Search, physical};
+use dashpot_core::Params;
+use dashpot_estimation::deviations::deviations;
+use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::unknowns::Unknown;
+use dashpot_identification::{Estimate, Fit, Standing};
+use dashpot_records::Record;
+
+/// Intervals of all scalars of the last explanation.
+pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
+    let (last, end) = &found.found.last;
+    let deviations = deviations(last, end);
+    last.numbers
+        .iter()
+        .enumerate()
+        .filter_map(|(k, number)| {
+            let Free::Model(Unknown::Log(_) | Unknown::Linear(_)) = &number.free else { return None };
+            let at = |t: f64| physical(&number.free, t);
+            let (name, unit) = name_of(&number.free);
+            let (value, deviation) = (end.theta[k], deviations[k]);
+            let known = deviation.is_finite();
+            Some(Estimate {
+                name,
+                index: None,
+                value: at(value),
+                low: known.then(|| at(value - 1.96 * deviation)),
+                high: known.then(|| at(value + 1.96 * deviation)),
+                unit,
+                from: "all fitted tests".to_owned(),
+                standing: if known { Standing::Identified } else { Standing::NotIdentified },
+            })
+        })
+        .collect()
+}
+
+impl Diagnosis {
+    /// The improved model as a fit to the records that were not held out; `fv_only` is the plain curve to compare with.
+    pub fn as_fit(&self, records: &[&Record], held_out: &[bool], fv_only: Params) -> Fit {
+        let used: Vec<&&Record> = records
+            .iter()
+            .zip(held_out.iter().chain(std::iter::repeat(&false)))
+            .filter(|(_, out)| !**out)
+            .map(|(r, _)| r)
+            .collect();
+        let mut notes = vec![format!("diagnosis: {}", self.summary)];
+        notes.extend(self.findings.iter().map(|f| {
+            let place = if f.of_the_rig {
+                "of the rig: corrected in the comparison, not in this model"
+            } else {
+                "added to this model"
+            };
+            format!("{} ({:.0} % sure) {place}", f.effect, 100.0 * f.confidence)
+        }));
+        Fit {
+            params: self.improved,
+            estimates: self.estimates.clone(),
+            choices: Vec::new(),
+            notes,
+            tests: used.iter().map(|r| r.name.clone()).collect(),
+            fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
+            fv_only,
+            misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
+        }
+    }
+}

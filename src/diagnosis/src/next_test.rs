@@ -1,0 +1,225 @@
+//! The rig test that would tell rivals apart: where their predictions, each with everything refitted, differ most beside
+//! the noise (Hunter & Reiner, Technometrics 7, 1965).
+
+use super::effects::remedy;
+use super::outcome::NextTest;
+use dashpot_core::Input;
+use dashpot_estimation::hypothesis::Hypothesis;
+use dashpot_estimation::samples::Test;
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::sensitivity::Accuracy;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// An explanation that competes.
+pub struct Rival<'a> {
+    /// The name it adds.
+    pub effect: &'static str,
+    /// The explanation.
+    pub hypothesis: &'a Hypothesis,
+    /// Its numbers.
+    pub theta: &'a [f64],
+    /// Its probability.
+    pub confidence: f64,
+}
+
+/// What a rig can do, as the campaign shows it.
+pub struct Rig {
+    /// Displacements reached, m.
+    pub reach: (f64, f64),
+    /// Fastest peak, m/s.
+    pub speed: f64,
+    /// Side forces that were set, N, rounded to 50; the rig has what sets them.
+    pub side_forces: Vec<f64>,
+    /// Largest force of the damper, N: what it and the load cell are known to stand.
+    pub force: f64,
+}
+
+/// How far beyond the largest force measured a proposed test may go.
+const BEYOND: f64 = 1.2;
+
+const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05];
+const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
+/// Samples per cycle, and cycles that run ahead.
+const PER_CYCLE: usize = 120;
+/// Noise expected: a share of the force and a rest, N.
+const NOISE: (f64, f64) = (0.02, 1.0);
+/// Tests told.
+const TOLD: usize = 3;
+
+#[derive(Clone, Copy)]
+struct Design {
+    amplitude: f64,
+    frequency: f64,
+    mean: f64,
+    side_force: f64,
+}
+
+fn sine(d: &Design) -> Test {
+    let lead = PER_CYCLE;
+    let n = lead + PER_CYCLE;
+    let dt = 1.0 / (d.frequency * PER_CYCLE as f64);
+    let w = TAU * d.frequency;
+    let input = (0..n)
+        .map(|i| {
+            let t = (i as f64 - lead as f64 + 0.37) * dt;
+            Input {
+                displacement: Some(d.mean + d.amplitude * (w * t).sin()),
+                velocity: d.amplitude * w * (w * t).cos(),
+                side_force: d.side_force,
+                temperature: 20.0,
+            }
+        })
+        .collect();
+    Test {
+        record: 0,
+        segment: Segment {
+            name: String::new(),
+            dt: vec![dt; n],
+            input,
+            force: vec![0.0; n],
+            from: lead,
+            scale: 1.0,
+            top: 1.0,
+            peak_velocity: d.amplitude * w,
+            amplitude: d.amplitude,
+        },
+        allowed: vec![1.0; PER_CYCLE],
+        mean_noise: 0.0,
+        independence: 1.0,
+        growth: 0.0,
+        noise_freedom: f64::INFINITY,
+        frequency: d.frequency,
+        clock: 0.0,
+    }
+}
+
+/// The tests that separate the rivals best, best first.
+pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
+    if rivals.len() < 2 {
+        return rivals.iter().map(|r| in_words(r.effect)).collect();
+    }
+    let zero = [0.0];
+    let side_matters = rivals.iter().any(|r| r.effect == "side_force_friction");
+    let sides = if side_matters && !rig.side_forces.is_empty() { &rig.side_forces[..] } else { &zero };
+    let mut designs = Vec::new();
+    let middle = 0.5 * (rig.reach.0 + rig.reach.1);
+    let span = 0.5 * (rig.reach.1 - rig.reach.0);
+    for amplitude in AMPLITUDES.into_iter().filter(|a| *a <= 1.01 * span) {
+        for frequency in FREQUENCIES {
+            if TAU * amplitude * frequency > 1.05 * rig.speed || TAU * amplitude * frequency < 2e-5 {
+                continue;
+            }
+            let room = span - amplitude;
+            let means: &[f64] = if room > 0.2 * span { &[0.0, -1.0, 1.0] } else { &[0.0] };
+            for mean in means {
+                for side_force in sides {
+                    designs.push(Design { amplitude, frequency, mean: middle + mean * room, side_force: *side_force });
+                }
+            }
+        }
+    }
+    let ready: Option<Vec<_>> = rivals.iter().map(|r| r.hypothesis.model_by(Accuracy::Single, r.theta)).collect();
+    let Some(ready) = ready else { return Vec::new() };
+    let mut judged: Vec<(f64, f64, [usize; 2], Design)> = designs
+        .par_iter()
+        .filter_map(|design| {
+            let test = [sine(design)];
+            let forces: Vec<Vec<f64>> = rivals
+                .iter()
+                .zip(&ready)
+                .map(|(r, model)| r.hypothesis.forces_with(model, &test[0], r.theta))
+                .collect();
+            if !forces.iter().flatten().all(|f| f.is_finite()) {
+                return None;
+            }
+            let rms = |f: &mut dyn Iterator<Item = f64>| (f.map(|x| x * x).sum::<f64>() / PER_CYCLE as f64).sqrt();
+            if forces.iter().flatten().any(|f| f.abs() > BEYOND * rig.force) {
+                return None;
+            }
+            let size = rms(&mut forces[0].iter().copied());
+            let noise = NOISE.0 * size + NOISE.1;
+            let mut best = (0.0, 0.0, [0, 1]);
+            for i in 0..rivals.len() {
+                for j in i + 1..rivals.len() {
+                    let d = rms(&mut forces[i].iter().zip(&forces[j]).map(|(a, b)| a - b));
+                    let use_of_it =
+                        rivals[i].confidence.max(0.05) * rivals[j].confidence.max(0.05) * (d / noise).powi(2);
+                    if use_of_it > best.0 {
+                        best = (use_of_it, d, [i, j]);
+                    }
+                }
+            }
+            Some((best.0, best.1, best.2, *design))
+        })
+        .collect();
+    judged.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // Neighbours on the grid say the same: one of each amplitude.
+    let mut told: Vec<NextTest> = Vec::new();
+    for (_, difference, [i, j], d) in judged {
+        if told.iter().any(|t| t.amplitude_m == Some(d.amplitude)) || difference <= 0.0 {
+            continue;
+        }
+        let (a, b) = (rivals[i].effect, rivals[j].effect);
+        let place = if d.mean.abs() > 1e-4 { format!(" about {:+.0} mm", 1e3 * d.mean) } else { String::new() };
+        let side = if d.side_force > 0.0 { format!(" under {:.0} N side force", d.side_force) } else { String::new() };
+        told.push(NextTest {
+            text: format!(
+                "run a sine of {} mm at {} Hz{place}{side}: {a} and {b} differ there by {difference:.1} N rms",
+                1e3 * d.amplitude,
+                d.frequency
+            ),
+            amplitude_m: Some(d.amplitude),
+            frequency_hz: Some(d.frequency),
+            mean_displacement_m: Some(d.mean),
+            side_force_n: Some(d.side_force),
+            difference_n: Some(difference),
+            separates: vec![a, b],
+        });
+        if told.len() == TOLD {
+            break;
+        }
+    }
+    if told.is_empty() {
+        told.extend(rivals.iter().take(2).map(|r| in_words(r.effect)));
+    }
+    told
+}
+
+/// The test that shows one effect best, in words.
+pub fn in_words(effect: &'static str) -> NextTest {
+    NextTest {
+        text: format!("{effect} shows best in: {}", remedy(effect)),
+        amplitude_m: None,
+        frequency_hz: None,
+        mean_displacement_m: None,
+        side_force_n: None,
+        difference_n: None,
+        separates: vec![effect],
+    }
+}
+
+impl Rig {
+    /// What the campaign's own tests show.
+    pub fn of(tests: &[Test]) -> Rig {
+        let mut rig =
+            Rig { reach: (f64::INFINITY, f64::NEG_INFINITY), speed: 0.0, side_forces: Vec::new(), force: 0.0 };
+        for test in tests {
+            rig.force = rig.force.max(test.segment.top);
+        }
+        for input in tests.iter().flat_map(|t| t.inputs()) {
+            if let Some(x) = input.displacement {
+                rig.reach = (rig.reach.0.min(x), rig.reach.1.max(x));
+            }
+            rig.speed = rig.speed.max(input.velocity.abs());
+            let side = (input.side_force / 50.0).round() * 50.0;
+            if !rig.side_forces.contains(&side) {
+                rig.side_forces.push(side);
+            }
+        }
+        rig.side_forces.sort_by(f64::total_cmp);
+        let (first, last) = (rig.side_forces.first().copied(), rig.side_forces.last().copied());
+        rig.side_forces = first.into_iter().chain(last.filter(|_| first != last)).collect();
+        rig
+    }
+}

@@ -1,0 +1,164 @@
+//! Against a reference: the same tests on a good damper. What the model leaves of them is the error of its form, which both dampers
+//! share; taken out of the comparison, what remains is what changed.
+
+use dashpot_core::Input;
+use dashpot_estimation::samples::Test;
+use std::f64::consts::TAU;
+
+/// How far two tests may differ and still be the same: relative, of amplitude and frequency; of the amplitude, of the mean
+/// displacement; in N, of the side force.
+const SAME: f64 = 0.05;
+const SAME_PLACE: f64 = 0.1;
+const SAME_SIDE: f64 = 25.0;
+
+/// What a test is run at.
+struct At {
+    frequency: f64,
+    amplitude: f64,
+    mean: f64,
+    side: f64,
+}
+
+fn at(test: &Test) -> At {
+    let x = || test.inputs().iter().filter_map(|i| i.displacement);
+    let (low, high) = x().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+    let count = test.count().max(1) as f64;
+    At {
+        frequency: test.frequency,
+        amplitude: 0.5 * (high - low),
+        mean: 0.5 * (high + low),
+        side: test.inputs().iter().map(|i| i.side_force).sum::<f64>() / count,
+    }
+}
+
+fn is_same(a: &At, b: &At) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
+    a.frequency > 0.0
+        && near(a.frequency, b.frequency)
+        && near(a.amplitude, b.amplitude)
+        && (a.mean - b.mean).abs() <= SAME_PLACE * a.amplitude.max(b.amplitude)
+        && (a.side - b.side).abs() <= SAME_SIDE
+}
+
+/// Phase of a sample of a cycle, 0 to 2π: 0 where it passes the middle in rebound.
+fn phase(input: &Input, at: &At) -> f64 {
+    let x = (input.displacement.unwrap_or(at.mean) - at.mean) / at.amplitude;
+    let v = input.velocity / (TAU * at.frequency * at.amplitude);
+    x.atan2(v).rem_euclid(TAU)
+}
+
+/// What is left of one cycle over its phase.
+struct Left {
+    by_phase: Vec<(f64, f64)>,
+}
+
+impl Left {
+    fn new(test: &Test, at: &At, residual: &[f64]) -> Left {
+        let mut by_phase: Vec<(f64, f64)> =
+            test.inputs().iter().zip(residual).map(|(input, r)| (phase(input, at), *r)).collect();
+        by_phase.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Left { by_phase }
+    }
+
+    /// Between the two samples around a phase, in proportion.
+    fn at(&self, phase: f64) -> f64 {
+        let n = self.by_phase.len();
+        let right = self.by_phase.partition_point(|p| p.0 <= phase);
+        let (a, b) = (self.by_phase[(right + n - 1) % n], self.by_phase[right % n]);
+        let span = (b.0 - a.0).rem_euclid(TAU);
+        let share = if span > 0.0 { (phase - a.0).rem_euclid(TAU) / span } else { 0.0 };
+        a.1 + share.clamp(0.0, 1.0) * (b.1 - a.1)
+    }
+}
+
+/// Tests with what the model leaves of the same tests on the reference taken out of their forces, and its noise added; and the names of
+/// those that the reference campaign does not have. `residual` is measured less computed force of every reference test, N.
+pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> (Vec<Test>, Vec<String>) {
+    let known: Vec<(At, Left, f64)> = reference
+        .iter()
+        .zip(residual)
+        .filter(|(test, _)| test.frequency > 0.0)
+        .map(|(test, residual)| {
+            let at = at(test);
+            let left = Left::new(test, &at, residual);
+            (at, left, test.mean_noise)
+        })
+        .collect();
+    let (mut kept, mut missing) = (Vec::new(), Vec::new());
+    for mut test in tests {
+        let own = at(&test);
+        let same: Vec<&(At, Left, f64)> = known.iter().filter(|(at, ..)| is_same(&own, at)).collect();
+        if same.is_empty() {
+            missing.push(test.segment.name);
+            continue;
+        }
+        // A test that the reference has several times is known better.
+        let count = same.len() as f64;
+        let noise = same.iter().map(|(.., noise)| noise * noise).sum::<f64>().sqrt() / count;
+        let from = test.segment.from;
+        let inputs: Vec<Input> = test.segment.input.clone();
+        for (k, input) in inputs.iter().enumerate() {
+            let phase = phase(input, &own);
+            let left = same.iter().map(|(_, left, _)| left.at(phase)).sum::<f64>() / count;
+            test.segment.force[k] -= left;
+            if let Some(allowed) = k.checked_sub(from).and_then(|k| test.allowed.get_mut(k)) {
+                *allowed = (*allowed * *allowed + noise * noise / test.independence.max(1e-3)).sqrt();
+            }
+        }
+        test.mean_noise = test.mean_noise.hypot(noise);
+        kept.push(test);
+    }
+    missing.sort();
+    missing.dedup();
+    (kept, missing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_estimation::segment::Segment;
+
+    fn sine(amplitude: f64, frequency: f64, start: f64, force: impl Fn(f64) -> f64) -> Test {
+        let n = 100;
+        let angle = |k: usize| start + TAU * k as f64 / n as f64;
+        let input = (0..n)
+            .map(|k| Input::motion(amplitude * angle(k).sin(), amplitude * TAU * frequency * angle(k).cos()))
+            .collect();
+        Test {
+            record: 0,
+            segment: Segment {
+                name: format!("{amplitude} {frequency}"),
+                dt: vec![1.0 / (frequency * n as f64); n],
+                input,
+                force: (0..n).map(|k| force(angle(k))).collect(),
+                from: 0,
+                scale: 1.0,
+                top: 100.0,
+                peak_velocity: amplitude * TAU * frequency,
+                amplitude,
+            },
+            allowed: vec![1.0; n],
+            mean_noise: 1.0,
+            independence: 1.0,
+            growth: 0.0,
+            noise_freedom: 100.0,
+            frequency,
+            clock: 0.0,
+        }
+    }
+
+    #[test]
+    fn what_both_share_goes_whatever_the_phase_at_which_a_cycle_begins_and_what_has_no_counterpart_is_told() {
+        let shared = |angle: f64| 20.0 * (2.0 * angle).sin();
+        let good = sine(0.01, 2.0, 0.3, shared);
+        let residual = vec![good.segment.force.clone()];
+        let worn = sine(0.01, 2.0, 4.1, |angle| shared(angle) + 7.0);
+        let other = sine(0.02, 2.0, 0.0, shared);
+        let (kept, missing) = without_shared_error(vec![worn, other], &[good], &residual);
+        assert_eq!((kept.len(), missing), (1, vec!["0.02 2".to_owned()]));
+        for force in &kept[0].segment.force {
+            assert!((force - 7.0).abs() < 0.05, "{force}");
+        }
+        assert!((kept[0].mean_noise - 2f64.sqrt()).abs() < 1e-12);
+    }
+}

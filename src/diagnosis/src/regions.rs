@@ -1,0 +1,137 @@
+//! Where model and records disagree: the cells of direction, speed and acceleration in which the residual stands out of
+//! the noise, in words and figures.
+
+use super::outcome::Region;
+use dashpot_estimation::samples::Test;
+
+/// Bounds of the speed bands, m/s.
+const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];
+/// Most regions told.
+const TOLD: usize = 12;
+/// How far above the noise a region must stand.
+const STANDS_OUT: f64 = 1.5;
+/// Fewest samples of a region.
+const FEWEST: usize = 5;
+
+struct Cell {
+    direction: f64,
+    band: usize,
+    rising: bool,
+}
+
+/// Finds the regions; `residual` is measured less computed force of every scored sample, N.
+pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
+    let mut all = Vec::new();
+    for (which, name) in std::iter::once((None, "all".to_owned()))
+        .chain(tests.iter().enumerate().map(|(k, t)| (Some(k), t.segment.name.clone())))
+    {
+        for direction in [1.0, -1.0] {
+            for band in 0..SPEEDS.len() - 1 {
+                let mut halves = [true, false]
+                    .map(|rising| region(tests, residual, which, &name, &Cell { direction, band, rising }));
+                // Alike while speeding up and slowing down: one region.
+                if let [Some(up), Some(down)] = &mut halves {
+                    if (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs()) {
+                        all.push(joined(up, down));
+                        continue;
+                    }
+                }
+                all.extend(halves.into_iter().flatten());
+            }
+        }
+    }
+    all.retain(|r| r.rmse_n > STANDS_OUT * r.noise_n);
+    // What holds for all tests comes first, then single tests, each by how far it stands out.
+    let weight = |r: &Region| (r.rmse_n / r.noise_n.max(1e-9)) * if r.test == "all" { 10.0 } else { 1.0 };
+    all.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    all.truncate(TOLD);
+    all
+}
+
+fn region(tests: &[Test], residual: &[Vec<f64>], which: Option<usize>, name: &str, cell: &Cell) -> Option<Region> {
+    let (mut sum, mut square, mut noise, mut count) = (0.0, 0.0, 0.0, 0usize);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut fast = 0.0f64;
+    for (k, test) in tests.iter().enumerate().filter(|(k, _)| which.is_none_or(|w| w == *k)) {
+        let inputs = test.inputs();
+        let n = inputs.len();
+        for i in 0..n {
+            let v = inputs[i].velocity;
+            let speed = v.abs();
+            let before = inputs[if i == 0 { n - 1 } else { i - 1 }].velocity.abs();
+            let after = inputs[if i + 1 == n { 0 } else { i + 1 }].velocity.abs();
+            if v * cell.direction <= 0.0
+                || !(SPEEDS[cell.band]..SPEEDS[cell.band + 1]).contains(&speed)
+                || (after >= before) != cell.rising
+            {
+                continue;
+            }
+            let r = residual[k][i];
+            sum += r;
+            square += r * r;
+            noise += test.mean_noise * test.mean_noise;
+            count += 1;
+            fast = fast.max(speed);
+            if let Some(x) = inputs[i].displacement {
+                (low, high) = (low.min(x), high.max(x));
+            }
+        }
+    }
+    if count < FEWEST {
+        return None;
+    }
+    let n = count as f64;
+    let top = if SPEEDS[cell.band + 1].is_finite() { SPEEDS[cell.band + 1] } else { fast };
+    let velocity = if cell.direction > 0.0 { [SPEEDS[cell.band], top] } else { [-top, -SPEEDS[cell.band]] };
+    let mut region = Region {
+        test: name.to_owned(),
+        velocity_m_s: velocity,
+        displacement_m: [low, high],
+        direction: if cell.direction > 0.0 { "rebound" } else { "compression" },
+        acceleration: if cell.rising { "speeding_up" } else { "slowing_down" },
+        rmse_n: (square / n).sqrt(),
+        mean_n: sum / n,
+        noise_n: (noise / n).sqrt(),
+        text: String::new(),
+    };
+    region.text = words(&region, ((square / n - (sum / n).powi(2)).max(0.0) / n).sqrt());
+    Some(region)
+}
+
+fn joined(a: &Region, b: &Region) -> Region {
+    let mut both = Region {
+        displacement_m: [a.displacement_m[0].min(b.displacement_m[0]), a.displacement_m[1].max(b.displacement_m[1])],
+        acceleration: "both",
+        rmse_n: (0.5 * (a.rmse_n.powi(2) + b.rmse_n.powi(2))).sqrt(),
+        mean_n: 0.5 * (a.mean_n + b.mean_n),
+        noise_n: (0.5 * (a.noise_n.powi(2) + b.noise_n.powi(2))).sqrt(),
+        ..a.clone()
+    };
+    both.text = words(&both, 0.5 * (a.mean_n - b.mean_n).abs());
+    both
+}
+
+fn words(r: &Region, error: f64) -> String {
+    let (slow, fast) =
+        (r.velocity_m_s[0].abs().min(r.velocity_m_s[1].abs()), r.velocity_m_s[0].abs().max(r.velocity_m_s[1].abs()));
+    let phase = match r.acceleration {
+        "speeding_up" => " while it speeds up",
+        "slowing_down" => " while it slows down",
+        _ => "",
+    };
+    let place = if r.test == "all" { "in all tests that go there".to_owned() } else { format!("in test {}", r.test) };
+    let missing = if r.mean_n.abs() > 0.5 * r.rmse_n {
+        format!(
+            "measured force is {:.1} N ± {:.1} {} than computed",
+            r.mean_n.abs(),
+            error.max(0.05),
+            if r.mean_n > 0.0 { "more tensile" } else { "more compressive" }
+        )
+    } else {
+        format!("{:.1} N rms off in both senses", r.rmse_n)
+    };
+    format!(
+        "{}, {slow:.2}–{fast:.2} m/s{phase}, {place}: {missing} (rms {:.1} N, noise {:.1} N)",
+        r.direction, r.rmse_n, r.noise_n
+    )
+}

@@ -1,0 +1,345 @@
+//! The search for what is missing: the likeliest effect is added where it is likely enough, then the next beside it; pairs that hide each
+//! other are tried beside that; each name is weighed once more with all the others in.
+
+use super::decisions::{NAMED, NOTHING_MORE, SURE, SUSPECTED, WITH_NAME, WITHOUT_NAME};
+use super::evidence::{Weighed, noise_chi2};
+use super::finer_curve::with_enough_points;
+use super::round::{Ground, Round, Tried, look};
+use super::unbent::{is_bent, unbent};
+use super::vocabulary::Candidate;
+use dashpot_core::parameter::find;
+use dashpot_estimation::hypothesis::{Free, Hypothesis};
+use dashpot_estimation::priors::implausibility;
+use dashpot_estimation::refit::{Effort, Refit, refit};
+use dashpot_estimation::samples::Test;
+use dashpot_estimation::unknowns::Unknown;
+use dashpot_records::Record;
+
+/// Effects of the first look of which each is tried as one of two.
+const PAIRED: usize = 4;
+
+/// An effect in the explanation.
+#[derive(Clone)]
+pub struct Added {
+    /// Which.
+    pub candidate: Candidate,
+    /// Places of its numbers.
+    pub numbers: std::ops::Range<usize>,
+    /// The look that weighs it against everything else, all other names given: its place among the looks.
+    pub look: usize,
+}
+
+/// An explanation with what was added to it.
+#[derive(Clone)]
+pub struct Explained {
+    /// The explanation and its refit.
+    pub last: (Hypothesis, Refit),
+    /// What was added.
+    pub added: Vec<Added>,
+    /// Price of the values of the base explanation that dampers do not show.
+    strangeness: f64,
+}
+
+/// The whole search.
+pub struct Search {
+    /// The base explanation and its refit.
+    pub base: (Hypothesis, Refit),
+    /// The last explanation.
+    pub found: Explained,
+    /// All looks, in the order in which they were taken.
+    pub rounds: Vec<Round>,
+    /// Place of the look at what the last explanation leaves; `None` where there was none any more.
+    pub last_look: Option<usize>,
+}
+
+/// What a search may do.
+pub struct Limits<'a> {
+    /// Most effects.
+    pub effects: usize,
+    /// Whether an effect may be tried.
+    pub allowed: &'a (dyn Fn(&str) -> bool + Sync),
+}
+
+impl Explained {
+    fn nothing_added(base: &(Hypothesis, Refit)) -> Explained {
+        let strangeness = implausibility(&base.0, &base.1.theta);
+        Explained { last: base.clone(), added: Vec::new(), strangeness }
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.added.iter().map(|a| a.candidate.effect).collect()
+    }
+
+    /// What the explanation leaves, with all its names paid for.
+    pub fn weighed(&self, tests: &[Test]) -> Weighed {
+        let numbers = self.added.iter().map(|a| a.candidate.numbers()).sum();
+        Weighed::new(&self.last.0, &self.last.1, tests, numbers, self.strangeness)
+    }
+
+    /// With one more effect, refitted to the end.
+    fn with(&self, best: &Tried, tests: &[Test], look: usize) -> Option<Explained> {
+        let fine = refit(&best.hypothesis, tests, &best.refit.theta, None, Effort::FINE)?;
+        let fine =
+            if is_bent(&best.hypothesis, tests, &fine.theta) { unbent(&best.hypothesis, tests, fine) } else { fine };
+        let numbers = self.last.0.numbers.len()..best.hypothesis.numbers.len();
+        let mut added = self.added.clone();
+        added.push(Added { candidate: best.candidate.clone(), numbers, look });
+        let last = (best.hypothesis.clone().starting_at(&fine.theta), fine);
+        let mut explained = Explained { last, added, strangeness: self.strangeness };
+        explained.refine_curve(tests);
+        Some(explained)
+    }
+
+    /// More points on the FV curve where what is left is of its form.
+    fn refine_curve(&mut self, tests: &[Test]) {
+        let numbers = self.last.0.numbers.len();
+        self.last = with_enough_points(self.last.clone(), tests, noise_chi2(tests));
+        let more = self.last.0.numbers.len() - numbers;
+        for added in &mut self.added {
+            added.numbers = added.numbers.start + more..added.numbers.end + more;
+        }
+    }
+
+    /// With one of the effects left out, everything refitted.
+    pub fn leave(&self, place: usize, tests: &[Test]) -> Option<Explained> {
+        let less = without(&self.last.0, &self.last.1.theta, &self.added[place]);
+        let refitted = refit(&less, tests, &less.start(), None, Effort::JUDGE)?;
+        let mut added = self.added.clone();
+        let gone = added.remove(place);
+        for other in &mut added {
+            if other.numbers.start >= gone.numbers.end {
+                let length = gone.numbers.len();
+                other.numbers = other.numbers.start - length..other.numbers.end - length;
+            }
+        }
+        let last = (less.starting_at(&refitted.theta), refitted);
+        Some(Explained { last, added, strangeness: self.strangeness })
+    }
+}
+
+/// The likeliest effect of a look where it is likely enough to be added.
+fn likely(round: &Round) -> Option<&Tried> {
+    // What is left beside a name is partly of that name's form, which is alike in all tests.
+    let odds = round.odds(if round.is_later { SURE } else { SUSPECTED });
+    let (effect, _) = odds.effects.iter().filter(|(_, p)| **p >= NAMED).max_by(|a, b| a.1.total_cmp(b.1))?;
+    round.tried.iter().find(|t| t.candidate.effect == *effect)
+}
+
+/// Runs the search from a base explanation.
+pub fn search(
+    base: Hypothesis,
+    records: &[&Record],
+    tests: &[Test],
+    limits: &Limits,
+    progress: &(dyn Fn(f64, &str) + Sync),
+) -> Option<Search> {
+    progress(0.05, "refitting the model as it is");
+    let start = base.start();
+    let first = refit(&base, tests, &start, None, Effort::FINE)?;
+    let base = base.starting_at(&first.theta);
+    let base = with_enough_points((base, first), tests, noise_chi2(tests));
+    let leaves = Explained::nothing_added(&base).weighed(tests).mean();
+    let ground = Ground { records, tests, allowed: limits.allowed, base: Some(leaves), forms: None };
+    let mut search = Search { found: Explained::nothing_added(&base), base, rounds: Vec::new(), last_look: None };
+    search.greedy(&ground, limits, progress)?;
+    if limits.effects >= 2 && search.found.added.is_empty() && search.leaves_something() {
+        progress(0.6, "looking for two effects at once");
+        search.pairs(&ground);
+    }
+    if search.found.added.len() >= 2 {
+        progress(0.8, "weighing each name with the others in");
+        search.weigh_each(&ground);
+    }
+    Some(search)
+}
+
+impl Search {
+    fn look(&mut self, ground: &Ground, at: &Explained) -> Option<usize> {
+        let round = look(ground, &at.last, &at.names())?;
+        self.rounds.push(round);
+        Some(self.rounds.len() - 1)
+    }
+
+    /// Adds the likeliest effect as long as one is likely enough.
+    fn greedy(&mut self, ground: &Ground, limits: &Limits, progress: &(dyn Fn(f64, &str) + Sync)) -> Option<()> {
+        loop {
+            progress(0.1 + 0.25 * self.found.added.len() as f64, "refitting everything with each effect");
+            let forms = self.rounds.first().map(Round::promising);
+            let place = self.look(&Ground { forms: forms.as_ref(), ..*ground }, &self.found.clone())?;
+            self.last_look = Some(place);
+            if self.found.added.len() >= limits.effects {
+                return Some(());
+            }
+            let Some(best) = likely(&self.rounds[place]) else { return Some(()) };
+            let Some(next) = self.found.with(best, ground.tests, place) else { return Some(()) };
+            self.found = next;
+            self.drop_needless(ground.tests);
+        }
+    }
+
+    /// Whether the explanation leaves more than noise and the form of curves.
+    fn leaves_something(&self) -> bool {
+        self.last_look.is_none_or(|place| self.rounds[place].odds(SUSPECTED).nothing < NAMED)
+    }
+
+    /// Takes effects out that those after them have made needless: without them the evidence is no less.
+    fn drop_needless(&mut self, tests: &[Test]) {
+        let mut place = 0;
+        while place + 1 < self.found.added.len() {
+            let with = self.found.weighed(tests).log_evidence(SUSPECTED);
+            match self.found.leave(place, tests) {
+                Some(less) if less.weighed(tests).log_evidence(SUSPECTED) >= with => self.found = less,
+                _ => place += 1,
+            }
+        }
+    }
+
+    /// Two effects that hide each other's share: each of the likeliest is put in, and the best of the others beside it; the pair that
+    /// explains most takes the place of what was found where it is likelier by what a second name costs.
+    fn pairs(&mut self, ground: &Ground) {
+        let first: Vec<Tried> = self.rounds[0].named().into_iter().take(PAIRED).cloned().collect();
+        let names: Vec<&str> = first.iter().map(|t| t.candidate.effect).collect();
+        let among = |effect: &str| names.contains(&effect) && (ground.allowed)(effect);
+        let forms = self.rounds[0].promising();
+        let ground_of_pairs = Ground { allowed: &among, forms: Some(&forms), ..*ground };
+        let base = Explained::nothing_added(&self.base);
+        let choice = self.rounds[0].choice.max(1) as f64;
+        let (first_name, second_name) =
+            ((WITH_NAME / choice).ln(), ((1.0 - NOTHING_MORE - WITHOUT_NAME) / choice).ln());
+        let mut best: Option<(f64, Explained)> = None;
+        for one in &first {
+            let Some(with_one) = base.with(one, ground.tests, 0) else { continue };
+            let Some(round) = look(&ground_of_pairs, &with_one.last, &with_one.names()) else { continue };
+            let Some(second) = round.named().first().copied().cloned() else { continue };
+            let Some(both) = with_one.with(&second, ground.tests, 0) else { continue };
+            let log = both.weighed(ground.tests).log_evidence(SUSPECTED);
+            if best.as_ref().is_none_or(|(most, _)| log > *most) {
+                best = Some((log, both));
+            }
+        }
+        let Some((log, both)) = best else { return };
+        let round = &self.rounds[0];
+        let single = round.named().first().map_or(f64::NEG_INFINITY, |t| t.weighed.log_evidence(SUSPECTED));
+        let nameless = round.before.log_evidence(SUSPECTED) + WITHOUT_NAME.ln();
+        if log + first_name + second_name > nameless.max(single + first_name) {
+            self.found = both;
+            self.last_look = None;
+        }
+    }
+
+    /// Weighs each of several names against everything else with all the others in: one that is not the likeliest there gives way to what
+    /// is, or goes.
+    fn weigh_each(&mut self, ground: &Ground) {
+        let mut place = 0;
+        // Whoever was likely in any look, and what is in already.
+        let mut names: Vec<&str> = self.found.names();
+        for round in &self.rounds {
+            names.extend(round.named().iter().take(PAIRED).map(|t| t.candidate.effect));
+        }
+        let forms = self.rounds[0].promising();
+        let among = |effect: &str| names.contains(&effect) && (ground.allowed)(effect);
+        let ground = &Ground { allowed: &among, forms: Some(&forms), ..*ground };
+        while place < self.found.added.len() && self.found.added.len() >= 2 {
+            let Some(less) = self.found.leave(place, ground.tests) else { break };
+            let Some(look) = self.look(ground, &less) else { break };
+            let effect = self.found.added[place].candidate.effect;
+            let best = likely(&self.rounds[look]).cloned();
+            match best {
+                Some(best) if best.candidate.effect == effect => {
+                    self.found.added[place].look = look;
+                    place += 1;
+                }
+                Some(best) => match less.with(&best, ground.tests, look) {
+                    Some(other) => {
+                        self.found = other;
+                        self.last_look = None;
+                        // It stands last now and was weighed here.
+                        if place + 1 == self.found.added.len() {
+                            place += 1;
+                        }
+                    }
+                    None => break,
+                },
+                None => {
+                    // Without it nothing is likely enough: its look is what is left.
+                    self.found = less;
+                    self.last_look = Some(look);
+                }
+            }
+        }
+        let [only] = &mut self.found.added[..] else { return };
+        // Alone again, it is what the first look says of it.
+        only.look = 0;
+        let effect = only.candidate.effect;
+        if likely(&self.rounds[0]).is_none_or(|best| best.candidate.effect != effect) {
+            self.found = Explained::nothing_added(&self.base);
+            self.last_look = Some(0);
+        }
+    }
+
+    /// Probability of a name against everything else, each test counted as `samples` independent ones.
+    pub fn probability(&self, added: &Added, samples: f64) -> f64 {
+        self.rounds[added.look].odds(samples).effects.get(added.candidate.effect).copied().unwrap_or(0.0)
+    }
+}
+
+/// A number in the unit that people use.
+pub fn physical(free: &Free, value: f64) -> f64 {
+    match free {
+        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => value.exp(),
+        _ => value,
+    }
+}
+
+/// An explanation without one of its effects.
+pub fn without(from: &Hypothesis, theta: &[f64], added: &Added) -> Hypothesis {
+    let mut to = from.clone().starting_at(theta);
+    for element in added.candidate.elements {
+        let _ = to.base.enable(element, false);
+    }
+    // What it fixed elsewhere was for it alone.
+    for row in added.candidate.fixed.iter().filter_map(|(name, _)| find(name)) {
+        if let [usual] = row.parameter.default {
+            let _ = to.base.set(row.parameter.name, *usual);
+        }
+    }
+    to.numbers.drain(added.numbers.clone());
+    to
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extend::extend;
+    use crate::situation::Situation;
+    use crate::vocabulary::{base_numbers, candidates};
+    use dashpot_core::elements::GROUPS;
+    use dashpot_core::parameter::{Shape, table};
+    use dashpot_core::{Model, Params};
+
+    #[test]
+    fn an_effect_that_is_taken_out_leaves_the_damper_as_it_was() {
+        let mut params = Params::new();
+        params.enable("stribeck_friction", false).unwrap();
+        params.enable("coulomb_friction", true).unwrap();
+        let base = Hypothesis { base: params, numbers: base_numbers(&params), heating: None };
+        let theta = base.start();
+        let all = candidates(&Situation::new(&params, &[], &[]));
+        assert!(all.iter().any(|c| c.fixed.contains(&("series_load", 1.0))));
+        for candidate in all {
+            let to = extend(&base, &theta, &candidate, &candidate.starts[0]);
+            assert!(Model::new(&to.base).is_ok(), "{} {}", candidate.effect, candidate.form);
+            let numbers = base.numbers.len()..to.numbers.len();
+            let added = Added { candidate: candidate.clone(), numbers, look: 0 };
+            let back = without(&to, &to.start(), &added);
+            assert_eq!(back.numbers.len(), base.numbers.len());
+            for row in table() {
+                let (name, group) = (row.parameter.name, GROUPS[row.group].name);
+                assert_eq!(back.base.is_on(group), params.is_on(group), "{group} after {}", candidate.effect);
+                if params.is_on(group) && !matches!(row.parameter.shape, Shape::List(_)) {
+                    assert_eq!(back.base.scalar(name), params.scalar(name), "{name} after {}", candidate.effect);
+                }
+            }
+        }
+    }
+}

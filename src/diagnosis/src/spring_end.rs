@@ -1,0 +1,67 @@
+//! A lookup spring that has taken up a stop: its end, beyond what its middle goes on to.
+
+use dashpot_core::Params;
+use dashpot_estimation::hypothesis::{Free, Hypothesis};
+use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
+
+/// Share of the reach of the spring that counts as its middle.
+const MIDDLE: f64 = 0.5;
+
+/// Slope of the middle, N/m.
+fn middle(x: &[f64], force: &[f64]) -> f64 {
+    let reach = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let mut inside = x.iter().zip(force).filter(|(x, _)| x.abs() <= MIDDLE * reach);
+    match (inside.next(), inside.next_back()) {
+        (Some((x0, f0)), Some((x1, f1))) => ((f1 - f0) / (x1 - x0)).max(0.0),
+        _ => 0.0,
+    }
+}
+
+/// Force, N, by which the spring at its end in rebound (`side` = 1) or compression (−1) goes beyond that slope.
+pub fn excess(base: &Params, side: f64) -> f64 {
+    let (x, force) = (base.list("spring_displacement"), base.list("spring_force"));
+    if !base.is_on("parallel_spring") || x.len() < 3 {
+        return 0.0;
+    }
+    let end = if side > 0.0 { x.len() - 1 } else { 0 };
+    (side * (force[end] - force[anchor(x)]) - middle(x, force) * (x[end] - x[anchor(x)]).abs()).max(0.0)
+}
+
+/// Draws the end of the spring on straight from its middle.
+pub fn straighten(to: &mut Hypothesis, side: f64) {
+    let (x, force) = (to.base.list("spring_displacement").to_vec(), to.base.list("spring_force").to_vec());
+    if x.len() < 3 {
+        return;
+    }
+    let (zero, slope) = (anchor(&x), middle(&x, &force));
+    for number in &mut to.numbers {
+        if let Free::Model(Unknown::Rise { curve: CurveName::Spring, point }) = number.free {
+            if (x[point] - x[zero]) * side > 0.0 {
+                let straight = slope * (x[point] - x[towards_zero(point, zero)]).abs();
+                number.start = number.start.min(straight).clamp(number.bounds.0, number.bounds.1);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::base_numbers;
+
+    #[test]
+    fn what_goes_beyond_the_middle_is_found_on_its_side_and_taken_out() {
+        let mut base = Params::new();
+        base.set_list("spring_displacement", &[-0.05, -0.04, -0.02, 0.0, 0.02, 0.04, 0.05]).unwrap();
+        base.set_list("spring_force", &[-150.0, -60.0, -20.0, 0.0, 20.0, 40.0, 50.0]).unwrap();
+        assert!((excess(&base, -1.0) - 100.0).abs() < 1e-9 && excess(&base, 1.0) < 1e-9);
+        let mut to = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        straighten(&mut to, -1.0);
+        let straight = to.params(&to.start());
+        for (x, force) in straight.list("spring_displacement").iter().zip(straight.list("spring_force")) {
+            assert!((force - 1000.0 * x).abs() < 1e-6, "{x} {force}");
+        }
+        base.enable("parallel_spring", false).unwrap();
+        assert_eq!(excess(&base, -1.0), 0.0);
+    }
+}

@@ -1,0 +1,32 @@
+//! Effects that these records cannot show, and the test that would.
+
+use super::effects::{CARDS, remedy};
+use super::outcome::CouldNotTest;
+use super::situation::Situation;
+
+/// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
+const TRACE: f64 = 20.0;
+
+/// All that could not be tested: by channels and ranges, and by the trace that a typical strength would leave.
+pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
+    let mut all: Vec<CouldNotTest> = Vec::new();
+    for card in CARDS {
+        let effect = card.name;
+        if s.base.is_on(effect) || found.contains(&effect) {
+            continue;
+        }
+        if let Some(why) = (card.missing)(s) {
+            all.push(CouldNotTest { effect, why });
+        } else if invisible.iter().any(|(name, seen)| *name == effect && *seen < TRACE) {
+            let why = format!("at a usual strength it would leave no trace in these tests: {}", remedy(effect));
+            all.push(CouldNotTest { effect, why });
+        }
+    }
+    all.push(CouldNotTest {
+        effect: "cylinder_expansion",
+        why: "the tube widens in proportion to pressure like the oil column yields: a rig shows their sum, which \
+              oil_compressibility stands for"
+            .to_owned(),
+    });
+    all
+}

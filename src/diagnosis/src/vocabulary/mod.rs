@@ -1,0 +1,187 @@
+//! The effects that a diagnosis can name, each with the numbers it adds and where their search starts.
+//!
+//! One effect may come in several forms (a cap on rebound or on compression, a stop of rubber or of oil): they carry one
+//! name, and the form that fits best speaks for it.
+
+mod base;
+mod friction;
+mod oil;
+mod rig;
+mod series;
+mod springs;
+mod stops;
+mod unnamed;
+mod valves;
+
+pub use base::base_numbers;
+
+use super::situation::Situation;
+use dashpot_core::elements;
+use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::unknowns::Unknown;
+
+/// A number that an effect brings along.
+#[derive(Debug, Clone)]
+pub struct Fresh {
+    /// What it is.
+    pub free: Free,
+    /// Values that a damper or a rig shows; a finding outside is told. From 0: however small.
+    pub plausible: (f64, f64),
+    /// Whether records leave it open by nature, so that it stays near what is usual: it then costs half of a free one. For heat, also the
+    /// standard deviation of what is expected.
+    pub deviation: Option<f64>,
+}
+
+/// Where a search begins.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// Values of the fresh numbers in physical units, in their order.
+    pub values: Vec<f64>,
+    /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
+    pub moves: Vec<(&'static str, f64)>,
+    /// A branch of the FV curve that is drawn on: a capped branch hides the cap.
+    pub unbend: Option<DrawnOn>,
+    /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
+    pub straighten: Option<f64>,
+    /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
+    pub level: f64,
+}
+
+/// A branch of the FV curve drawn on straight.
+#[derive(Debug, Clone)]
+pub struct DrawnOn {
+    /// +1 rebound, −1 compression.
+    pub stroke: f64,
+    /// Force up to which it is trusted, N, positive.
+    pub from: f64,
+    /// Share of its slope there that it goes on with at least.
+    pub steepness: f64,
+}
+
+impl Start {
+    fn at(values: &[f64]) -> Start {
+        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, straighten: None, level: 0.0 }
+    }
+
+    /// Whether it moves numbers of the base.
+    pub fn moves_the_base(&self) -> bool {
+        !self.moves.is_empty() || self.unbend.is_some() || self.straighten.is_some() || self.level > 0.0
+    }
+
+    fn moving(values: &[f64], moves: &[(&'static str, f64)]) -> Start {
+        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, straighten: None, level: 0.0 }
+    }
+}
+
+/// One form of one effect.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// Name of the effect.
+    pub effect: &'static str,
+    /// Which form, where there are several.
+    pub form: &'static str,
+    /// Elements that it switches on.
+    pub elements: &'static [&'static str],
+    /// Parameters that it sets and leaves.
+    pub fixed: Vec<(&'static str, f64)>,
+    /// Numbers that it frees.
+    pub fresh: Vec<Fresh>,
+    /// Where to search.
+    pub starts: Vec<Start>,
+    /// Whether it makes the force jump at places that its numbers say.
+    pub jumps: bool,
+    /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
+    /// what it explains better.
+    pub unnamed: Option<&'static str>,
+}
+
+impl Candidate {
+    /// How many numbers it adds; those that stay near what is usual count half.
+    pub fn numbers(&self) -> f64 {
+        self.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum()
+    }
+
+    /// Whether it is of the rig, not of the damper.
+    pub fn is_artefact(&self) -> bool {
+        self.elements.is_empty()
+    }
+}
+
+fn fresh(free: Free, plausible: (f64, f64)) -> Fresh {
+    Fresh { free, plausible, deviation: None }
+}
+
+fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
+    fresh(Free::Model(Unknown::Log(name)), plausible)
+}
+
+fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..log(name, plausible) }
+}
+
+fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
+    fresh(Free::Model(Unknown::Linear(name)), plausible)
+}
+
+/// Near an expected value by nature: `deviation` in its own unit.
+fn near(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..linear(name, plausible) }
+}
+
+fn candidate(
+    effect: &'static str,
+    elements: &'static [&'static str],
+    fresh: Vec<Fresh>,
+    starts: Vec<Start>,
+) -> Candidate {
+    Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, jumps: false, unnamed: None }
+}
+
+fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
+    a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
+}
+
+/// All effects that could be added in a situation: those of elements that are not on, and those of the rig.
+pub fn candidates(s: &Situation) -> Vec<Candidate> {
+    let mut all = Vec::new();
+    springs::springs(&mut all);
+    friction::friction(s, &mut all);
+    series::series(s, &mut all);
+    oil::oil(s, &mut all);
+    valves::valves(s, &mut all);
+    stops::stops(s, &mut all);
+    rig::rig(s, &mut all);
+    unnamed::unnamed(&mut all);
+    all.retain(|c| {
+        let known = |name: &str| elements::names().any(|n| n == name);
+        c.elements.iter().all(|e| known(e)) && (c.is_artefact() || !s.base.is_on(c.elements[0]))
+    });
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::EFFECTS;
+    use dashpot_core::Params;
+
+    #[test]
+    fn every_candidate_has_a_name_of_the_list_or_none_and_a_value_for_each_number() {
+        let mut base = Params::new();
+        base.enable("stribeck_friction", false).unwrap();
+        base.enable("gas_preload", false).unwrap();
+        let mut situation = Situation::new(&base, &[], &[]);
+        (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
+        let all = candidates(&situation);
+        for c in &all {
+            assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
+            assert!(!c.starts.is_empty() && c.starts.iter().all(|s| s.values.len() == c.fresh.len()), "{c:?}");
+        }
+        let missing: Vec<&&str> = EFFECTS.iter().filter(|e| all.iter().all(|c| c.effect != **e)).collect();
+        // What the base has on is no candidate, and what no rig can separate never is one.
+        assert!(
+            missing.iter().all(|e| base.is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
+            "{missing:?}"
+        );
+    }
+}

@@ -1,0 +1,49 @@
+//! Errors of an explanation, and how much of the gap between model and noise is closed.
+
+use super::heating::Heating;
+use super::hypothesis::Hypothesis;
+use super::samples::Test;
+use dashpot_records::Record;
+use std::sync::Arc;
+
+/// Residuals in N of an explanation on tests of its own choice.
+pub fn errors(hypothesis: &Hypothesis, theta: &[f64], records: &[&Record], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
+    let mut own = hypothesis.clone();
+    if own.heating.is_some() {
+        own.heating = Some(Arc::new(Heating::new(records, tests)));
+    }
+    let forces = own.forces(tests, theta)?;
+    Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
+}
+
+/// Root mean square; 0 of nothing.
+pub fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// Root mean square over tests of each test's root mean square.
+pub fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
+    rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
+}
+
+/// Errors in units of what each test's noise and form allow: root mean square over tests, so that a slow test of small
+/// forces counts like a fast one.
+pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
+    rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
+}
+
+/// The same of noise alone.
+pub fn noise_alone(tests: &[Test]) -> f64 {
+    rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
+}
+
+/// Mean square of errors beyond noise, in units of the noise.
+pub fn beyond_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
+    (in_noise(tests, errors) / noise_alone(tests)).powi(2) - 1.0
+}
+
+/// Share of the gap between model and noise that is closed.
+pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
+    let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
+    (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))
+}

@@ -1,0 +1,71 @@
+//! How warm the damper is in each test, from the power that the records show it took up.
+//!
+//! Force times velocity is measured, so the heat needs no model of the damper: C Ṫ = F v − h (T − T_a), from test to test
+//! on the campaign's clock, rests included.
+
+use super::samples::Test;
+use dashpot_records::Record;
+
+/// Heat that went in, test by test.
+#[derive(Debug, Clone)]
+pub struct Heating {
+    /// Begin, end and mean power of every record.
+    inputs: Vec<(f64, f64, f64)>,
+    /// When each test is looked at, and which record it belongs to.
+    looks: Vec<(f64, usize)>,
+    /// Whether the records' clocks run through the campaign, so that heat carries over.
+    pub continues: bool,
+}
+
+impl Heating {
+    /// Heat in these records, looked at in the middle of each of these tests.
+    pub fn new(records: &[&Record], tests: &[Test]) -> Heating {
+        let inputs: Vec<(f64, f64, f64)> = records
+            .iter()
+            .map(|r| {
+                let work: f64 = r
+                    .time
+                    .windows(2)
+                    .zip(r.force.windows(2).zip(r.velocity.windows(2)))
+                    .map(|(t, (f, v))| 0.5 * (f[0] * v[0] + f[1] * v[1]) * (t[1] - t[0]))
+                    .sum();
+                let (begin, end) = (r.time[0], r.time[r.time.len() - 1]);
+                (begin, end, work / (end - begin).max(1e-9))
+            })
+            .collect();
+        let mut spans: Vec<(f64, f64)> = inputs.iter().map(|i| (i.0, i.1)).collect();
+        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let continues = spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9);
+        Heating { inputs, looks: tests.iter().map(|t| (t.clock, t.record)).collect(), continues }
+    }
+
+    /// The same heat, looked at in the middle of other tests.
+    pub fn of_tests(&self, tests: &[Test]) -> Heating {
+        Heating { looks: tests.iter().map(|t| (t.clock, t.record)).collect(), ..self.clone() }
+    }
+
+    /// Temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
+    pub fn rise(&self, place: usize, cooling: f64) -> f64 {
+        let (t, record) = self.looks[place];
+        let of = |(begin, end, power): &(f64, f64, f64)| {
+            let end = end.min(t);
+            if end <= *begin {
+                return 0.0;
+            }
+            power / cooling * ((-cooling * (t - end)).exp() - (-cooling * (t - begin)).exp())
+        };
+        if self.continues {
+            self.inputs.iter().map(of).sum()
+        } else {
+            // Clocks that start anew say nothing of earlier tests: each starts cold.
+            of(&self.inputs[record])
+        }
+    }
+
+    /// Span of the rise between tests without cooling, J: whether heat can be told from anything else at all.
+    pub fn span(&self) -> f64 {
+        let rises: Vec<f64> = (0..self.looks.len()).map(|k| self.rise(k, 1e-6)).collect();
+        let (low, high) = rises.iter().fold((f64::INFINITY, 0.0f64), |(l, h), r| (l.min(*r), h.max(*r)));
+        (high - low).max(0.0)
+    }
+}

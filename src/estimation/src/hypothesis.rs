@@ -1,0 +1,309 @@
+//! One explanation of the records: a model with some of its numbers free, what the rig added, and how likely its numbers
+//! are before any record is seen.
+
+use super::heating::Heating;
+use super::measurement::{Artefact, earlier, finer, low_pass};
+use super::samples::Test;
+use crate::priors::in_search;
+use crate::segment::Segment;
+use crate::sensitivity::{Accuracy, Run, forces};
+use crate::unknowns::{Unknown, Unknowns};
+use dashpot_core::parameter::find;
+use dashpot_core::{Model, Params};
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// Steps from sample to sample where the force channel is filtered: friction turns over within one.
+const PARTS: usize = 3;
+
+/// What one number of an explanation is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Free {
+    /// A number of the model.
+    Model(Unknown),
+    /// A number of the rig.
+    Rig(Artefact),
+    /// Logarithm of the heat transfer to the surroundings over the heat capacity, 1/s: how fast the damper cools.
+    Cooling,
+    /// Logarithm of the heat capacity, J/K.
+    HeatCapacity,
+}
+
+/// A free number with what is known of it beforehand.
+#[derive(Debug, Clone)]
+pub struct Number {
+    /// What it is.
+    pub free: Free,
+    /// Where it starts.
+    pub start: f64,
+    /// Typical size of a change.
+    pub step: f64,
+    /// Bounds.
+    pub bounds: (f64, f64),
+    /// Mean and standard deviation expected of it, if anything is.
+    pub prior: Option<(f64, f64)>,
+}
+
+/// An explanation.
+#[derive(Debug, Clone)]
+pub struct Hypothesis {
+    /// Everything of the model that is not free.
+    pub base: Params,
+    /// The free numbers.
+    pub numbers: Vec<Number>,
+    /// Power that went into the damper, where its heating is computed.
+    pub heating: Option<std::sync::Arc<Heating>>,
+}
+
+/// Weighted residuals (measured less computed, over the allowed error) of all tests, one after the other.
+pub type Residual = DVector<f64>;
+
+impl Hypothesis {
+    /// Where in its vector a number stands, if it is free.
+    pub fn place_of(&self, free: &Free) -> Option<usize> {
+        self.numbers.iter().position(|n| n.free == *free)
+    }
+
+    /// The vector it starts from.
+    pub fn start(&self) -> Vec<f64> {
+        self.numbers.iter().map(|n| n.start).collect()
+    }
+
+    /// The same explanation from another start.
+    pub fn starting_at(mut self, theta: &[f64]) -> Hypothesis {
+        for (number, value) in self.numbers.iter_mut().zip(theta) {
+            number.start = *value;
+        }
+        self
+    }
+
+    fn unknowns(&self, theta: &[f64]) -> (Unknowns, Vec<f64>, Vec<usize>) {
+        let (mut list, mut values, mut places) = (Vec::new(), Vec::new(), Vec::new());
+        for (place, (number, value)) in self.numbers.iter().zip(theta).enumerate() {
+            if let Free::Model(unknown) = &number.free {
+                list.push(unknown.clone());
+                values.push(*value);
+                places.push(place);
+            }
+        }
+        (Unknowns { base: self.base, list }, values, places)
+    }
+
+    /// The parameter set that a vector stands for; what the rig added is not in it.
+    pub fn params(&self, theta: &[f64]) -> Params {
+        let (unknowns, values, _) = self.unknowns(theta);
+        let mut params = unknowns.params(&values);
+        if let Some(capacity) = self.exponential(&Free::HeatCapacity, theta) {
+            let _ = params.set("heat_capacity", capacity);
+        }
+        if let Some(cooling) = self.exponential(&Free::Cooling, theta) {
+            let _ = params.set("heat_transfer", cooling * params.scalar("heat_capacity"));
+        }
+        params
+    }
+
+    /// A number that is given by its logarithm, where it is free.
+    fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
+        self.place_of(free).map(|place| theta[place].exp())
+    }
+
+    /// A number of the rig.
+    fn of_the_rig(&self, artefact: Artefact, theta: &[f64]) -> Option<f64> {
+        self.place_of(&Free::Rig(artefact)).map(|place| theta[place])
+    }
+
+    /// The segment as the damper went through it when it made the forces that were read: with the temperatures that its own
+    /// heating gives it, where `place` counts the test, earlier where the force channel is late, at finer steps where
+    /// it is filtered.
+    fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
+        let mut segment = Cow::Borrowed(&test.segment);
+        if let Some(tau) = self.of_the_rig(Artefact::Delay, theta) {
+            segment = Cow::Owned(earlier(&segment, tau));
+        }
+        let free = |free| self.exponential(&free, theta);
+        if let (Some(heating), Some(place), Some(cooling), Some(capacity)) =
+            (&self.heating, place, free(Free::Cooling), free(Free::HeatCapacity))
+        {
+            let rise = heating.rise(place, cooling) / capacity;
+            for input in &mut segment.to_mut().input {
+                input.temperature += rise;
+            }
+        }
+        if self.of_the_rig(Artefact::LowPass, theta).is_some() {
+            segment = Cow::Owned(finer(&segment, PARTS));
+        }
+        segment
+    }
+
+    /// Where heating is computed from the records, the damper takes its temperature as measured.
+    fn take_heat_as_measured(&self, params: &mut Params) {
+        if self.heating.is_some() {
+            let _ = params.set("fade_source", 0.0);
+        }
+    }
+
+    /// The model to compare with.
+    fn model(&self, theta: &[f64]) -> Option<Model> {
+        let mut params = self.params(theta);
+        self.take_heat_as_measured(&mut params);
+        Model::new(&params).ok()
+    }
+
+    /// The same by an integration of one's choice.
+    pub fn model_by(&self, accuracy: Accuracy, theta: &[f64]) -> Option<Model> {
+        let model = self.model(theta)?;
+        Some(model.with_integration(accuracy.integration(&self.base, &model)))
+    }
+
+    /// Takes every value that stands for a sample through the filter of the force channel, if there is one, and leaves those
+    /// at the samples; `values` may be forces or derivatives of them.
+    fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
+        if let Some(tau) = self.of_the_rig(Artefact::LowPass, theta) {
+            low_pass(tau, &segment.dt, values);
+            *values = values.iter().step_by(PARTS).copied().collect();
+        }
+    }
+
+    fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
+        for (number, value) in self.numbers.iter().zip(theta) {
+            if let Free::Rig(artefact) = number.free {
+                artefact.apply(*value, test, forces);
+            }
+        }
+    }
+
+    /// Computed forces of one test at its scored samples; `place` counts the tests where there are records of them.
+    fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
+        let segment = self.gone_through(test, place, theta);
+        let mut all = forces(model, &segment);
+        self.filtered(&segment, theta, &mut all);
+        self.adjust(test, theta, &mut all);
+        all.split_off(test.segment.from)
+    }
+
+    /// Forces of a prepared model in a test of one's own, with what the rig adds.
+    pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
+        self.forces_of(model, test, None, theta)
+    }
+
+    /// Computed forces at the scored samples of all tests, as the model's own steps give them; `None` where the numbers make
+    /// no model.
+    pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
+        self.forces_by(&self.model(theta)?, tests, theta)
+    }
+
+    fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let all: Vec<Vec<f64>> =
+            tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
+        all.iter().flatten().all(|f| f.is_finite()).then_some(all)
+    }
+
+    /// Weighted residuals of all tests, with as few substeps as will do for a search.
+    pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
+        self.residual_by(Accuracy::Single, tests, theta)
+    }
+
+    /// The same by an integration of one's choice.
+    pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
+        let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
+        let list: Vec<f64> = tests
+            .iter()
+            .zip(&all)
+            .flat_map(|(test, forces)| {
+                test.forces().iter().zip(forces).zip(&test.allowed).map(|((m, f), a)| (m - f) / a)
+            })
+            .collect();
+        Some(DVector::from_vec(list))
+    }
+
+    /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample. One run gives those over
+    /// the numbers of the model; what the rig added takes a difference each. The cheap integration will do where a
+    /// derivative may be a few tenths of a percent off.
+    pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
+        let rows = tests.iter().map(Test::count).sum();
+        let mut matrix = DMatrix::zeros(rows, self.numbers.len());
+        let (mut unknowns, values, places) = self.unknowns(theta);
+        self.take_heat_as_measured(&mut unknowns.base);
+        let is_filtered = self.of_the_rig(Artefact::LowPass, theta).is_some();
+        let run = Run::new(&unknowns, &values, accuracy)?;
+        let parts: Vec<DMatrix<f64>> = tests
+            .par_iter()
+            .enumerate()
+            .map(|(place, test)| {
+                let segment = self.gone_through(test, Some(place), theta);
+                let (_, rows) = run.jacobian(&segment, &unknowns, &values);
+                let mut columns = rows.transpose();
+                if is_filtered {
+                    // A filtered force has filtered derivatives.
+                    let mut at_samples = DMatrix::zeros(test.segment.input.len(), columns.ncols());
+                    for (mut to, from) in at_samples.column_iter_mut().zip(columns.column_iter()) {
+                        let mut along = from.as_slice().to_vec();
+                        self.filtered(&segment, theta, &mut along);
+                        to.copy_from_slice(&along);
+                    }
+                    columns = at_samples;
+                }
+                for (mut row, allowed) in columns.row_iter_mut().skip(test.segment.from).zip(&test.allowed) {
+                    row /= *allowed;
+                }
+                columns.rows(test.segment.from, test.count()).into_owned()
+            })
+            .collect();
+        let mut row = 0;
+        for part in &parts {
+            for (k, place) in places.iter().enumerate() {
+                matrix.view_mut((row, *place), (part.nrows(), 1)).copy_from(&part.column(k));
+            }
+            row += part.nrows();
+        }
+        if places.len() < self.numbers.len() {
+            let residual = |theta: &[f64]| self.residual_by(accuracy, tests, theta);
+            let at = residual(theta)?;
+            for place in (0..self.numbers.len()).filter(|place| !places.contains(place)) {
+                matrix.set_column(place, &self.column(theta, &at, place, residual)?);
+            }
+        }
+        Some(matrix)
+    }
+
+    /// Derivative of the weighted forces over one number, by a difference from the residuals there, of the same function.
+    pub fn column(
+        &self,
+        theta: &[f64],
+        at: &Residual,
+        place: usize,
+        residual: impl Fn(&[f64]) -> Option<Residual>,
+    ) -> Option<DVector<f64>> {
+        let number = &self.numbers[place];
+        let (low, high) = number.bounds;
+        let mut step = 1e-3 * number.step;
+        let mut moved = theta.to_vec();
+        if moved[place] + step > high
+            || (low..=high).contains(&(moved[place] - step)) && moved[place] > 0.5 * (low + high)
+        {
+            step = -step;
+        }
+        moved[place] += step;
+        Some((at - residual(&moved)?) / step)
+    }
+}
+
+/// A free number of the model, starting from a parameter set, with what dampers show of it.
+pub fn number(base: &Params, unknown: Unknown) -> Number {
+    let one = Unknowns { base: *base, list: vec![unknown.clone()] };
+    let start = one.start()[0];
+    let (low, high) = one.bounds();
+    let step = match &unknown {
+        Unknown::Log(_) | Unknown::Above(..) => 0.3,
+        Unknown::Rise { .. } => start.abs().max(10.0),
+        Unknown::Linear(name) | Unknown::Entry(name, _) => {
+            let typical = find(name).map_or(1.0, |row| row.parameter.default.first().map_or(1.0, |d| d.abs()));
+            (0.3 * start.abs()).max(0.1 * typical).max(1e-3)
+        }
+    };
+    let bounds = (low[0], high[0]);
+    let start = start.clamp(bounds.0, bounds.1);
+    let prior = in_search(&unknown);
+    Number { free: Free::Model(unknown), start, step, bounds, prior }
+}

@@ -1,0 +1,32 @@
+//! One estimation problem for fit, validation and diagnosis: observations made from records, a model with free numbers and what
+//! is known of them before the data, its least squares, and how far the data leave them open.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`segment`] | the stretches of record that a fit works on |
+//! | [`samples`] | the mean cycle of every test and the error that noise allows it |
+//! | [`unknowns`] | which numbers are free, and the parameter set that a vector of them stands for |
+//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives over the free numbers, in one run |
+//! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
+//! | [`priors`] | what dampers show of each number before any record is seen |
+//! | [`measurement`] | what the rig adds to a record that the damper did not do |
+//! | [`heating`] | how warm the damper is in each test |
+//! | [`least_squares`], [`refit`] | bounded, robust least squares |
+//! | [`solve`] | bounded, robust least squares for any residuals |
+//! | [`deviations`] | how far the records leave numbers open |
+//! | [`gap`] | errors, and how much of the gap between model and noise is closed |
+
+pub mod curve_weights;
+pub mod deviations;
+pub mod gap;
+pub mod heating;
+pub mod hypothesis;
+pub mod least_squares;
+pub mod measurement;
+pub mod priors;
+pub mod refit;
+pub mod samples;
+pub mod segment;
+pub mod sensitivity;
+pub mod solve;
+pub mod unknowns;

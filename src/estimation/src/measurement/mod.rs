@@ -1,0 +1,130 @@
+//! What the rig adds to a record that the damper did not do: skew between channels, load-cell zero, drift.
+//!
+//! These belong to the measurement. They are taken out of the comparison and never put into the model.
+
+mod force_loop;
+mod guide;
+mod low_pass;
+mod motion;
+mod resonance;
+mod second_order;
+
+use super::samples::Test;
+use force_loop::loop_over_force;
+pub use guide::Load;
+use guide::guide;
+pub use low_pass::low_pass;
+pub use motion::{earlier, finer};
+use resonance::resonance;
+
+/// An artefact of the measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Artefact {
+    /// The force channel lags the motion channels, s.
+    Delay,
+    /// It passes a low-pass filter that makes it late by so much, s.
+    LowPass,
+    /// The load cell does not read zero without load, N.
+    Offset,
+    /// Its zero was set anew after this time on the campaign's clock, s: a step, N.
+    Step(u32),
+    /// The zero of the load cell moves with the campaign's clock, N/s.
+    Drift,
+    /// It settles while the rig warms up, within this time on the campaign's clock, s: the whole way, N.
+    WarmUp(u32),
+    /// Friction as a share of the force, as of a tilted cross-head that loads the guides.
+    Guide(Load),
+    /// The growth of that share with displacement, 1/m.
+    GuideAlong(Load),
+    /// A loop over force, whatever the speed, as a share of the force: that of a load cell which turns over within so much
+    /// force, N.
+    Loop(u32),
+    /// A resonance at this frequency, Hz, in phase with the force and across, as shares of it.
+    Ring(u32),
+    /// The same across: in phase with its rate.
+    RingAcross(u32),
+}
+
+impl Artefact {
+    /// Name in the vocabulary.
+    pub fn name(self) -> &'static str {
+        match self {
+            Artefact::Delay | Artefact::LowPass => "channel_delay",
+            Artefact::Offset | Artefact::Step(_) => "force_offset",
+            Artefact::Drift | Artefact::WarmUp(_) => "force_drift",
+            Artefact::Guide(_) | Artefact::GuideAlong(_) => "load_dependent_friction",
+            Artefact::Loop(_) => "load_cell_hysteresis",
+            Artefact::Ring(_) | Artefact::RingAcross(_) => "resonance",
+        }
+    }
+
+    /// Name of its one number.
+    pub fn parameter(self) -> &'static str {
+        match self {
+            Artefact::Delay | Artefact::LowPass => "delay",
+            Artefact::Offset | Artefact::Step(_) => "offset",
+            Artefact::Drift => "drift",
+            Artefact::WarmUp(_) => "whole_drift",
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) => "share",
+            Artefact::RingAcross(_) => "share_across",
+            Artefact::GuideAlong(_) => "share_growth",
+        }
+    }
+
+    /// Unit of its number.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Artefact::Delay | Artefact::LowPass => "s",
+            Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => "N",
+            Artefact::Drift => "N/s",
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => "-",
+            Artefact::GuideAlong(_) => "1/m",
+        }
+    }
+
+    /// Sizes that a rig shows.
+    pub fn bounds(self) -> (f64, f64) {
+        let most = match self {
+            Artefact::Delay | Artefact::LowPass => 5e-3,
+            Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => 500.0,
+            Artefact::Drift => 1.0,
+            Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => 0.5,
+            Artefact::GuideAlong(_) => 10.0,
+        };
+        (if self == Artefact::LowPass { 0.0 } else { -most }, most)
+    }
+
+    /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion
+    /// ([`earlier`]), and behind a filter what [`low_pass`] makes of it at finer steps.
+    pub fn apply(self, value: f64, test: &Test, forces: &mut [f64]) {
+        match self {
+            Artefact::Delay | Artefact::LowPass => {}
+            Artefact::Guide(load) => guide(value, false, load, &test.segment.input, forces),
+            Artefact::GuideAlong(load) => guide(value, true, load, &test.segment.input, forces),
+            Artefact::Ring(hz) => resonance(value, f64::from(hz), false, &test.segment.dt, forces),
+            Artefact::RingAcross(hz) => resonance(value, f64::from(hz), true, &test.segment.dt, forces),
+            Artefact::Loop(width) => loop_over_force(value, f64::from(width), forces),
+            Artefact::Offset | Artefact::Step(_) | Artefact::Drift | Artefact::WarmUp(_) => {
+                let added = value * self.per_value(test).unwrap_or(0.0);
+                forces.iter_mut().for_each(|f| *f += added);
+            }
+        }
+    }
+
+    /// Force that one unit of its number adds all through a test; `None` where it is no constant.
+    pub fn per_value(self, test: &Test) -> Option<f64> {
+        match self {
+            Artefact::Delay
+            | Artefact::LowPass
+            | Artefact::Guide(_)
+            | Artefact::GuideAlong(_)
+            | Artefact::Loop(_)
+            | Artefact::Ring(_)
+            | Artefact::RingAcross(_) => None,
+            Artefact::Offset => Some(1.0),
+            Artefact::Step(after) => Some(f64::from(u8::from(test.clock > f64::from(after)))),
+            Artefact::Drift => Some(test.clock),
+            Artefact::WarmUp(time) => Some(1.0 - (-test.clock / f64::from(time)).exp()),
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! What dampers show of each number before any record is seen.
+//!
+//! Where the records speak, these say next to nothing; where they do not, a number stays at what is usual instead of running to a
+//! bound. A number that many dampers would have to be strange to show costs its explanation something: little at first and never
+//! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
+
+use crate::hypothesis::{Free, Hypothesis};
+use crate::unknowns::Unknown;
+
+/// What is known of one number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Usual {
+    /// A size: its median, and the factor by which one damper in three lies off it.
+    Size(f64, f64),
+    /// A strength, which may be as small as it likes: where half of the dampers that have the effect at all lie, and the factor by which
+    /// one in six lies above it.
+    Strength(f64, f64),
+    /// A place, or anything of either sign: its mean and standard deviation.
+    Place(f64, f64),
+}
+
+/// A row of the table.
+#[derive(Debug, Clone, Copy)]
+pub struct Prior {
+    /// Parameter.
+    pub name: &'static str,
+    /// What is usual of it, in its own unit.
+    pub usual: Usual,
+    /// Where that comes from.
+    pub source: &'static str,
+}
+
+const fn row(name: &'static str, usual: Usual, source: &'static str) -> Prior {
+    Prior { name, usual, source }
+}
+
+use Usual::{Place, Size, Strength};
+
+const SEALS: &str =
+    "seals and guides of passenger-car dampers: Deubel & Prokop, J. Automob. Eng. 2023; thesis, chapter 4";
+const OIL: &str = "β 1.2 to 1.7 GPa, less with air, columns of 8 to 50 cm: Duym & Reybrouck 1998; Segel & Lang 1981";
+const RUBBER: &str = "eyes and top mounts: García Tárrago 2007; Sjöberg, KTH 2002";
+const GAS: &str = "monotube 20 to 30 bar on rods of 11 to 14 mm, twin tube 3 to 8 bar: Dixon 2007, chapter 7";
+const VALVES: &str = "shim and spring valves of passenger-car dampers: Talbott & Starkey 2002; Dixon 2007, chapter 6";
+const STOPS: &str = "stops of cars at 20 to 80 mm from standing height: Dixon 2007, chapter 2";
+const RIG: &str = "clamps, eyes and adapters of hydraulic rigs";
+const THESIS: &str = "Jonnalagadda & Vyas, KTH 2020, chapters 3 and 4";
+
+/// The table; a number that is not in it has no prior.
+pub const PRIORS: &[Prior] = &[
+    row("series_stiffness", Size(2.5e6, 3.0), OIL),
+    row("series_damping", Strength(200.0, 3.0), THESIS),
+    row("internal_mass", Size(0.4, 1.8), THESIS),
+    row("free_play_gap", Size(1.5e-4, 3.0), RUBBER),
+    row("free_play_force", Size(8.0, 2.5), RUBBER),
+    row("bushing_hardening", Size(2e-3, 4.0), RUBBER),
+    row("bushing_loss_stiffness", Strength(0.4, 3.0), RUBBER),
+    row("bushing_loss_time", Size(1e-2, 4.0), RUBBER),
+    row("bushing_slip", Size(1e-4, 4.0), RUBBER),
+    row("bushing_stop", Size(1e-3, 5.0), RUBBER),
+    row("bushing_stop_stiffness", Strength(3.0, 4.0), RUBBER),
+    row("bushing_slow_stiffness", Strength(0.4, 3.0), RUBBER),
+    row("bushing_slow_time", Size(0.1, 4.0), RUBBER),
+    row("oil_stiffness", Size(3e6, 3.0), OIL),
+    row("oil_shortening", Place(6.0, 5.0), OIL),
+    row("oil_compression", Size(1.0, 4.0), OIL),
+    row("aeration_stroke", Size(3e-4, 3.0), OIL),
+    row("aeration_force", Size(200.0, 2.5), OIL),
+    row("aeration_compression", Size(1.0, 2.5), OIL),
+    row("cavitation_force", Size(1200.0, 2.5), VALVES),
+    row("cavitation_onset", Place(0.8, 0.3), VALVES),
+    row("cavitation_expansion", Size(5e-4, 4.0), VALVES),
+    row("cavitation_velocity", Size(0.3, 2.0), VALVES),
+    row("cavitation_unfilled", Size(0.05, 3.0), VALVES),
+    row("bypass_share", Place(0.2, 0.4), VALVES),
+    row("bypass_flow", Strength(0.1, 3.0), VALVES),
+    row("bypass_centre", Place(0.0, 0.04), VALVES),
+    row("bypass_half_width", Size(0.02, 2.0), VALVES),
+    row("bypass_blend", Size(5e-3, 2.0), VALVES),
+    row("fade_coefficient", Place(0.005, 0.01), "Vogel's law for damper oils, 0.2 to 3 % per kelvin"),
+    row("fade_laminar_force", Size(5e3, 8.0), VALVES),
+    row("heat_capacity", Size(600.0, 2.0), "0.3 to 0.6 kg of oil and 1 to 2 kg of steel"),
+    row("fsd_share", Strength(0.25, 1.7), VALVES),
+    row("fsd_flow", Strength(0.1, 3.0), VALVES),
+    row("fsd_time", Size(0.04, 2.5), VALVES),
+    row("fsd_force", Size(100.0, 3.0), VALVES),
+    row("fsd_laminar_force", Size(150.0, 5.0), VALVES),
+    row("valve_hysteresis_share", Strength(0.15, 2.0), VALVES),
+    row("valve_opening_force", Size(500.0, 3.0), VALVES),
+    row("valve_width", Size(150.0, 4.0), VALVES),
+    row("valve_time", Size(2e-3, 3.5), VALVES),
+    row("valve_play", Size(50.0, 3.0), VALVES),
+    row("valve_damping", Size(0.7, 2.0), VALVES),
+    row("spring_linear", Place(500.0, 2000.0), THESIS),
+    row("spring_quadratic", Place(0.0, 5e4), THESIS),
+    row("spring_cubic", Place(0.0, 1e6), THESIS),
+    row("spring_quartic", Place(0.0, 2e7), THESIS),
+    row("coulomb_force", Strength(40.0, 3.0), SEALS),
+    row("coulomb_steepness", Size(1000.0, 2.5), SEALS),
+    row("stribeck_coulomb_force", Strength(40.0, 3.0), SEALS),
+    row("stribeck_breakaway_force", Strength(20.0, 3.0), SEALS),
+    row("stribeck_breakaway_velocity", Size(5e-3, 2.0), SEALS),
+    row("stribeck_velocity", Size(0.012, 2.0), SEALS),
+    row("stribeck_fall", Size(1.6, 1.4), SEALS),
+    row("presliding_force", Strength(40.0, 3.0), SEALS),
+    row("presliding_length", Size(3e-4, 3.0), SEALS),
+    row("presliding_power", Size(1.5, 2.0), SEALS),
+    row("presliding_creep", Size(1e-4, 4.0), SEALS),
+    row("viscous_coefficient", Place(0.0, 50.0), THESIS),
+    row("side_force_coefficient", Strength(0.05, 2.0), SEALS),
+    row("gas_force", Place(150.0, 400.0), GAS),
+    row("gas_stiffness", Strength(1000.0, 3.0), GAS),
+    row("gas_length", Size(0.25, 2.2), GAS),
+    row("gas_thermal_time", Size(2.0, 3.0), GAS),
+    row("bump_stop_clearance", Place(0.04, 0.03), STOPS),
+    row("bump_stop_stiffness", Size(2e4, 4.0), STOPS),
+    row("bump_stop_damping", Size(2e3, 5.0), STOPS),
+    row("bump_stop_progression", Size(0.02, 3.0), STOPS),
+    row("rebound_stop_clearance", Place(0.04, 0.03), STOPS),
+    row("rebound_stop_stiffness", Size(4e4, 4.0), STOPS),
+    row("rebound_stop_damping", Size(2e3, 5.0), STOPS),
+    row("rebound_stop_progression", Size(0.02, 3.0), STOPS),
+    row("moving_mass", Strength(2.0, 2.5), RIG),
+    row("lag_slow", Size(5e-3, 3.0), THESIS),
+    row("lag_fast", Size(1e-3, 3.0), THESIS),
+];
+
+/// The row of a parameter.
+pub fn of(name: &str) -> Option<&'static Prior> {
+    PRIORS.iter().find(|p| p.name == name)
+}
+
+/// How many strengths a strength may lie above its median before a search is drawn back: far enough to bias nothing.
+const FREE: f64 = 3.0;
+
+impl Usual {
+    /// Mean and standard deviation in the coordinate in which a search moves: the logarithm, or the number itself.
+    pub fn in_search(self, logarithm: bool) -> (f64, f64) {
+        match (self, logarithm) {
+            (Usual::Size(median, factor) | Usual::Strength(median, factor), true) => (median.ln(), factor.ln()),
+            (Usual::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
+            (Usual::Strength(median, factor), false) => (0.0, FREE * median * factor),
+            (Usual::Place(mean, deviation), false) => (mean, deviation),
+            (Usual::Place(mean, deviation), true) => {
+                (mean.abs().max(1e-12).ln(), (1.0 + deviation / mean.abs().max(1e-12)).ln())
+            }
+        }
+    }
+
+    /// How many standard deviations a value is from what is usual; 0 for a strength below its median.
+    pub fn off(self, value: f64) -> f64 {
+        match self {
+            Usual::Size(median, factor) => (value.abs().max(1e-300) / median).ln() / factor.ln(),
+            Usual::Strength(median, factor) => ((value.abs() / median).max(1.0)).ln() / factor.ln(),
+            Usual::Place(mean, deviation) => (value - mean) / deviation,
+        }
+    }
+}
+
+/// Degrees of freedom of Student's distribution: with four, five standard deviations cost five units of the logarithm of the odds where
+/// the normal distribution asks for twelve.
+const FREEDOM: f64 = 4.0;
+
+/// Fall of the logarithm of the odds by a number so many standard deviations off.
+pub fn price(off: f64) -> f64 {
+    0.5 * (FREEDOM + 1.0) * (off * off / FREEDOM).ln_1p()
+}
+
+/// How far off each number of an explanation is from what is usual, with its name; those without a prior are not in it.
+pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(&'static str, f64)> {
+    let params = hypothesis.params(theta);
+    let mut all = Vec::new();
+    for (number, value) in hypothesis.numbers.iter().zip(theta) {
+        let (name, value) = match &number.free {
+            Free::Model(Unknown::Log(name) | Unknown::Linear(name)) => (*name, params.scalar(name)),
+            Free::Model(Unknown::Above(name, below)) => (*name, params.scalar(name) - params.scalar(below)),
+            Free::HeatCapacity => ("heat_capacity", value.exp()),
+            Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
+        };
+        if let Some(prior) = of(name) {
+            all.push((name, prior.usual.off(value)));
+        }
+    }
+    all
+}
+
+/// What the numbers of an explanation cost it, in units of the logarithm of the odds.
+pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
+    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
+}
+
+/// Mean and standard deviation of a free number of the model where a search moves it.
+pub fn in_search(unknown: &Unknown) -> Option<(f64, f64)> {
+    match unknown {
+        Unknown::Log(name) => of(name).map(|p| p.usual.in_search(true)),
+        Unknown::Linear(name) => of(name).map(|p| p.usual.in_search(false)),
+        // A share above the level: seals show 0.1 to 0.6.
+        Unknown::Above(..) => Some((0.2, 0.5)),
+        Unknown::Rise { .. } | Unknown::Entry(..) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::parameter::find;
+
+    #[test]
+    fn every_row_is_a_parameter_inside_its_bounds_and_named_once() {
+        for (k, prior) in PRIORS.iter().enumerate() {
+            let row = find(prior.name).unwrap_or_else(|| panic!("{} is no parameter", prior.name)).parameter;
+            let (Usual::Size(at, _) | Usual::Strength(at, _) | Usual::Place(at, _)) = prior.usual;
+            assert!(
+                (row.low..=row.high).contains(&at),
+                "{} at {at} is outside {} to {}",
+                prior.name,
+                row.low,
+                row.high
+            );
+            assert!(PRIORS[..k].iter().all(|other| other.name != prior.name), "{} stands twice", prior.name);
+            assert!(!prior.source.is_empty());
+        }
+    }
+
+    #[test]
+    fn the_usual_costs_nothing_and_the_strange_something_but_never_all() {
+        assert_eq!(price(0.0), 0.0);
+        assert!(price(1.0) < 0.6 && price(5.0) > 4.0 && price(100.0) < 25.0);
+        assert_eq!(Usual::Strength(40.0, 3.0).off(5.0), 0.0);
+        assert!((Usual::Strength(40.0, 3.0).off(360.0) - 2.0).abs() < 1e-12);
+        assert!((Usual::Size(2e6, 2.0).off(5e5) + 2.0).abs() < 1e-12);
+    }
+}

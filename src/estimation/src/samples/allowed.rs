@@ -1,0 +1,49 @@
+//! How far the model may miss a sample before that counts: noise, form of the FV curve, timing.
+
+use crate::segment::Segment;
+
+/// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
+/// force.
+const FORM: f64 = 0.002;
+/// Small error of time as a share of a sample: of the change from sample to sample it makes that share, and in that share
+/// of cases it puts a sample on the other side of a jump, where friction turns over within a sample.
+const TIMING: f64 = 0.05;
+
+/// The typical one, N: of a sample beside which the force does not change.
+pub fn typical(noise: f64, top: f64) -> f64 {
+    (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
+}
+
+/// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
+/// what a jump must exceed.
+pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
+    let n = times.len();
+    allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
+}
+
+/// The same of a road signal.
+pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
+    let n = segment.force.len() - segment.from;
+    allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
+}
+
+/// `beside` is the place of the neighbour 0 to 4 of a sample: two before to two after.
+fn allowed(
+    segment: &Segment,
+    noise: f64,
+    mean_noise: f64,
+    times: impl Fn(usize) -> f64,
+    beside: impl Fn(usize, usize) -> usize,
+) -> Vec<f64> {
+    let form = (FORM * segment.top).powi(2);
+    let scored = &segment.force[segment.from..];
+    (0..scored.len())
+        .map(|i| {
+            let at = |k: usize| scored[beside(i, k)];
+            let half = 0.5 * (at(3) - at(1));
+            let runs = (at(1) - at(0)).abs() + (at(4) - at(3)).abs();
+            let jump = (half.abs() - 0.5 * runs - mean_noise).max(0.0);
+            (noise * times(i) + form + (TIMING * half).powi(2) + TIMING * jump * jump).sqrt().max(1e-6)
+        })
+        .collect()
+}

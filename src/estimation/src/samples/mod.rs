@@ -1,0 +1,114 @@
+//! The samples that a diagnosis looks at: the mean cycle of every test, and how far noise lets it be trusted.
+//!
+//! Averaging over cycles at equal phase takes most of the noise out and leaves the damper in. A long test is cut into a
+//! few stretches first, so that what changes while it runs (heating, drift) stays visible from stretch to stretch.
+
+mod allowed;
+mod cycle;
+mod lead_in;
+mod noise;
+pub mod road;
+mod thin;
+
+pub use lead_in::as_long_as_remembered;
+pub use thin::Thin;
+
+use crate::segment::Segment;
+use dashpot_core::Input;
+use dashpot_records::Record;
+use dashpot_records::smoothing::smooth;
+use rayon::prelude::*;
+
+/// Duration from which a test is cut into stretches, s, the fewest cycles of one, and the most of them.
+const LONG: f64 = 20.0;
+const STRETCH_CYCLES: usize = 3;
+const MOST_STRETCHES: usize = 4;
+
+/// One test, or one stretch of a long one.
+#[derive(Debug, Clone)]
+pub struct Test {
+    /// Place of its record in the list given.
+    pub record: usize,
+    /// Motion and mean measured force; `scale` is the typical allowed error.
+    pub segment: Segment,
+    /// Allowed error of every scored sample, N: noise of the mean, form, timing.
+    pub allowed: Vec<f64>,
+    /// Noise of one sample of the mean, N.
+    pub mean_noise: f64,
+    /// Independent samples that one scored sample stands for: 1 for white noise.
+    pub independence: f64,
+    /// Growth of the force from cycle to cycle, as a share of it, in standard deviations.
+    pub growth: f64,
+    /// Independent deviations from which the noise was estimated.
+    pub noise_freedom: f64,
+    /// Frequency, Hz; 0 without cycles.
+    pub frequency: f64,
+    /// Middle of the stretch on the campaign's clock, s.
+    pub clock: f64,
+}
+
+impl Test {
+    /// Number of scored samples.
+    pub fn count(&self) -> usize {
+        self.segment.force.len() - self.segment.from
+    }
+
+    /// Number of independent ones among them.
+    pub fn independent_count(&self) -> f64 {
+        self.count() as f64 * self.independence
+    }
+
+    /// Error that noise and the form of curves through a dozen points leave in one sample of the mean, N.
+    pub fn unit(&self) -> f64 {
+        allowed::typical(self.mean_noise.powi(2), self.segment.top)
+    }
+
+    /// The scored inputs.
+    pub fn inputs(&self) -> &[Input] {
+        &self.segment.input[self.segment.from..]
+    }
+
+    /// The scored forces.
+    pub fn forces(&self) -> &[f64] {
+        &self.segment.force[self.segment.from..]
+    }
+}
+
+/// Makes the tests of all records, in their order.
+pub fn tests(records: &[&Record]) -> Vec<Test> {
+    let of_each: Vec<Vec<Test>> = records.par_iter().enumerate().map(|(place, r)| of_record(place, r)).collect();
+    of_each.into_iter().flatten().collect()
+}
+
+fn of_record(place: usize, record: &Record) -> Vec<Test> {
+    let motion = smooth(record);
+    let cycles = record.cycles.len();
+    if cycles == 0 {
+        return vec![road::road(place, record, &motion)];
+    }
+    let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
+    let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];
+    let stretches = if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, MOST_STRETCHES) } else { 1 };
+    (0..stretches)
+        .map(|k| {
+            let range = k * cycles / stretches..(k + 1) * cycles / stretches;
+            cycle::mean_cycle(place, record, &motion, &record.cycles[range])
+        })
+        .collect()
+}
+
+/// A segment of a record, which is scored from `from` on; `noise` is the variance of a sample.
+fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, from: usize, noise: f64) -> Segment {
+    let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    Segment {
+        name: record.name.clone(),
+        dt,
+        input,
+        force,
+        from,
+        scale: allowed::typical(noise, top),
+        top,
+        peak_velocity: record.peak_velocity,
+        amplitude: record.amplitude,
+    }
+}

@@ -1,0 +1,664 @@
+//! Forces of a model over a segment, and their derivatives over the unknowns, in one run.
+//!
+//! The kernel's own step tells every stage ([`Follow`]); differentiating the stage equation gives the motion of the
+//! internal mass over each parameter at the cost of a few products, so a fit with thirty unknowns costs a few runs
+//! instead of sixty. What acts beside the mass does not move it: its derivatives are differences of the element alone.
+//! The numbers of elements inside the paths take a run each.
+
+use super::curve_weights::CurveWeights;
+use super::segment::Segment;
+use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
+use dashpot_core::elements::{Acts, Elements, GROUPS, Motion, acts};
+use dashpot_core::parameter::find;
+use dashpot_core::step::paths::{Carried, FollowPaths, PathsStage, Seed};
+use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths};
+use dashpot_core::{Model, Output, Params, State};
+use nalgebra::DMatrix;
+
+/// Parameters whose change moves the internal mass, and their direct share in the stage equation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Direction {
+    SeriesStiffness,
+    SeriesDamping,
+    Mass,
+    /// Spring coefficient of |x|^k x, k = 0..3.
+    SpringPower(i32),
+    FvPoint(usize),
+    SpringPoint(usize),
+}
+
+/// Follows the stages and carries the derivatives along.
+struct Tangent<'a> {
+    directions: &'a [Direction],
+    fv: &'a CurveWeights,
+    spring: Option<&'a CurveWeights>,
+    first_fv: usize,
+    first_spring: usize,
+    x: Vec<f64>,
+    v: Vec<f64>,
+    stages: Vec<(Vec<f64>, Vec<f64>)>,
+}
+
+impl Follow for Tangent<'_> {
+    fn stage(&mut self, elements: &Elements, s: &Stage) {
+        let e = &elements.series_compliance;
+        let per_gamma = 1.0 / s.gamma;
+        let divide = 1.0 / s.denominator;
+        let stiffness = e.stiffness + s.inner.by_x;
+        let (done, now) = self.stages.split_at_mut(s.index);
+        let (du, push) = &mut now[0];
+        // Known parts are kept in the stage's own slots until the direct shares are added.
+        du.copy_from_slice(&self.x);
+        push.copy_from_slice(&self.v);
+        for ((u, pushed), a) in done.iter().zip(s.row) {
+            let (a, ag) = (a * per_gamma, a * per_gamma * s.g);
+            for ((x, v), (u, pushed)) in du.iter_mut().zip(push.iter_mut()).zip(u.iter().zip(pushed)) {
+                *x += ag * u;
+                *v += a * pushed;
+            }
+        }
+        if s.last {
+            self.x.copy_from_slice(du);
+        }
+        for (x, v) in du.iter_mut().zip(push.iter()) {
+            *x = e.mass * v - s.g * stiffness * *x;
+        }
+        for (p, direction) in self.directions.iter().enumerate() {
+            du[p] += match direction {
+                Direction::SeriesStiffness => s.g * (s.path.x - s.x_m),
+                Direction::SeriesDamping => s.g * (s.path.v - s.u),
+                Direction::Mass => s.known_velocity - s.u,
+                Direction::SpringPower(k) => -s.g * s.x_m * s.x_m.abs().powi(*k),
+                Direction::FvPoint(_) | Direction::SpringPoint(_) => 0.0,
+            };
+        }
+        let (first, weights) = self.fv.at(s.u);
+        if self.first_fv < self.directions.len() {
+            for (k, w) in weights.iter().enumerate().take(self.fv.points()) {
+                du[self.first_fv + first + k] -= s.g * w;
+            }
+        }
+        if let Some(spring) = self.spring {
+            let (first, weights) = spring.at(s.x_m);
+            for (k, w) in weights.iter().enumerate().take(spring.points()) {
+                du[self.first_spring + first + k] -= s.g * w;
+            }
+        }
+        for (du, push) in du.iter_mut().zip(push.iter_mut()) {
+            *du *= divide;
+            *push = *du - *push;
+        }
+        if s.last {
+            self.v.copy_from_slice(du);
+            for (x, u) in self.x.iter_mut().zip(du.iter()) {
+                *x += s.g * u;
+            }
+        }
+    }
+}
+
+/// As [`Tangent`], for dampers with elements in their series or hydraulic path.
+struct PathsTangent<'a> {
+    directions: &'a [Direction],
+    fv: &'a CurveWeights,
+    spring: Option<&'a CurveWeights>,
+    first_fv: usize,
+    first_spring: usize,
+    carried: Vec<Carried>,
+}
+
+impl FollowPaths for PathsTangent<'_> {
+    fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
+        let [by_stiffness, by_damping, by_mass] = s.series_by_frame();
+        let (first_weight, weights) = self.fv.at(s.oil_velocity);
+        let (first_standing, standing) = self.fv.at(0.0);
+        let read = s.valve_read().map(|w| if w == 0.0 { (0, [0.0; 4]) } else { self.fv.at(w) });
+        let springs = self.spring.map(|spring| spring.at(s.x_m));
+        let of = |first: usize, weights: &[f64; 4], point: usize| {
+            point.checked_sub(first).and_then(|k| weights.get(k)).copied().unwrap_or(0.0)
+        };
+        for (p, (direction, carried)) in self.directions.iter().zip(&mut self.carried).enumerate() {
+            let mut seed = Seed::NONE;
+            match direction {
+                Direction::SeriesStiffness => seed.series = by_stiffness,
+                Direction::SeriesDamping => seed.series = by_damping,
+                Direction::Mass => seed.drag = by_mass,
+                Direction::SpringPower(k) => seed.drag = s.x_m * s.x_m.abs().powi(*k),
+                Direction::FvPoint(_) => {
+                    let point = p - self.first_fv;
+                    seed.curve = of(first_weight, &weights, point);
+                    seed.standing = of(first_standing, &standing, point);
+                    seed.read = read.map(|(first, weights)| of(first, &weights, point) - seed.standing);
+                }
+                Direction::SpringPoint(_) => {
+                    let point = p - self.first_spring;
+                    seed.drag = springs.map_or(0.0, |(first, weights)| of(first, &weights, point));
+                }
+            }
+            carried.over(elements, s, seed);
+        }
+    }
+}
+
+/// An unknown that acts beside the mass and has no memory: the element's own difference.
+struct Beside {
+    column: usize,
+    plus: Model,
+    minus: Model,
+    per: f64,
+}
+
+/// How exactly a model is integrated in a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Accuracy {
+    /// As a host would.
+    Full,
+    /// One substep of the fourth-order method, however long the step: as good on smooth motions, and several times cheaper
+    /// where a test is slow. Two where a bypass falls open at each reversal, or friction turns over behind a spring.
+    Single,
+    /// As many of the second-order method: a few tenths of a percent off, a third of the cost.
+    Cheap,
+}
+
+impl Accuracy {
+    /// How a model is integrated.
+    pub fn integration(self, params: &Params, model: &Model) -> Integration {
+        let falls_open = params.is_on("frequency_selective_damping") && params.scalar("fsd_form") == 2.0;
+        let substeps = if falls_open || model.elements().carries_whole() { 2 } else { 1 };
+        match self {
+            Accuracy::Full => model.integration(),
+            Accuracy::Single => Integration::fixed(Method::Fourth, substeps),
+            Accuracy::Cheap => Integration::fixed(Method::Second, substeps),
+        }
+    }
+}
+
+/// A run that is prepared once per parameter vector and shared by all segments.
+pub struct Run {
+    model: Model,
+    params: Params,
+    directions: Vec<Direction>,
+    columns: Vec<usize>,
+    first_fv: usize,
+    first_spring: usize,
+    fv: CurveWeights,
+    spring: CurveWeights,
+    beside: Vec<Beside>,
+    rises: Vec<(usize, CurveName, usize)>,
+    /// Unknowns of an element beside the mass that remembers or is a stop: models of that element alone.
+    alone: Vec<Beside>,
+    /// Unknowns of elements inside the paths: the moved model, and the change of force that counts as one.
+    moved: Vec<(usize, Model, f64)>,
+    unknowns: usize,
+}
+
+const NOWHERE: usize = usize::MAX;
+
+impl Run {
+    /// Prepares the run at `theta`; `None` if the parameters do not make a model.
+    pub fn new(unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Option<Run> {
+        let params = unknowns.params(theta);
+        let model = Model::new(&params).ok()?;
+        let integration = accuracy.integration(&params, &model);
+        let model = model.with_integration(integration);
+        // A difference is one of the damper: both its ends take as many substeps.
+        let prepare = |params: &Params| Some(Model::new(params).ok()?.with_integration(integration));
+        let mut run = Run {
+            model,
+            params,
+            directions: Vec::new(),
+            columns: Vec::new(),
+            first_fv: NOWHERE,
+            first_spring: NOWHERE,
+            fv: CurveWeights::new(params.list("fv_velocity"), params.list("fv_force")),
+            spring: CurveWeights::new(params.list("spring_displacement"), params.list("spring_force")),
+            beside: Vec::new(),
+            alone: Vec::new(),
+            rises: Vec::new(),
+            moved: Vec::new(),
+            unknowns: unknowns.list.len(),
+        };
+        for (column, unknown) in unknowns.list.iter().enumerate() {
+            let name = match unknown {
+                Unknown::Rise { curve, point } => {
+                    run.rises.push((column, *curve, *point));
+                    continue;
+                }
+                Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) | Unknown::Entry(name, _) => *name,
+            };
+            let direction = match name {
+                "series_stiffness" => Some(Direction::SeriesStiffness),
+                "series_damping" => Some(Direction::SeriesDamping),
+                "internal_mass" => Some(Direction::Mass),
+                "spring_linear" => Some(Direction::SpringPower(0)),
+                "spring_quadratic" => Some(Direction::SpringPower(1)),
+                "spring_cubic" => Some(Direction::SpringPower(2)),
+                "spring_quartic" => Some(Direction::SpringPower(3)),
+                _ => None,
+            };
+            if let (Some(direction), Unknown::Log(_) | Unknown::Linear(_)) = (direction, unknown) {
+                run.directions.push(direction);
+                run.columns.push(column);
+                continue;
+            }
+            let step = 1e-5 * theta[column].abs().max(1e-3);
+            let moved = |d: f64| {
+                let mut theta = theta.to_vec();
+                theta[column] += d;
+                unknowns.params(&theta)
+            };
+            let group = find(name).map_or(GROUPS.len(), |row| row.group);
+            match acts(group) {
+                // Behind the series compliance they move the mass.
+                Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
+                    let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
+                    run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
+                }
+                // A mass inside moves with the piston, not beside it.
+                Acts::Memory | Acts::Stop
+                    if !(name == "moving_mass" && run.params.scalar("moving_mass_place") == 1.0) =>
+                {
+                    let alone = |mut params: Params| {
+                        params.disable_all();
+                        params.enable(GROUPS[group].name, run.params.is_on(GROUPS[group].name)).ok()?;
+                        prepare(&params)
+                    };
+                    let (plus, minus) = (alone(moved(step))?, alone(moved(-step))?);
+                    run.alone.push(Beside { column, plus, minus, per: 0.5 / step });
+                }
+                _ => {
+                    // To the side on which the unknown is not held by a bound.
+                    let step = if moved(step) == run.params { -step } else { step };
+                    let (moved, step) = match prepare(&moved(step)) {
+                        Some(model) => (model, step),
+                        None => (prepare(&moved(-step))?, -step),
+                    };
+                    run.moved.push((column, moved, 1.0 / step));
+                }
+            }
+        }
+        for (curve, weights) in [(CurveName::Fv, run.fv.points()), (CurveName::Spring, run.spring.points())] {
+            if run.rises.iter().any(|r| r.1 == curve) {
+                let first = run.directions.len();
+                for point in 0..weights {
+                    run.directions.push(match curve {
+                        CurveName::Fv => Direction::FvPoint(point),
+                        CurveName::Spring => Direction::SpringPoint(point),
+                    });
+                    run.columns.push(NOWHERE);
+                }
+                match curve {
+                    CurveName::Fv => run.first_fv = first,
+                    CurveName::Spring => run.first_spring = first,
+                }
+            }
+        }
+        // Logarithmic unknowns scale their column by the value itself.
+        Some(run)
+    }
+
+    /// Forces at the samples of a segment.
+    pub fn forces(&self, segment: &Segment) -> Vec<f64> {
+        forces(&self.model, segment)
+    }
+
+    /// Forces at the samples, and their derivatives: one column per sample, one row per unknown. The derivatives take the
+    /// settled state at the first sample as given, which only samples before the scored ones feel.
+    pub fn jacobian(&self, segment: &Segment, unknowns: &Unknowns, theta: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
+        let n = segment.force.len();
+        let model = &self.model;
+        let mut rows = DMatrix::zeros(self.unknowns, n);
+        let mut forces = Vec::with_capacity(n);
+        let p = self.directions.len();
+        let spring = (self.first_spring != NOWHERE).then_some(&self.spring);
+        let has_paths = model.elements().has_paths();
+        let mut through = PathsTangent {
+            directions: &self.directions,
+            fv: &self.fv,
+            spring,
+            first_fv: self.first_fv,
+            first_spring: self.first_spring,
+            carried: vec![Carried::NONE; if has_paths { p } else { 0 }],
+        };
+        let mut tangent = Tangent {
+            directions: &self.directions,
+            fv: &self.fv,
+            spring,
+            first_fv: self.first_fv,
+            first_spring: self.first_spring,
+            x: vec![0.0; p],
+            v: vec![0.0; p],
+            stages: vec![(vec![0.0; p], vec![0.0; p]); 8],
+        };
+        let series = model.elements().series_compliance;
+        let has_series = model.elements().has_series();
+        let mut state = model.settled(&segment.input[0]);
+        let (mut next, mut output) = (State::ZERO, Output::ZERO);
+        let mut by_point = vec![0.0; p];
+        let curves = [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
+            let u = self.params.list(curve.abscissae());
+            (first, anchor(u), u.len())
+        });
+        for i in 0..n {
+            let input = &segment.input[i];
+            if i == 0 {
+                output = dashpot_core::evaluate::force(model, &state, input);
+                next = state;
+            } else if has_paths {
+                next = state;
+                advance_paths(model, &mut next, input, segment.dt[i], &mut through, &mut output);
+            } else {
+                advance(model, &state, input, segment.dt[i], &mut tangent, &mut next, &mut output);
+            }
+            state = next;
+            forces.push(output.force);
+            let x = state.displacement;
+            if has_paths {
+                for (to, carried) in by_point.iter_mut().zip(&through.carried) {
+                    *to = carried.force;
+                }
+            } else if has_series {
+                for (k, direction) in self.directions.iter().enumerate() {
+                    by_point[k] = -series.stiffness * tangent.x[k] - series.damping * tangent.v[k]
+                        + match direction {
+                            Direction::SeriesStiffness => x - state.mass_displacement,
+                            Direction::SeriesDamping => input.velocity - state.mass_velocity,
+                            _ => 0.0,
+                        };
+                }
+            } else {
+                by_point.fill(0.0);
+                for (k, direction) in self.directions.iter().enumerate() {
+                    if let Direction::SpringPower(power) = direction {
+                        by_point[k] = x * x.abs().powi(*power);
+                    }
+                }
+                if self.first_fv != NOWHERE {
+                    let (first, w) = self.fv.at(input.velocity);
+                    for (k, w) in w.iter().enumerate().take(self.fv.points()) {
+                        by_point[self.first_fv + first + k] += w;
+                    }
+                }
+                if self.first_spring != NOWHERE {
+                    let (first, w) = self.spring.at(x);
+                    for (k, w) in w.iter().enumerate().take(self.spring.points()) {
+                        by_point[self.first_spring + first + k] += w;
+                    }
+                }
+            }
+            let mut row = rows.column_mut(i);
+            for (k, column) in self.columns.iter().enumerate() {
+                if *column != NOWHERE {
+                    row[*column] = by_point[k];
+                }
+            }
+            // A rise lifts every point from its own outwards.
+            for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
+                let points = &mut by_point[*first..first + count];
+                for k in (zero + 1..count - 1).rev() {
+                    points[k] += points[k + 1];
+                }
+                for k in 1..=*zero {
+                    points[k] += points[k - 1];
+                }
+            }
+            for (column, curve, point) in &self.rises {
+                let (first, zero, _) = curves[if *curve == CurveName::Fv { 0 } else { 1 }];
+                row[*column] = if *point > zero { by_point[first + point] } else { -by_point[first + point] };
+            }
+            if !self.beside.is_empty() {
+                let at = Motion {
+                    displacement: x,
+                    velocity: input.velocity,
+                    side_force: input.side_force,
+                    temperature: input.temperature,
+                };
+                let beside = |m: &Model| m.elements().friction(&at).force + m.elements().preload(&at).force;
+                for b in &self.beside {
+                    row[b.column] = (beside(&b.plus) - beside(&b.minus)) * b.per;
+                }
+            }
+        }
+        for b in &self.alone {
+            let (plus, minus) = (self::forces(&b.plus, segment), self::forces(&b.minus, segment));
+            for i in 0..n {
+                rows[(b.column, i)] = (plus[i] - minus[i]) * b.per;
+            }
+        }
+        for (column, moved, per) in &self.moved {
+            for (i, force) in self::forces(moved, segment).iter().enumerate() {
+                rows[(*column, i)] = (force - forces[i]) * per;
+            }
+        }
+        for (column, unknown) in unknowns.list.iter().enumerate() {
+            let direct = self.columns.contains(&column);
+            if let (Unknown::Log(_), true) = (unknown, direct) {
+                rows.row_mut(column).scale_mut(theta[column].exp());
+            }
+        }
+        (forces, rows)
+    }
+}
+
+/// Forces of a model at the samples of a segment, from the settled state at its first.
+pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
+    let mut state = model.settled(&segment.input[0]);
+    let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
+    let (mut next, mut output) = (State::ZERO, Output::ZERO);
+    for i in 1..segment.input.len() {
+        advance(model, &state, &segment.input[i], segment.dt[i], &mut (), &mut next, &mut output);
+        state = next;
+        out.push(output.force);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::Input;
+    use dashpot_core::parameter::Shape;
+
+    fn segment(amplitude: f64, frequency: f64) -> Segment {
+        let w = std::f64::consts::TAU * frequency;
+        let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
+        let dt = 1.0 / frequency / 100.0;
+        let n = 150;
+        let input = (0..n)
+            .map(|i| {
+                let (x, v) = motion(i as f64 * dt);
+                Input { side_force: 200.0, ..Input::motion(x, v) }
+            })
+            .collect();
+        Segment {
+            name: String::new(),
+            dt: vec![dt; n],
+            input,
+            force: vec![0.0; n],
+            from: 40,
+            scale: 1.0,
+            top: 1.0,
+            peak_velocity: 1.0,
+            amplitude,
+        }
+    }
+
+    /// The rows at `theta` against central differences of runs, as shares of the latter; scored samples alone, because the
+    /// settled start is taken as given, and without so many of the worst.
+    fn off(
+        unknowns: &Unknowns,
+        theta: &[f64],
+        test: &Segment,
+        without: usize,
+        mut each: impl FnMut(&Unknown, f64, f64),
+    ) {
+        let run = Run::new(unknowns, theta, Accuracy::Full).unwrap();
+        let (forces, rows) = run.jacobian(test, unknowns, theta);
+        assert_eq!(forces, run.forces(test));
+        for p in 0..theta.len() {
+            let step = 1e-3 * theta[p].abs().max(1e-2);
+            let moved = |d: f64| {
+                let mut t = theta.to_vec();
+                t[p] += d;
+                Run::new(unknowns, &t, Accuracy::Full).unwrap().forces(test)
+            };
+            let (a, b) = (moved(step), moved(-step));
+            let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+            let mut scored: Vec<(f64, f64)> =
+                (test.from..a.len()).map(|i| ((rows[(p, i)] - difference[i]).powi(2), difference[i].powi(2))).collect();
+            scored.sort_by(|a, b| a.0.total_cmp(&b.0));
+            scored.truncate(scored.len() - without);
+            let off = scored.iter().map(|s| s.0).sum::<f64>().sqrt();
+            let size = scored.iter().map(|s| s.1).sum::<f64>().sqrt();
+            each(&unknowns.list[p], off, size);
+        }
+    }
+
+    /// Every element that is off by default, with its own numbers, alone and several together.
+    #[test]
+    fn derivatives_agree_with_differences_whatever_is_on() {
+        let together: &[&str] =
+            &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
+        let mut cases: Vec<(Vec<&str>, Vec<(&str, f64)>)> = dashpot_core::elements::names()
+            .filter(|name| !Params::new().is_on(name) && *name != "coulomb_friction")
+            .map(|name| (vec![name], Vec::new()))
+            .collect();
+        cases.extend([
+            (together.to_vec(), Vec::new()),
+            (vec!["moving_mass"], vec![("moving_mass_place", 1.0)]),
+            (vec!["valve_hysteresis"], vec![("valve_form", 1.0), ("valve_play", 60.0), ("valve_time", 0.02)]),
+            (vec!["valve_hysteresis"], vec![("valve_form", 2.0)]),
+            (vec!["cavitation"], vec![("cavitation_onset", 1.0)]),
+            (vec!["free_play"], vec![("series_load", 1.0)]),
+            (vec!["bushing", "oil_compressibility", "side_force_friction"], vec![("series_load", 1.0)]),
+        ]);
+        let mut missed = String::new();
+        for ((case, settings), series) in cases.iter().flat_map(|case| [(case, true), (case, false)]) {
+            let mut base = Params::new();
+            base.set_list("spring_displacement", &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
+            base.set_list("spring_force", &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
+            for (name, value) in [
+                ("spring_linear", 500.0),
+                ("bump_stop_clearance", 0.012),
+                ("rebound_stop_clearance", 0.012),
+                ("cavitation_force", 700.0),
+                ("cavitation_return", 0.3),
+                ("cavitation_onset", 0.7),
+                ("fade_slackening", 5e-3),
+                ("fade_source", 1.0),
+                ("heat_capacity", 60.0),
+                ("fsd_form", 1.0),
+                // At 0 a central difference would have one side only.
+                ("bushing_stop_stiffness", 2.0),
+                ("bushing_slow_stiffness", 0.4),
+                // At its default it is nothing, and so is its derivative there.
+                ("presliding_creep", 1e-3),
+                // At 1 the step takes it more easily than beside it.
+                ("oil_compression", 0.97),
+            ] {
+                base.set(name, value).unwrap();
+            }
+            let mut list = Unknowns::rises(&base, CurveName::Fv);
+            list.extend(Unknowns::rises(&base, CurveName::Spring));
+            list.extend([
+                Unknown::Linear("spring_linear"),
+                Unknown::Linear("gas_force"),
+                Unknown::Log("stribeck_coulomb_force"),
+            ]);
+            base.enable("series_compliance", series).unwrap();
+            if series {
+                list.extend([
+                    Unknown::Log("series_stiffness"),
+                    Unknown::Linear("series_damping"),
+                    Unknown::Log("internal_mass"),
+                ]);
+            }
+            for element in case {
+                base.enable(element, true).unwrap();
+                let rows = dashpot_core::parameter::table().filter(|row| GROUPS[row.group].name == *element);
+                for row in rows.filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
+                    list.push(Unknown::Linear(row.parameter.name));
+                }
+            }
+            for (name, value) in settings {
+                base.set(name, *value).unwrap();
+            }
+            if series && base.is_on("moving_mass") && base.scalar("moving_mass_place") == 1.0 {
+                list.retain(|u| *u != Unknown::Linear("moving_mass_time"));
+            }
+            let gassy = case.contains(&"cavitation") && base.scalar("cavitation_onset") < 1.0;
+            if !gassy {
+                // At 1 a central difference would have one side only.
+                list.retain(|u| *u != Unknown::Linear("cavitation_onset"));
+            }
+            if dashpot_core::Model::new(&base).is_err() {
+                assert!(!series);
+                continue;
+            }
+            let unknowns = Unknowns { base, list };
+            let theta = unknowns.start();
+            // The instant at which a void closes, or a lag changes its table, jumps from sample to sample; that with gas in
+            // it also where it opens.
+            // So does that at which friction behind a series spring turns over.
+            let turns = settings.iter().any(|(name, _)| *name == "series_load");
+            let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
+            let without = match (gassy, jumps) {
+                (true, _) => 8,
+                (_, true) => 6,
+                _ => 0,
+            };
+            off(&unknowns, &theta, &segment(0.02, 4.0), without, |unknown, off, size| {
+                // The table of a late valve that stands where a force had it is a spline over all points of the curve:
+                // those beyond what was reached still move it a little.
+                let table =
+                    case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
+                let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
+                // Known to be off by 3 % where these take several substeps: a matter of 0.001 N for a tenth of the damping.
+                let several = *unknown == Unknown::Linear("series_damping")
+                    && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
+                let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };
+                if off > share * size + least {
+                    missed += &format!("{case:?}, series {series}, {unknown:?}: off {off:.2e} of {size:.2e}\n");
+                }
+            });
+        }
+        assert!(missed.is_empty(), "{missed}");
+    }
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        let mut base = Params::new();
+        base.set_list("spring_displacement", &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
+        base.set_list("spring_force", &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
+        base.enable("side_force_friction", true).unwrap();
+        for series in [true, false] {
+            base.enable("series_compliance", series).unwrap();
+            let mut list = Unknowns::rises(&base, CurveName::Fv);
+            list.extend(Unknowns::rises(&base, CurveName::Spring));
+            list.extend([
+                Unknown::Linear("spring_linear"),
+                Unknown::Linear("spring_quadratic"),
+                Unknown::Linear("gas_force"),
+                Unknown::Above("stribeck_breakaway_force", "stribeck_coulomb_force"),
+                Unknown::Log("stribeck_breakaway_velocity"),
+                Unknown::Linear("side_force_coefficient"),
+            ]);
+            if series {
+                list.extend([
+                    Unknown::Log("series_stiffness"),
+                    Unknown::Linear("series_damping"),
+                    Unknown::Log("internal_mass"),
+                ]);
+            }
+            let mut base = base;
+            base.set("spring_linear", 500.0).unwrap();
+            let unknowns = Unknowns { base, list };
+            let theta = unknowns.start();
+            for test in [segment(0.03, 3.0), segment(0.002, 20.0)] {
+                off(&unknowns, &theta, &test, 0, |unknown, off, size| {
+                    assert!(off <= 2e-3 * size + 1e-6, "{unknown:?}: off {off} of {size}");
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Derivatives by differences, for residuals that bring none of their own.
+
+use super::{Bounds, Residuals};
+use nalgebra::DMatrix;
+
+/// Step over the size of a number: rounding and curvature err alike at the cube root of the rounding unit.
+const STEP: f64 = 6e-6;
+/// Size that a number has at least: a number that starts at zero still moves.
+const SMALLEST: f64 = 1e-3;
+
+/// Residuals of one block and central differences of them; one-sided where a bound or a hole in the model is in the way.
+pub fn central(problem: &impl Residuals, block: usize, x: &[f64], bounds: &Bounds) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    let middle = problem.residuals(block, x)?;
+    let mut jacobian = DMatrix::zeros(middle.len(), x.len());
+    for i in 0..x.len() {
+        let h = STEP * x[i].abs().max(SMALLEST);
+        let at = |moved: f64| {
+            let mut near = x.to_vec();
+            near[i] = moved;
+            let inside = moved >= bounds.low[i] && moved <= bounds.high[i];
+            inside.then(|| problem.residuals(block, &near)).flatten().filter(|r| r.iter().all(|v| v.is_finite()))
+        };
+        let (up, down) = (at(x[i] + h), at(x[i] - h));
+        let width = (x[i] + h) - (x[i] - h);
+        let (high, low, width) = match (&up, &down) {
+            (Some(up), Some(down)) => (up, down, width),
+            (Some(up), None) => (up, &middle, (x[i] + h) - x[i]),
+            (None, Some(down)) => (&middle, down, x[i] - (x[i] - h)),
+            (None, None) => return None,
+        };
+        for r in 0..middle.len() {
+            jacobian[(r, i)] = (high[r] - low[r]) / width;
+        }
+    }
+    Some((middle, jacobian))
+}

@@ -1,0 +1,155 @@
+//! A first guess that an engineer would make: FV points at peak velocity, friction and gas force from slow tests.
+
+use dashpot_core::Params;
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::unknowns::anchor;
+
+/// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
+pub const SLOW: f64 = 0.006;
+/// Ratio of one velocity of the FV table to the next: knees are that wide, and closer points would follow noise.
+const RATIO: f64 = 1.65;
+/// Smallest velocity of an FV point: below, friction and damper cannot be told apart.
+const SMALLEST: f64 = 0.010;
+/// Samples that an FV point needs on its side of its neighbours.
+const ENOUGH: usize = 12;
+
+/// Force at steady sliding in both directions.
+#[derive(Debug, Clone, Copy)]
+pub struct Dry {
+    /// Half the difference: friction, N.
+    pub friction: f64,
+    /// Mean, with the sign turned: what pushes the rod out, N.
+    pub gas: f64,
+}
+
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    let middle = values.len().checked_sub(1)? / 2;
+    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
+pub fn dry(segments: &[Segment]) -> Dry {
+    let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
+    let limit = SLOW.max(1.5 * slowest);
+    let side = |sign: f64, low: f64, high: f64| {
+        let forces = segments
+            .iter()
+            .filter(|s| s.peak_velocity <= limit)
+            .flat_map(|s| {
+                s.input.iter().zip(&s.force).filter_map(move |(i, f)| {
+                    let part = sign * i.velocity / s.peak_velocity;
+                    (part > low && part < high).then_some(*f)
+                })
+            })
+            .collect();
+        median(forces)
+    };
+    // At full speed where the test is slow; near reversal where even the slowest test is fast.
+    let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
+    match (side(1.0, low, high), side(-1.0, low, high)) {
+        (Some(up), Some(down)) => Dry { friction: (0.5 * (up - down)).max(1.0), gas: -0.5 * (up + down) },
+        _ => Dry { friction: 1.0, gas: 0.0 },
+    }
+}
+
+/// Velocities for the FV table: zero, and on each side points in geometric progression up to the fastest test, denser
+/// where curves bend. Points that the records do not reach are left out.
+pub fn velocities(segments: &[Segment]) -> Vec<f64> {
+    let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
+    let side = |sign: f64| {
+        let mut speeds: Vec<f64> = all.iter().map(|v| sign * v).filter(|v| *v > 0.0).collect();
+        speeds.sort_by(f64::total_cmp);
+        let mut points = Vec::new();
+        // The last point lies where samples still are, not on a single noisy peak.
+        let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
+        // Tests that creep throughout show friction; a straight line is all the FV curve they can carry.
+        let first = SMALLEST.min(top);
+        let steps = ((top / first).ln() / RATIO.ln()).round() as usize;
+        for k in 0..=steps {
+            points.push(if k == steps { top } else { first * (top / first).powf(k as f64 / steps as f64) });
+        }
+        let mut kept: Vec<f64> = Vec::new();
+        for (k, v) in points.iter().enumerate() {
+            let below = kept.last().copied().unwrap_or(0.0);
+            let count = speeds.partition_point(|s| s <= v) - speeds.partition_point(|s| *s <= below);
+            if count >= ENOUGH || k == 0 {
+                kept.push(*v);
+            } else if k + 1 == points.len() {
+                // Too little between the last two: the end of the data matters more.
+                if kept.len() > 1 {
+                    kept.pop();
+                }
+                kept.push(*v);
+            }
+        }
+        kept
+    };
+    let mut v: Vec<f64> = side(-1.0).into_iter().rev().map(|v| -v).collect();
+    v.push(0.0);
+    v.extend(side(1.0));
+    v
+}
+
+/// Forces of the FV table at `velocities`: at each speed the mean of both strokes over the tests, less friction and
+/// gas force, made non-decreasing.
+pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
+    let zero = anchor(velocities);
+    let mut sums = vec![(0.0, 0.0); velocities.len()];
+    for s in segments.iter().filter(|s| s.peak_velocity > SLOW) {
+        for (input, f) in s.input.iter().zip(&s.force).skip(s.from) {
+            let v = input.velocity;
+            // Shares fall off linearly to the neighbouring points.
+            let right = velocities.partition_point(|p| *p <= v);
+            let (a, b) = (right.saturating_sub(1), right.min(velocities.len() - 1));
+            let share = if b > a { (v - velocities[a]) / (velocities[b] - velocities[a]) } else { 0.0 };
+            for (k, w) in [(a, 1.0 - share), (b, share)] {
+                let w = w.clamp(0.0, 1.0).powi(4) * if v.abs() > 0.9 * s.peak_velocity { 20.0 } else { 1.0 };
+                sums[k].0 += w * f;
+                sums[k].1 += w;
+            }
+        }
+    }
+    let mut f: Vec<f64> = velocities
+        .iter()
+        .zip(&sums)
+        .map(|(v, (sum, weight))| {
+            let mean = if *weight > 0.0 { sum / weight } else { 0.0 };
+            mean + dry.gas - dry.friction * v.signum()
+        })
+        .collect();
+    f[zero] = 0.0;
+    let least = 1e-3 * f.iter().fold(1.0f64, |m, f| m.max(f.abs()));
+    for k in zero + 1..f.len() {
+        f[k] = f[k].max(f[k - 1] + least);
+    }
+    for k in (0..zero).rev() {
+        f[k] = f[k].min(f[k + 1] - least);
+    }
+    f
+}
+
+/// A parameter set with the first guess for all elements of the thesis's model, and nothing on but the FV curve.
+pub fn guess(segments: &[Segment]) -> Params {
+    let dry = dry(segments);
+    let v = velocities(segments);
+    let f = forces(segments, &v, dry);
+    let mut p = Params::new();
+    p.disable_all();
+    let set = |p: &mut Params, name: &str, value: f64| {
+        let bounded =
+            dashpot_core::parameter::find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
+        let _ = p.set(name, bounded);
+    };
+    let _ = p.set_list("fv_velocity", &v);
+    let _ = p.set_list("fv_force", &f);
+    let _ = p.enable("fv_curve", true);
+    for name in ["coulomb_force", "stribeck_coulomb_force", "presliding_force"] {
+        set(&mut p, name, dry.friction);
+    }
+    set(&mut p, "stribeck_breakaway_force", 1.15 * dry.friction);
+    set(&mut p, "gas_force", dry.gas);
+    for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic", "viscous_coefficient"] {
+        set(&mut p, name, 0.0);
+    }
+    p
+}

@@ -1,0 +1,208 @@
+//! 95 % intervals, where each parameter was identified from, and which were not.
+
+use super::first_guess::SLOW;
+use dashpot_core::parameter::find;
+use dashpot_estimation::least_squares::covariance;
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::sensitivity::{Accuracy, Run};
+use dashpot_estimation::unknowns::{Unknown, Unknowns, anchor};
+use serde::Serialize;
+
+/// Half-width of a 95 % interval in standard deviations.
+const Z: f64 = 1.96;
+/// Half-width beyond which a parameter is not identified: relative to its value ...
+const RELATIVE: f64 = 0.5;
+/// ... unless its force effect is known to within this share of the largest force.
+const SHARE: f64 = 0.005;
+/// Strokes up to this amplitude, m, count as small in the account of where a parameter comes from.
+const SMALL_STROKE: f64 = 0.006;
+
+/// What a fit says of one number of the model.
+#[derive(Debug, Clone, Serialize)]
+pub struct Estimate {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// Place in its list, for curves.
+    pub index: Option<usize>,
+    /// Value.
+    pub value: f64,
+    /// Lower end of the 95 % interval.
+    pub low: Option<f64>,
+    /// Upper end.
+    pub high: Option<f64>,
+    /// Unit.
+    pub unit: &'static str,
+    /// Which tests it was identified from.
+    pub from: String,
+    /// Whether the data determines it.
+    pub standing: Standing,
+}
+
+/// Whether the data determines a parameter.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Standing {
+    /// Identified, with an interval.
+    Identified,
+    /// The data does not determine it; the value is the default or a guess.
+    NotIdentified,
+    /// The fit ran into a bound of the parameter table.
+    AtBound,
+}
+
+/// Estimates of all unknowns at a solution, and the places of those that are not identified.
+pub fn estimates(
+    segments: &[Segment],
+    unknowns: &Unknowns,
+    theta: &[f64],
+    accuracy: Accuracy,
+) -> (Vec<Estimate>, Vec<usize>) {
+    let refs: Vec<&Segment> = segments.iter().collect();
+    let params = unknowns.params(theta);
+    let Some((cov, determined)) = covariance(&refs, unknowns, theta, accuracy) else { return (Vec::new(), Vec::new()) };
+    let top = segments.iter().fold(0.0f64, |m, s| m.max(s.top));
+    let stroke = segments.iter().fold(0.0f64, |m, s| m.max(s.amplitude));
+    let speed = segments.iter().fold(0.0f64, |m, s| m.max(s.peak_velocity));
+    let sources = sources(segments, unknowns, theta);
+    let (low, high) = unknowns.bounds();
+    let mut loose = Vec::new();
+    let mut list = Vec::new();
+    for (i, unknown) in unknowns.list.iter().enumerate() {
+        let sd = cov[(i, i)].max(0.0).sqrt();
+        let at_bound =
+            theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
+        match unknown {
+            Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => {
+                let value = params.scalar(name);
+                let (a, b) = match unknown {
+                    Unknown::Log(_) => (value * (-Z * sd).exp(), value * (Z * sd).exp()),
+                    Unknown::Above(_, below) => {
+                        // level (1 + share): both are uncertain.
+                        let level = params.scalar(below);
+                        let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(below));
+                        let factor = 1.0 + theta[i];
+                        let more =
+                            k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
+                        let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
+                        (value - Z * sd, value + Z * sd)
+                    }
+                    _ => (value - Z * sd, value + Z * sd),
+                };
+                let half = 0.5 * (b - a);
+                // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
+                let force = match *name {
+                    "spring_linear" => half * stroke,
+                    "spring_quadratic" => half * stroke.powi(2),
+                    "spring_cubic" => half * stroke.powi(3),
+                    "spring_quartic" => half * stroke.powi(4),
+                    "viscous_coefficient" => half * speed.powi(2),
+                    "side_force_coefficient" => half * 300.0,
+                    name if name.ends_with("_force") => half,
+                    _ => f64::INFINITY,
+                };
+                let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
+                if !identified {
+                    loose.push(i);
+                }
+                let row = find(name);
+                let (bound_low, bound_high) = row.map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
+                list.push(Estimate {
+                    name,
+                    index: None,
+                    value,
+                    low: Some(a.max(bound_low)),
+                    high: Some(b.min(bound_high)),
+                    unit: row.map_or("", |r| r.parameter.unit),
+                    from: sources[i].clone(),
+                    standing: match (identified, at_bound) {
+                        (false, _) => Standing::NotIdentified,
+                        (true, true) if value != 0.0 => Standing::AtBound,
+                        _ => Standing::Identified,
+                    },
+                });
+            }
+            Unknown::Rise { curve, point } => {
+                let u = params.list(curve.abscissae());
+                let zero = anchor(u);
+                // The force at a point is the sum of the rises up to it.
+                let path: Vec<usize> = unknowns
+                    .list
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, other)| match other {
+                        Unknown::Rise { curve: c, point: p } if c == curve => {
+                            if *point > zero {
+                                *p > zero && p <= point
+                            } else {
+                                *p < zero && p >= point
+                            }
+                        }
+                        _ => false,
+                    })
+                    .map(|(k, _)| k)
+                    .collect();
+                let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
+                let half = Z * variance.max(0.0).sqrt();
+                let value = params.list(curve.forces())[*point];
+                let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
+                list.push(Estimate {
+                    name: curve.forces(),
+                    index: Some(*point),
+                    value,
+                    low: Some(value - half),
+                    high: Some(value + half),
+                    unit: "N",
+                    from: sources[i].clone(),
+                    standing: if identified { Standing::Identified } else { Standing::NotIdentified },
+                });
+            }
+            Unknown::Entry(name, k) => {
+                let value = params.list(name)[*k];
+                list.push(Estimate {
+                    name,
+                    index: Some(*k),
+                    value,
+                    low: Some(value - Z * sd),
+                    high: Some(value + Z * sd),
+                    unit: find(name).map_or("", |r| r.parameter.unit),
+                    from: sources[i].clone(),
+                    standing: Standing::Identified,
+                });
+            }
+        }
+    }
+    (list, loose)
+}
+
+/// For every unknown, which kind of test carries its information.
+fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<String> {
+    let n = theta.len();
+    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![String::new(); n] };
+    let kinds = ["slow tests", "small strokes", "large strokes"];
+    let mut information = vec![[0.0; 3]; n];
+    for segment in segments {
+        let kind = match segment {
+            s if s.peak_velocity < SLOW => 0,
+            s if s.amplitude < SMALL_STROKE => 1,
+            _ => 2,
+        };
+        let (_, rows) = run.jacobian(segment, unknowns, theta);
+        for (i, slot) in information.iter_mut().enumerate() {
+            let row = rows.row(i);
+            slot[kind] += row.iter().skip(segment.from).map(|d| d * d).sum::<f64>() / segment.scale.powi(2);
+        }
+    }
+    information
+        .iter()
+        .map(|by_kind| {
+            let sum: f64 = by_kind.iter().sum();
+            if sum <= 0.0 {
+                return "no test shows it".to_owned();
+            }
+            let mut parts: Vec<(f64, &str)> =
+                by_kind.iter().map(|i| i / sum).zip(kinds).filter(|p| p.0 >= 0.1).collect();
+            parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+            parts.iter().map(|(share, kind)| format!("{kind} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
+        })
+        .collect()
+}

@@ -1,0 +1,17 @@
+//! Identification: from rig records to a parameter set with intervals.
+//!
+//! The thesis's way (chapter 4): FV curve from the peak-velocity points, friction and gas force from the slow tests,
+//! everything refined together on the stitched records. Variants of friction and spring are chosen by tests that the
+//! fit did not see.
+
+pub mod first_guess;
+mod fit;
+mod intervals;
+pub mod literature;
+pub mod model_file;
+pub mod validation;
+mod variants;
+
+pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
+pub use intervals::{Estimate, Standing};
+pub use variants::Choice;

@@ -1,0 +1,218 @@
+//! The force-velocity curve that an engineer would draw, as good as a curve alone can be.
+//!
+//! Points where the tests are: at their peak velocities, and at creeping speeds where slow tests show the friction step;
+//! between them the kernel's monotone curve; a constant gas force. Forces by least squares on all samples, so no other
+//! curve through these velocities is closer. It is what a vehicle model uses today, and what every fit, report and
+//! validation is compared with.
+
+use super::law::options;
+use super::observation::{Motion, Observation};
+use dashpot_core::Params;
+use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
+use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve};
+use serde::{Deserialize, Serialize};
+
+/// Its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FvCurve {
+    /// Velocities of the points, m/s, increasing, 0 among them.
+    pub velocity_m_s: Vec<f64>,
+    /// Forces at the points less the gas force, N; 0 at 0.
+    pub force_n: Vec<f64>,
+    /// Gas force, pushing the rod out, N.
+    pub gas_force_n: f64,
+}
+
+/// Points below the smallest peak velocity, m/s: where slow tests show how friction passes through zero.
+const CREEPING: [f64; 4] = [3e-4, 1e-3, 2.5e-3, 5e-3];
+/// Widest ratio of one speed to the next: knees are about that wide, so a wider gap is divided.
+const WIDEST: f64 = 1.65;
+/// Ratio below which two speeds are one point.
+const SAME: f64 = 1.25;
+/// Smallest speed of the points that divide a gap, m/s: below, only slow tests tell the curve.
+const SMALLEST: f64 = 0.010;
+/// Least slope, over that of the line through both ends. Friction that falls with speed would make a monotone curve exactly
+/// level; a gentle rise instead costs less than a newton and stays a curve that can be inverted.
+const LEAST_SLOPE: f64 = 0.1;
+/// Samples that a point needs between its neighbours.
+const ENOUGH: usize = 12;
+/// Width of the bins that samples are averaged in, as a share of their speed and at least in m/s: far narrower than any
+/// feature of a curve, and the fit then costs the same for any number of tests.
+const BIN: (f64, f64) = (0.01, 2e-5);
+
+/// Samples averaged over a narrow range of velocity.
+struct Bin {
+    velocity: f64,
+    force: f64,
+    /// Sum of the samples' weights.
+    weight: f64,
+}
+
+fn bins(tests: &[Observation]) -> Vec<Bin> {
+    let mut samples: Vec<(f64, f64, f64)> = tests
+        .iter()
+        .flat_map(|t| {
+            (t.from..t.force.len()).map(move |i| (t.motion.velocity[i], t.force[i], 1.0 / (t.scale * t.scale)))
+        })
+        .collect();
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut bins: Vec<Bin> = Vec::new();
+    let mut begin = f64::NEG_INFINITY;
+    for (v, f, w) in samples {
+        match bins.last_mut() {
+            Some(bin) if v - begin <= (BIN.0 * v.abs()).max(BIN.1) => {
+                bin.weight += w;
+                bin.velocity += w / bin.weight * (v - bin.velocity);
+                bin.force += w / bin.weight * (f - bin.force);
+            }
+            _ => {
+                begin = v;
+                bins.push(Bin { velocity: v, force: f, weight: w });
+            }
+        }
+    }
+    bins
+}
+
+/// Speeds of the points on one side, increasing.
+fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
+    let of = |t: &Observation| -> Vec<f64> { t.motion.velocity[t.from..].iter().map(|v| sign * v).collect() };
+    let mut all: Vec<f64> = tests.iter().flat_map(of).filter(|v| *v > 0.0).collect();
+    all.sort_by(f64::total_cmp);
+    // The last point lies where samples still are, not on a single noisy peak.
+    let Some(top) = all.get(all.len().saturating_sub(4)).copied() else { return Vec::new() };
+    let mut peaks: Vec<f64> =
+        tests.iter().map(|t| of(t).into_iter().fold(0.0, f64::max)).filter(|v| *v > 0.0 && *v < top / SAME).collect();
+    // Creeping speeds that a slow test passes in steady motion, not only on its way through a reversal.
+    let slow = peaks.iter().copied().filter(|v| *v < SMALLEST).fold(0.0, f64::max);
+    peaks.extend(CREEPING.iter().copied().filter(|v| *v < slow));
+    peaks.push(top);
+    peaks.sort_by(f64::total_cmp);
+    let mut points: Vec<f64> = Vec::new();
+    for v in peaks {
+        match points.last_mut() {
+            Some(last) if v < SAME * *last => *last = if v == top { v } else { *last },
+            _ => points.push(v),
+        }
+    }
+    // The first point of the fast tests must not leave all that lies below it to one straight line.
+    let first_fast = points.partition_point(|v| *v < SMALLEST);
+    if points.get(first_fast).is_some_and(|v| *v > SAME * SMALLEST) {
+        points.insert(first_fast, SMALLEST);
+    }
+    let mut divided: Vec<f64> = Vec::new();
+    for v in points {
+        if let Some(last) = divided.last().copied() {
+            if last >= SMALLEST {
+                let parts = ((v / last).ln() / WIDEST.ln()).ceil().max(1.0);
+                divided.extend((1..parts as usize).map(|k| last * (v / last).powf(k as f64 / parts)));
+            }
+        }
+        divided.push(v);
+    }
+    let mut kept: Vec<f64> = Vec::new();
+    for (k, v) in divided.iter().enumerate() {
+        let below = kept.last().copied().unwrap_or(0.0);
+        let count = all.partition_point(|s| s <= v) - all.partition_point(|s| *s <= below);
+        if count >= ENOUGH {
+            kept.push(*v);
+        } else if k + 1 == divided.len() {
+            // Too little between the last two: the end of the data matters more.
+            kept.pop();
+            kept.push(*v);
+        }
+    }
+    // Every second of the inner ones, until they fit beside those of the other side.
+    while kept.len() > (MAX_POINTS - 1) / 2 {
+        let last = kept.len() - 1;
+        kept = kept.iter().enumerate().filter(|(k, _)| k % 2 == 0 || *k == last).map(|(_, v)| *v).collect();
+    }
+    kept
+}
+
+/// Index of the point at zero velocity.
+fn zero(velocity: &[f64]) -> usize {
+    velocity.partition_point(|v| *v < 0.0)
+}
+
+struct Problem<'a> {
+    bins: &'a [Bin],
+    velocity: &'a [f64],
+    /// Force that a rise of 1 stands for, N.
+    unit: f64,
+}
+
+impl Problem<'_> {
+    /// Forces at the points from the rise of each above the next one towards zero, and the gas force behind them.
+    fn curve(&self, x: &[f64]) -> (Vec<f64>, f64) {
+        let zero = zero(self.velocity);
+        let mut force = vec![0.0; self.velocity.len()];
+        for k in zero + 1..force.len() {
+            force[k] = force[k - 1] + self.unit * x[k - 1];
+        }
+        for k in (0..zero).rev() {
+            force[k] = force[k + 1] - self.unit * x[k];
+        }
+        (force, self.unit * x[self.velocity.len() - 1])
+    }
+}
+
+impl Residuals for Problem<'_> {
+    fn residuals(&self, _: usize, x: &[f64]) -> Option<Vec<f64>> {
+        let (force, gas) = self.curve(x);
+        let curve = Curve::new(self.velocity, &force, Interpolation::MonotoneCubic).ok()?;
+        Some(self.bins.iter().map(|b| b.weight.sqrt() * (curve.at(b.velocity).value - gas - b.force)).collect())
+    }
+}
+
+/// Identifies the curve.
+pub fn fit(tests: &[Observation]) -> FvCurve {
+    let bins = bins(tests);
+    let mut velocity: Vec<f64> = speeds(tests, -1.0).into_iter().rev().map(|v| -v).collect();
+    velocity.push(0.0);
+    velocity.extend(speeds(tests, 1.0));
+    if velocity.len() < 2 {
+        // Nothing moves: a level line.
+        velocity = vec![-1.0, 0.0];
+    }
+    let unit = bins.iter().map(|b| b.force.abs()).fold(1e-3, f64::max);
+    let problem = Problem { bins: &bins, velocity: &velocity, unit };
+    let n = velocity.len();
+    // From a straight line: the least squares of a monotone curve have one valley.
+    let reach = velocity[n - 1] - velocity[0];
+    let mut start: Vec<f64> = velocity.windows(2).map(|w| (w[1] - w[0]) / reach).collect();
+    start.push(0.0);
+    let range = bins.iter().map(|b| b.force).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+    let slope = LEAST_SLOPE * ((range.1 - range.0) / reach).max(0.0) / unit;
+    let mut low: Vec<f64> = velocity.windows(2).map(|w| slope * (w[1] - w[0])).collect();
+    low.push(-10.0);
+    let bounds = Bounds { low, high: vec![10.0; n] };
+    let options = Options { loss: Loss::Squares, tolerance: 1e-9, ..options() };
+    let found = solve(&problem, &start, &bounds, &options);
+    let (force_n, gas_force_n) = problem.curve(&found.x);
+    FvCurve { velocity_m_s: velocity, force_n, gas_force_n }
+}
+
+impl FvCurve {
+    /// Its force at every sample of a motion, N.
+    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+        match Curve::new(&self.velocity_m_s, &self.force_n, Interpolation::MonotoneCubic) {
+            Ok(curve) => motion.velocity.iter().map(|v| curve.at(*v).value - self.gas_force_n).collect(),
+            Err(_) => vec![f64::NAN; motion.velocity.len()],
+        }
+    }
+
+    /// For the kernel.
+    pub fn params(&self) -> Params {
+        let mut params = Params::new();
+        params.disable_all();
+        for element in ["fv_curve", "gas_preload"] {
+            let _ = params.enable(element, true);
+        }
+        let _ = params.set_list("fv_velocity", &self.velocity_m_s);
+        let _ = params.set_list("fv_force", &self.force_n);
+        let bounds = dashpot_core::parameter::find("gas_force").map(|row| (row.parameter.low, row.parameter.high));
+        let _ = params.set("gas_force", bounds.map_or(self.gas_force_n, |(l, h)| self.gas_force_n.clamp(l, h)));
+        params
+    }
+}

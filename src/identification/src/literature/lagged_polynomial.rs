@@ -1,0 +1,184 @@
+//! Polynomial in velocity behind a first-order lag.
+//!
+//! One of the models that Jonnalagadda & Vyas compare theirs with (*Modelling of Automotive Suspension Damper*, KTH 2020,
+//! chapter 2): `T(|v|) dy/dt + y = Σ a_k v^k`, F = y, the time constant falling from low to high speed over a ramp, since a
+//! jump makes the model unstable.
+
+use super::law::{self, Law, Number};
+use super::observation::{Motion, Observation, Scales};
+use dashpot_core::Params;
+use dashpot_core::parameter::find;
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+/// Its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LaggedPolynomial {
+    /// a_0, a_1, ..., N (s/m)^k.
+    pub coefficients: Vec<f64>,
+    /// Time constant at low speed, s.
+    pub lag_slow_s: f64,
+    /// Time constant at high speed, s.
+    pub lag_fast_s: f64,
+    /// Speeds between which the time constant changes, m/s.
+    pub ramp_m_s: [f64; 2],
+}
+
+/// Degree of the polynomial, as in the source.
+const DEGREE: usize = 7;
+/// Where the ramp of the time constant begins and ends, as shares of the fastest test.
+const RAMP: [f64; 2] = [0.03, 0.3];
+/// Parts of a sample in one of the shortest time constants.
+const PARTS: f64 = 2.0;
+/// Most parts of a sample; a force that needs more has long arrived.
+const MOST_PARTS: f64 = 16.0;
+/// Coefficients, in units of force over a power of the fastest velocity, that a polynomial of this degree needs at most: those
+/// of Chebyshev's of degree 7 end at 112.
+const LARGEST: f64 = 120.0;
+
+/// Most coefficients: as many as the kernel's range of coefficients holds. A coefficient of a high power becomes
+/// enormous where all tests are slow.
+fn most_terms(s: &Scales) -> usize {
+    let high = find("polynomial").map_or(1e9, |row| row.parameter.high);
+    (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)
+}
+
+/// Number of coefficients whose polynomial, without the lag, predicts tests left out best: a high degree follows the tests
+/// and leaves for infinity beyond them.
+fn terms(tests: &[Observation]) -> usize {
+    let s = Scales::of(tests);
+    let most = most_terms(&s);
+    if tests.len() < 3 {
+        return most;
+    }
+    let sums: Vec<(DMatrix<f64>, DVector<f64>, f64)> = tests
+        .iter()
+        .map(|t| {
+            let count = t.force.len() - t.from;
+            let row = |r: usize, c: usize| (t.motion.velocity[t.from + r] / s.velocity).powi(c as i32) / t.scale;
+            let rows = DMatrix::from_fn(count, most, row);
+            let target = DVector::from_fn(count, |r, _| t.force[t.from + r] / t.scale);
+            (rows.tr_mul(&rows), rows.tr_mul(&target), target.norm_squared())
+        })
+        .collect();
+    let missed = |n: usize| -> f64 {
+        (0..sums.len())
+            .map(|out| {
+                let (mut square, mut right) = (DMatrix::<f64>::zeros(n, n), DVector::<f64>::zeros(n));
+                for (_, (a, b, _)) in sums.iter().enumerate().filter(|(k, _)| *k != out) {
+                    square += a.view((0, 0), (n, n));
+                    right += b.rows(0, n);
+                }
+                let ridge = 1e-12 * square.trace();
+                let (own, own_right, force) = (sums[out].0.view((0, 0), (n, n)), sums[out].1.rows(0, n), sums[out].2);
+                match (square + DMatrix::identity(n, n) * ridge).cholesky().map(|c| c.solve(&right)) {
+                    Some(c) => force - 2.0 * own_right.dot(&c) + c.dot(&(own * &c)),
+                    None => f64::INFINITY,
+                }
+            })
+            .sum()
+    };
+    (2..=most).min_by(|a, b| missed(*a).total_cmp(&missed(*b))).unwrap_or(2)
+}
+
+/// The law with N coefficients.
+struct WithTerms<const N: usize>(LaggedPolynomial);
+
+/// Identifies the model.
+pub fn fit(tests: &[Observation]) -> Option<LaggedPolynomial> {
+    match terms(tests) {
+        2 => law::fit::<WithTerms<2>>(tests).map(|f| f.0),
+        3 => law::fit::<WithTerms<3>>(tests).map(|f| f.0),
+        4 => law::fit::<WithTerms<4>>(tests).map(|f| f.0),
+        5 => law::fit::<WithTerms<5>>(tests).map(|f| f.0),
+        6 => law::fit::<WithTerms<6>>(tests).map(|f| f.0),
+        7 => law::fit::<WithTerms<7>>(tests).map(|f| f.0),
+        _ => law::fit::<WithTerms<8>>(tests).map(|f| f.0),
+    }
+}
+
+impl LaggedPolynomial {
+    fn polynomial(&self, v: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, a| sum * v + a)
+    }
+
+    fn time_constant(&self, v: f64) -> f64 {
+        let [v1, v2] = self.ramp_m_s;
+        let share = ((v.abs() - v1) / (v2 - v1)).clamp(0.0, 1.0);
+        self.lag_slow_s + (self.lag_fast_s - self.lag_slow_s) * share
+    }
+
+    /// For the kernel, which has this model as an element.
+    pub fn params(&self) -> Params {
+        let mut params = Params::new();
+        params.disable_all();
+        let _ = params.enable("lagged_polynomial", true);
+        let _ = params.set_list("polynomial", &self.coefficients);
+        for (name, value) in [
+            ("lag_slow", self.lag_slow_s),
+            ("lag_fast", self.lag_fast_s),
+            ("lag_v1", self.ramp_m_s[0]),
+            ("lag_v2", self.ramp_m_s[1]),
+        ] {
+            let inside = find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
+            let _ = params.set(name, inside);
+        }
+        params
+    }
+}
+
+impl<const N: usize> Law for WithTerms<N> {
+    fn numbers(s: &Scales) -> Vec<Number> {
+        let high = find("polynomial").map_or(1e9, |row| row.parameter.high);
+        let coefficient = |k: usize| Number::Linear { typical: s.force / s.velocity.powi(k as i32), low: -high, high };
+        let mut numbers: Vec<Number> = (0..N).map(coefficient).collect();
+        numbers.extend([Number::Log { low: 1e-5, high: 1.0 }; 2]);
+        numbers
+    }
+
+    fn starts(_: &Scales) -> Vec<Vec<f64>> {
+        [[2e-4, 1e-4], [4e-3, 1e-3], [2e-2, 2e-3], [1e-1, 1e-2]]
+            .map(|lags| {
+                let mut start = vec![0.0; N];
+                start.extend(lags);
+                start
+            })
+            .to_vec()
+    }
+
+    fn of(n: &[f64], s: &Scales) -> Self {
+        WithTerms(LaggedPolynomial {
+            coefficients: n[..N].to_vec(),
+            lag_slow_s: n[N],
+            lag_fast_s: n[N + 1],
+            ramp_m_s: RAMP.map(|share| share * s.velocity.max(1e-3)),
+        })
+    }
+
+    fn forces(&self, motion: &Motion) -> Vec<f64> {
+        self.0.forces(motion)
+    }
+}
+
+impl LaggedPolynomial {
+    /// Its force at every sample of a motion, N.
+    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+        let v = &motion.velocity;
+        motion.run(self.polynomial(v[0]), |y, i| {
+            if i > 0 && motion.dt[i] > 0.0 {
+                // Exact for a target that changes straight over a part, parts short against the time constant.
+                let shortest = self.lag_slow_s.min(self.lag_fast_s);
+                let parts = (PARTS * motion.dt[i] / shortest).ceil().clamp(1.0, MOST_PARTS);
+                let h = motion.dt[i] / parts;
+                let at = |k: usize| v[i - 1] + (v[i] - v[i - 1]) * k as f64 / parts;
+                for k in 0..parts as usize {
+                    let (p0, p1) = (self.polynomial(at(k)), self.polynomial(at(k + 1)));
+                    let lag = self.time_constant(0.5 * (at(k) + at(k + 1)));
+                    let behind = (p1 - p0) / h * lag;
+                    *y = p1 - behind + (*y - p0 + behind) * (-h / lag).exp();
+                }
+            }
+            *y
+        })
+    }
+}

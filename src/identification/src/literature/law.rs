@@ -1,0 +1,199 @@
+//! Numbers, starts and least squares of a model that is a formula.
+
+use super::observation::{Motion, Observation, Scales};
+use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+use std::marker::PhantomData;
+
+/// One number of a model.
+#[derive(Debug, Clone, Copy)]
+pub enum Number {
+    /// The force is proportional to it while all other such numbers are zero: found by linear least squares at a start.
+    Linear {
+        /// Typical size.
+        typical: f64,
+        /// Lowest value.
+        low: f64,
+        /// Highest value.
+        high: f64,
+    },
+    /// Positive, over decades: looked for on a logarithmic scale.
+    Log {
+        /// Lowest value.
+        low: f64,
+        /// Highest value.
+        high: f64,
+    },
+    /// Any other.
+    Plain {
+        /// Typical size.
+        typical: f64,
+        /// Lowest value.
+        low: f64,
+        /// Highest value.
+        high: f64,
+    },
+}
+
+impl Number {
+    /// A linear number of any sign.
+    pub fn linear(typical: f64) -> Number {
+        Number::Linear { typical, low: f64::NEG_INFINITY, high: f64::INFINITY }
+    }
+
+    /// A linear number that is not negative.
+    pub fn positive(typical: f64) -> Number {
+        Number::Linear { typical, low: 0.0, high: f64::INFINITY }
+    }
+
+    fn inner(self, value: f64) -> f64 {
+        match self {
+            Number::Log { low, high } => value.clamp(low, high).ln(),
+            Number::Linear { typical, low, high } | Number::Plain { typical, low, high } => {
+                value.clamp(low, high) / typical
+            }
+        }
+    }
+
+    fn outer(self, value: f64) -> f64 {
+        match self {
+            Number::Log { .. } => value.exp(),
+            Number::Linear { typical, .. } | Number::Plain { typical, .. } => value * typical,
+        }
+    }
+
+    fn bounds(self) -> (f64, f64) {
+        match self {
+            Number::Log { low, high } => (low.ln(), high.ln()),
+            Number::Linear { typical, low, high } | Number::Plain { typical, low, high } => {
+                (low / typical, high / typical)
+            }
+        }
+    }
+}
+
+/// A model that is a formula with a handful of numbers.
+pub trait Law: Sized + Send + Sync {
+    /// Its numbers, in the order of [`Law::of`].
+    fn numbers(scales: &Scales) -> Vec<Number>;
+
+    /// Physically different readings of the tests. Entries of linear numbers are replaced by their least-squares values.
+    fn starts(scales: &Scales) -> Vec<Vec<f64>>;
+
+    /// The model with these numbers.
+    fn of(numbers: &[f64], scales: &Scales) -> Self;
+
+    /// Its force at every sample of a motion, N.
+    fn forces(&self, motion: &Motion) -> Vec<f64>;
+}
+
+/// Weighted residual beyond which a sample counts linearly, not squared; far out, since a poor model leaves large residuals
+/// that are no wild samples.
+const HUBER: f64 = 30.0;
+/// Starts that are followed to their end: the best of all at their linear numbers.
+const FOLLOWED: usize = 3;
+/// Share of the diagonal that keeps the linear numbers of a start finite where the data leave them open.
+const RIDGE: f64 = 1e-10;
+
+/// The least squares of every model of the literature.
+pub fn options() -> Options {
+    Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), priors: Vec::new() }
+}
+
+struct Problem<'a, L> {
+    tests: &'a [Observation],
+    numbers: &'a [Number],
+    scales: &'a Scales,
+    law: PhantomData<fn() -> L>,
+}
+
+impl<L: Law> Problem<'_, L> {
+    fn law(&self, inner: &[f64]) -> L {
+        let outer: Vec<f64> = self.numbers.iter().zip(inner).map(|(n, x)| n.outer(*x)).collect();
+        L::of(&outer, self.scales)
+    }
+}
+
+impl<L: Law> Residuals for Problem<'_, L> {
+    fn blocks(&self) -> usize {
+        self.tests.len()
+    }
+
+    fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>> {
+        let test = &self.tests[block];
+        let forces = self.law(x).forces(&test.motion);
+        Some((test.from..test.force.len()).map(|i| (forces[i] - test.force[i]) / test.scale).collect())
+    }
+}
+
+/// A start with its linear numbers at their least squares.
+fn with_linear<L: Law>(problem: &Problem<'_, L>, start: &[f64]) -> Vec<f64> {
+    let linear: Vec<usize> =
+        (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
+    let mut inner: Vec<f64> = problem.numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect();
+    if linear.is_empty() {
+        return inner;
+    }
+    for i in &linear {
+        inner[*i] = 0.0;
+    }
+    let k = linear.len();
+    let (mut square, mut right) = (DMatrix::<f64>::zeros(k, k), DVector::<f64>::zeros(k));
+    for test in problem.tests {
+        let columns: Vec<Vec<f64>> = linear
+            .iter()
+            .map(|i| {
+                let mut one = inner.clone();
+                one[*i] = 1.0;
+                problem.law(&one).forces(&test.motion)
+            })
+            .collect();
+        let matrix = DMatrix::from_fn(test.force.len() - test.from, k, |r, c| columns[c][test.from + r] / test.scale);
+        let target = DVector::from_iterator(
+            test.force.len() - test.from,
+            test.force[test.from..].iter().map(|f| f / test.scale),
+        );
+        square += matrix.tr_mul(&matrix);
+        right += matrix.tr_mul(&target);
+    }
+    for i in 0..k {
+        square[(i, i)] += RIDGE * square[(i, i)] + 1e-30;
+    }
+    if let Some(solved) = square.cholesky().map(|c| c.solve(&right)) {
+        for (c, i) in linear.iter().enumerate() {
+            let (low, high) = problem.numbers[*i].bounds();
+            inner[*i] = solved[c].clamp(low, high);
+        }
+    }
+    inner
+}
+
+/// Identifies a law from several starts; `None` where none gives finite forces.
+pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
+    fit_from(tests, &[])
+}
+
+/// As [`fit`], from further starts too, which are followed whatever their first cost and taken as they are.
+pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
+    let scales = Scales::of(tests);
+    let numbers = L::numbers(&scales);
+    let problem = Problem::<L> { tests, numbers: &numbers, scales: &scales, law: PhantomData };
+    let (low, high) = numbers.iter().map(|n| n.bounds()).unzip();
+    let bounds = Bounds { low, high };
+    let mut starts: Vec<(f64, Vec<f64>)> = L::starts(&scales)
+        .par_iter()
+        .map(|start| {
+            let inner = with_linear(&problem, start);
+            let squares: f64 =
+                (0..tests.len()).filter_map(|block| problem.residuals(block, &inner)).flatten().map(|r| r * r).sum();
+            (if squares.is_finite() { squares } else { f64::INFINITY }, inner)
+        })
+        .collect();
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let as_given = |start: &Vec<f64>| numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect::<Vec<f64>>();
+    let starts: Vec<Vec<f64>> =
+        starts.into_iter().take(FOLLOWED).map(|s| s.1).chain(further.iter().map(as_given)).collect();
+    let found = solve_from(&problem, &starts, &bounds, &options())?;
+    found.cost.is_finite().then(|| problem.law(&found.x))
+}

@@ -1,0 +1,173 @@
+//! The models that dashpot's own is compared with: what a vehicle model uses today, and the damper models of the literature.
+//!
+//! Each stands in a file of its own with the paper that it comes from, is identified from the same tests as dashpot's
+//! model by the same least squares, and is then asked for the force of any motion. They are for comparison: the kernel
+//! runs those that it has elements for ([`Literature::params`]), the others live in a file of their own kind ([`file`]).
+//!
+//! | file | model |
+//! |---|---|
+//! | [`fv_curve`] | the force-velocity curve that an engineer would draw, with friction step and gas force |
+//! | [`piecewise_linear`] | straight lines with two rebound knees and one compression knee |
+//! | [`lagged_polynomial`] | polynomial in velocity behind a first-order lag |
+//! | [`restoring_force_surface`] | Chebyshev surface over displacement and velocity |
+//! | [`dahl`] | Dahl friction beside spring and dashpot |
+//! | [`bouc_wen`] | Bouc-Wen hysteresis beside spring and dashpot |
+//! | [`spencer`] | Spencer's modified Bouc-Wen model |
+//! | [`kwok`] | Kwok's hyperbolic tangent |
+//! | [`neural_network`] | a small feed-forward network of displacement, velocity and acceleration |
+//!
+//! | file | what they share |
+//! |---|---|
+//! | [`observation`] | the tests as the models see them, made from the fit's segments or from a record |
+//! | [`law`] | numbers, starts and least squares of a model that is a formula |
+//! | [`bristle`] | the normalised hysteresis of Dahl, Bouc-Wen and Spencer over a stretch of travel |
+//! | [`file`] | the file of a model that the kernel cannot run |
+
+mod bouc_wen;
+mod bristle;
+mod dahl;
+pub mod file;
+pub mod fv_curve;
+mod kwok;
+mod lagged_polynomial;
+mod law;
+mod neural_network;
+pub mod observation;
+mod piecewise_linear;
+mod restoring_force_surface;
+mod spencer;
+
+use dashpot_core::Params;
+use observation::{Motion, Observation};
+use serde::{Deserialize, Serialize};
+
+/// A model of the literature with its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "literature_model", rename_all = "snake_case")]
+pub enum Literature {
+    /// Plain FV curve.
+    Fv(fv_curve::FvCurve),
+    /// Piecewise-linear FV curve.
+    Piecewise(piecewise_linear::PiecewiseLinear),
+    /// Polynomial FV curve with lag.
+    Lag(lagged_polynomial::LaggedPolynomial),
+    /// Restoring-force surface.
+    Surface(restoring_force_surface::Surface),
+    /// Dahl.
+    Dahl(dahl::Dahl),
+    /// Bouc-Wen.
+    BoucWen(bouc_wen::BoucWen),
+    /// Spencer.
+    Spencer(spencer::Spencer),
+    /// Kwok.
+    Kwok(kwok::Kwok),
+    /// Neural network.
+    Network(neural_network::Network),
+}
+
+/// A name on the command line, and the model in words.
+pub const MODELS: [(&str, &str); 9] = [
+    ("fv", "force-velocity curve with friction step and gas force"),
+    ("piecewise", "piecewise-linear force-velocity curve"),
+    ("lag", "polynomial in velocity with a first-order lag"),
+    ("surface", "restoring-force surface (Masri & Caughey 1979)"),
+    ("dahl", "Dahl friction with spring and dashpot (Dahl 1968)"),
+    ("bouc-wen", "Bouc-Wen hysteresis with spring and dashpot (Wen 1976)"),
+    ("spencer", "modified Bouc-Wen (Spencer et al. 1997)"),
+    ("kwok", "hyperbolic tangent (Kwok et al. 2006)"),
+    ("network", "small neural network of displacement, velocity and acceleration"),
+];
+
+/// Why a model of the literature was not identified.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LiteratureError {
+    /// No model has this name.
+    #[error("there is no model called {name:?} to compare with; there are {}", MODELS.map(|m| m.0).join(", "))]
+    Unknown {
+        /// The name given.
+        name: String,
+    },
+    /// Nothing to identify it from.
+    #[error("there is no test to fit {name} to")]
+    NoTests {
+        /// The model.
+        name: &'static str,
+    },
+    /// No start gave finite forces.
+    #[error("{name} gives no finite force on these tests from any of its starts; leave it out of --against")]
+    NotFinite {
+        /// The model.
+        name: &'static str,
+    },
+}
+
+impl Literature {
+    /// Identifies the model of this name from tests.
+    ///
+    /// # Errors
+    /// An unknown name, no tests, or no finite force from any start.
+    pub fn fit(name: &str, tests: &[Observation]) -> Result<Literature, LiteratureError> {
+        let Some((name, _)) = MODELS.iter().find(|m| m.0 == name) else {
+            return Err(LiteratureError::Unknown { name: name.to_owned() });
+        };
+        if tests.iter().all(|t| t.from >= t.force.len()) {
+            return Err(LiteratureError::NoTests { name });
+        }
+        let found = match *name {
+            "fv" => Some(Literature::Fv(fv_curve::fit(tests))),
+            "piecewise" => law::fit(tests).map(Literature::Piecewise),
+            "lag" => lagged_polynomial::fit(tests).map(Literature::Lag),
+            "surface" => restoring_force_surface::fit(tests).map(Literature::Surface),
+            "dahl" => law::fit(tests).map(Literature::Dahl),
+            "bouc-wen" => law::fit(tests).map(Literature::BoucWen),
+            "spencer" => spencer::fit(tests).map(Literature::Spencer),
+            "kwok" => law::fit(tests).map(Literature::Kwok),
+            _ => neural_network::fit(tests).map(Literature::Network),
+        };
+        found.ok_or(LiteratureError::NotFinite { name })
+    }
+
+    /// Its name on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Literature::Fv(_) => "fv",
+            Literature::Piecewise(_) => "piecewise",
+            Literature::Lag(_) => "lag",
+            Literature::Surface(_) => "surface",
+            Literature::Dahl(_) => "dahl",
+            Literature::BoucWen(_) => "bouc-wen",
+            Literature::Spencer(_) => "spencer",
+            Literature::Kwok(_) => "kwok",
+            Literature::Network(_) => "network",
+        }
+    }
+
+    /// Its force at every sample of a motion, N.
+    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+        use law::Law as _;
+        match self {
+            Literature::Fv(model) => model.forces(motion),
+            Literature::Piecewise(model) => model.forces(motion),
+            Literature::Lag(model) => model.forces(motion),
+            Literature::Surface(model) => model.forces(motion),
+            Literature::Dahl(model) => model.forces(motion),
+            Literature::BoucWen(model) => model.forces(motion),
+            Literature::Spencer(model) => model.forces(motion),
+            Literature::Kwok(model) => model.forces(motion),
+            Literature::Network(model) => model.forces(motion),
+        }
+    }
+
+    /// As a parameter set of the kernel, where the kernel has elements for it.
+    pub fn params(&self) -> Option<Params> {
+        match self {
+            Literature::Fv(model) => Some(model.params()),
+            Literature::Piecewise(model) => Some(model.params()),
+            Literature::Lag(model) => Some(model.params()),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,188 @@
+//! A small feed-forward neural network.
+//!
+//! The black box that Jonnalagadda & Vyas review (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2), after
+//! A. Patel, J. Dunne, *NARX neural network modelling of hydraulic suspension dampers for steady-state and variable
+//! temperature operation*, Vehicle System Dynamics 40, 2003, without the measured force fed back, which a vehicle model does
+//! not have: one hidden layer of tanh over displacement, velocity and acceleration. Trained by Levenberg-Marquardt with
+//! exact derivatives and weight decay from fixed starts, so the same tests give the same network.
+
+use super::law::options;
+use super::observation::{Motion, Observation, Scales};
+use dashpot_estimation::solve::{Bounds, Options, Prior, Residuals, solve_from};
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+
+/// Its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Network {
+    /// Subtracted from displacement, m.
+    pub middle_m: f64,
+    /// What displacement, velocity and acceleration are divided by, m, m/s and m/s².
+    pub input_scale: [f64; 3],
+    /// What the output is multiplied by, N.
+    pub output_scale_n: f64,
+    /// Weights of each hidden neuron: bias, displacement, velocity, acceleration, and its weight in the output.
+    pub neurons: Vec<[f64; 5]>,
+    /// Constant of the output.
+    pub bias: f64,
+    /// Straight-through weights of displacement, velocity and acceleration.
+    pub straight: [f64; 3],
+}
+
+/// Hidden neurons.
+const NEURONS: usize = 8;
+/// Fixed starts.
+const STARTS: u64 = 4;
+/// Spread of the weights before the data: keeps them from steps steeper than any damper's.
+const DECAY: f64 = 3.0;
+/// Scored samples of all tests together that it is trained on; neighbours on a loop say the same.
+const SAMPLES: usize = 6000;
+const SIZE: usize = 5 * NEURONS + 4;
+
+/// Acceleration at the samples by central differences of velocity, m/s².
+fn acceleration(motion: &Motion) -> Vec<f64> {
+    let (v, dt) = (&motion.velocity, &motion.dt);
+    let n = v.len();
+    (0..n)
+        .map(|i| {
+            let (a, b) = (i.saturating_sub(1), (i + 1).min(n - 1));
+            let span: f64 = dt[a + 1..=b].iter().sum();
+            if span > 0.0 { (v[b] - v[a]) / span } else { 0.0 }
+        })
+        .collect()
+}
+
+struct Problem<'a> {
+    tests: &'a [Observation],
+    /// Scaled inputs and forces of every test's samples.
+    samples: Vec<Vec<([f64; 3], f64)>>,
+    output: f64,
+}
+
+/// Output of the network and its derivatives.
+fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
+    let tail = &w[5 * NEURONS..];
+    let mut sum = tail[0] + tail[1] * u[0] + tail[2] * u[1] + tail[3] * u[2];
+    if let Some(by) = by.as_deref_mut() {
+        by[5 * NEURONS..].copy_from_slice(&[1.0, u[0], u[1], u[2]]);
+    }
+    for k in 0..NEURONS {
+        let n = &w[5 * k..5 * k + 5];
+        let h = (n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]).tanh();
+        sum += n[4] * h;
+        if let Some(by) = by.as_deref_mut() {
+            let inner = n[4] * (1.0 - h * h);
+            by[5 * k..5 * k + 5].copy_from_slice(&[inner, inner * u[0], inner * u[1], inner * u[2], h]);
+        }
+    }
+    sum
+}
+
+impl Residuals for Problem<'_> {
+    fn blocks(&self) -> usize {
+        self.tests.len()
+    }
+
+    fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>> {
+        let test = &self.tests[block];
+        let residual = |(u, f): &([f64; 3], f64)| (self.output * output(x, u, None) - f) / test.scale;
+        Some(self.samples[block].iter().map(residual).collect())
+    }
+
+    fn jacobian(&self, block: usize, x: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        let test = &self.tests[block];
+        let mut jacobian = DMatrix::zeros(self.samples[block].len(), SIZE);
+        let mut residuals = Vec::new();
+        let mut by = [0.0; SIZE];
+        for (r, (u, f)) in self.samples[block].iter().enumerate() {
+            residuals.push((self.output * output(x, u, Some(&mut by)) - f) / test.scale);
+            for (c, by) in by.iter().enumerate() {
+                jacobian[(r, c)] = by * self.output / test.scale;
+            }
+        }
+        Some((residuals, jacobian))
+    }
+}
+
+/// Numbers spread evenly over −1..1, the same in every run (a linear congruential generator with Knuth's constants).
+fn spread(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Trains the network.
+pub fn fit(tests: &[Observation]) -> Option<Network> {
+    let scales = Scales::of(tests);
+    let accelerations: Vec<Vec<f64>> = tests.iter().map(|t| acceleration(&t.motion)).collect();
+    let fastest =
+        tests.iter().zip(&accelerations).flat_map(|(t, a)| a[t.from..].iter()).fold(1e-6f64, |m, a| m.max(a.abs()));
+    let mut network = Network {
+        middle_m: scales.middle,
+        input_scale: [scales.displacement, scales.velocity, fastest],
+        output_scale_n: scales.force,
+        neurons: Vec::new(),
+        bias: 0.0,
+        straight: [0.0; 3],
+    };
+    let scored: usize = tests.iter().map(|t| t.force.len() - t.from).sum();
+    let stride = scored.div_ceil(SAMPLES);
+    let samples = |(t, a): (&Observation, &Vec<f64>)| -> Vec<([f64; 3], f64)> {
+        let inputs = network.inputs(&t.motion, a);
+        inputs.into_iter().zip(t.force.iter().copied()).skip(t.from).step_by(stride).collect()
+    };
+    let samples = tests.iter().zip(&accelerations).map(samples).collect();
+    let problem = Problem { tests, samples, output: scales.force };
+    let starts: Vec<Vec<f64>> = (1..=STARTS)
+        .map(|seed| {
+            let mut next = spread(seed);
+            let mut start = Vec::with_capacity(SIZE);
+            for _ in 0..NEURONS {
+                // Steps at all velocities, steep and gentle, leaning on displacement and acceleration.
+                let steep = 10f64.powf(0.75 * (1.0 + next()));
+                start.extend([steep * 0.5 * next(), next(), steep, next(), 0.1 * next()]);
+            }
+            start.extend([0.0; 4]);
+            start
+        })
+        .collect();
+    let mut priors = vec![Some(Prior { mean: 0.0, spread: DECAY }); SIZE];
+    // Steepness over velocity is what friction needs most of.
+    for k in 0..NEURONS {
+        priors[5 * k + 2] = Some(Prior { mean: 0.0, spread: 10.0 * DECAY });
+    }
+    let options = Options { priors, ..options() };
+    let found = solve_from(&problem, &starts, &Bounds::none(SIZE), &options)?;
+    if !found.cost.is_finite() {
+        return None;
+    }
+    let w = &found.x;
+    network.neurons =
+        (0..NEURONS).map(|k| [w[5 * k], w[5 * k + 1], w[5 * k + 2], w[5 * k + 3], w[5 * k + 4]]).collect();
+    network.bias = w[5 * NEURONS];
+    network.straight = [w[5 * NEURONS + 1], w[5 * NEURONS + 2], w[5 * NEURONS + 3]];
+    Some(network)
+}
+
+impl Network {
+    fn inputs(&self, motion: &Motion, acceleration: &[f64]) -> Vec<[f64; 3]> {
+        let [x, v, a] = self.input_scale;
+        (0..motion.dt.len())
+            .map(|i| [(motion.displacement[i] - self.middle_m) / x, motion.velocity[i] / v, acceleration[i] / a])
+            .collect()
+    }
+
+    /// Its force at every sample of a motion, N.
+    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+        self.inputs(motion, &acceleration(motion))
+            .iter()
+            .map(|u| {
+                let neuron = |n: &[f64; 5]| n[4] * (n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]).tanh();
+                let straight: f64 = self.straight.iter().zip(u).map(|(w, u)| w * u).sum();
+                self.output_scale_n * (self.bias + straight + self.neurons.iter().map(neuron).sum::<f64>())
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,136 @@
+//! The tests as the models of the literature see them: motion, force, and what a newton of error counts.
+//!
+//! This is the one place where they meet the preparation of records; everything else here works on these types.
+
+use dashpot_estimation::segment::Segment;
+use dashpot_records::Record;
+use dashpot_records::smoothing::smooth;
+
+/// A motion at its samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Time from one sample to the next, s; the first is 0.
+    pub dt: Vec<f64>,
+    /// Displacement, m.
+    pub displacement: Vec<f64>,
+    /// Velocity, m/s.
+    pub velocity: Vec<f64>,
+    /// Sample one or more whole cycles after the first, where the motion is periodic: what a model remembers there is what
+    /// it remembers at the first.
+    pub returns: Option<usize>,
+}
+
+/// A test to identify a model from.
+#[derive(Debug, Clone)]
+pub struct Observation {
+    /// Name of the test.
+    pub name: String,
+    /// What the rig did.
+    pub motion: Motion,
+    /// Measured force, N.
+    pub force: Vec<f64>,
+    /// First sample whose force counts; those before it let a model settle.
+    pub from: usize,
+    /// Force that one unit of weighted residual stands for, N.
+    pub scale: f64,
+}
+
+/// Share of the range of a motion by which two samples one cycle apart may differ.
+const SAME: f64 = 0.05;
+
+impl Motion {
+    /// The smoothed motion of a record at its own samples.
+    pub fn of(record: &Record) -> Motion {
+        let smoothed = smooth(record);
+        let dt = std::iter::once(0.0).chain(record.time.windows(2).map(|w| w[1] - w[0])).collect();
+        let returns = record.cycles.first().filter(|c| c.start == 0 && c.end < record.time.len()).map(|c| c.end);
+        Motion { dt, displacement: smoothed.displacement, velocity: smoothed.velocity, returns }
+    }
+
+    /// Runs a model with a memory along the motion: from `rest` for one cycle where the motion is periodic, so that it
+    /// starts as it will be found again, then from the first sample to the last. `step` moves the memory to a sample, from
+    /// the one before it, and gives the force there.
+    pub(super) fn run<M: Clone>(&self, rest: M, step: impl Fn(&mut M, usize) -> f64) -> Vec<f64> {
+        let mut memory = rest;
+        if let Some(end) = self.returns {
+            for i in 1..=end {
+                step(&mut memory, i);
+            }
+        }
+        (0..self.dt.len()).map(|i| step(&mut memory, i)).collect()
+    }
+
+    /// Middle of the displacements, m, without the way there and back.
+    pub(super) fn middle(&self) -> f64 {
+        let mut sorted = self.displacement.clone();
+        sorted.sort_by(f64::total_cmp);
+        let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64) as usize];
+        0.5 * (at(0.1) + at(0.9))
+    }
+}
+
+/// Lowest and highest.
+pub(super) fn range(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)))
+}
+
+/// The tests of a fit, from records.
+pub fn of_records(records: &[&Record]) -> Vec<Observation> {
+    observations(&dashpot_estimation::segment::segments(records))
+}
+
+/// The tests of a fit.
+pub fn observations(segments: &[Segment]) -> Vec<Observation> {
+    segments.iter().map(observation).collect()
+}
+
+fn observation(segment: &Segment) -> Observation {
+    let displacement: Vec<f64> = segment.input.iter().map(|i| i.displacement.unwrap_or(0.0)).collect();
+    let velocity: Vec<f64> = segment.input.iter().map(|i| i.velocity).collect();
+    // The scored part holds whole cycles where the motion has any, so the sample that lies as far before the end as the
+    // scored part begins after the start is one or more whole cycles after the first.
+    let returns = (displacement.len() - segment.from).min(displacement.len() - 1);
+    let near = |values: &[f64]| {
+        let (low, high) = range(values);
+        (values[returns] - values[0]).abs() <= SAME * (high - low)
+    };
+    let periodic = returns > 0 && near(&displacement) && near(&velocity);
+    Observation {
+        name: segment.name.clone(),
+        motion: Motion { dt: segment.dt.clone(), displacement, velocity, returns: periodic.then_some(returns) },
+        force: segment.force.clone(),
+        from: segment.from,
+        scale: segment.scale,
+    }
+}
+
+/// How large forces and motions are: the numbers of every model are looked for about these.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scales {
+    /// Largest |force|, N.
+    pub force: f64,
+    /// Half the range of the displacements, m.
+    pub displacement: f64,
+    /// Middle of that range, m.
+    pub middle: f64,
+    /// Largest |velocity|, m/s.
+    pub velocity: f64,
+}
+
+impl Scales {
+    /// Of the scored samples of all tests.
+    pub fn of(tests: &[Observation]) -> Scales {
+        let largest = |of: &dyn Fn(&Observation, usize) -> f64| {
+            let all = tests.iter().flat_map(|t| (t.from..t.force.len()).map(move |i| (t, i)));
+            all.fold(0.0f64, |m, (t, i)| m.max(of(t, i).abs()))
+        };
+        let all: Vec<f64> = tests.iter().flat_map(|t| t.motion.displacement[t.from..].iter().copied()).collect();
+        let (low, high) = range(&all);
+        Scales {
+            force: largest(&|t, i| t.force[i]).max(1e-3),
+            displacement: (0.5 * (high - low)).max(1e-6),
+            middle: 0.5 * (low + high),
+            velocity: largest(&|t, i| t.motion.velocity[i]).max(1e-6),
+        }
+    }
+}

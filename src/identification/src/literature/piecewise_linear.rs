@@ -1,0 +1,105 @@
+//! Piecewise-linear force-velocity curve.
+//!
+//! One of the models that Jonnalagadda & Vyas compare theirs with (*Modelling of Automotive Suspension Damper*, KTH 2020,
+//! chapter 2): rebound slopes Cr1 to Cr3 between two knees, compression slopes Cc1 and Cc2 about one, through the origin,
+//! and a constant gas force.
+
+use super::law::{Law, Number};
+use super::observation::{Motion, Scales};
+use dashpot_core::Params;
+use dashpot_core::parameter::find;
+use serde::{Deserialize, Serialize};
+
+/// Its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PiecewiseLinear {
+    /// Cr1, Cr2, Cr3, N s/m.
+    pub rebound_slopes_n_s_m: [f64; 3],
+    /// First and second rebound knee, m/s.
+    pub rebound_knees_m_s: [f64; 2],
+    /// Cc1, Cc2, N s/m.
+    pub compression_slopes_n_s_m: [f64; 2],
+    /// Compression knee as a speed, m/s.
+    pub compression_knee_m_s: f64,
+    /// Gas force, pushing the rod out, N.
+    pub gas_force_n: f64,
+}
+
+impl PiecewiseLinear {
+    fn at(&self, v: f64) -> f64 {
+        let [c1, c2, c3] = self.rebound_slopes_n_s_m;
+        let [v1, v2] = self.rebound_knees_m_s;
+        let [b1, b2] = self.compression_slopes_n_s_m;
+        let knee = self.compression_knee_m_s;
+        let curve = if v >= 0.0 {
+            c1 * v.min(v1) + c2 * (v.min(v2) - v1).max(0.0) + c3 * (v - v2).max(0.0)
+        } else {
+            -(b1 * (-v).min(knee) + b2 * (-v - knee).max(0.0))
+        };
+        curve - self.gas_force_n
+    }
+
+    /// For the kernel, which has this form of the curve.
+    pub fn params(&self) -> Params {
+        let mut params = Params::new();
+        params.disable_all();
+        for element in ["fv_curve", "gas_preload"] {
+            let _ = params.enable(element, true);
+        }
+        let _ = params.set("fv_form", 1.0);
+        let [c1, c2, c3] = self.rebound_slopes_n_s_m;
+        let [v1, v2] = self.rebound_knees_m_s;
+        let [b1, b2] = self.compression_slopes_n_s_m;
+        for (name, value) in [
+            ("fv_rebound_c1", c1),
+            ("fv_rebound_c2", c2),
+            ("fv_rebound_c3", c3),
+            ("fv_rebound_v1", v1),
+            ("fv_rebound_v2", v2),
+            ("fv_compression_c1", b1),
+            ("fv_compression_c2", b2),
+            ("fv_compression_v1", self.compression_knee_m_s),
+            ("gas_force", self.gas_force_n),
+        ] {
+            let inside = find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
+            let _ = params.set(name, inside);
+        }
+        params
+    }
+}
+
+impl Law for PiecewiseLinear {
+    fn numbers(s: &Scales) -> Vec<Number> {
+        let slope = Number::Linear { typical: s.force / s.velocity, low: 0.0, high: 1e6 };
+        let knee = Number::Log { low: (1e-3 * s.velocity).max(1e-4), high: s.velocity.min(9.0) };
+        // The second knee as its distance from the first, so that they keep their order.
+        vec![slope, slope, slope, knee, knee, slope, slope, knee, Number::linear(s.force)]
+    }
+
+    fn starts(s: &Scales) -> Vec<Vec<f64>> {
+        let mut starts = Vec::new();
+        for first in [0.01, 0.03, 0.1, 0.3] {
+            for second in [0.1, 0.4] {
+                for knee in [0.01, 0.05, 0.2] {
+                    let (a, b, c) = (first * s.velocity, second * s.velocity, knee * s.velocity);
+                    starts.push(vec![0.0, 0.0, 0.0, a, b, 0.0, 0.0, c, 0.0]);
+                }
+            }
+        }
+        starts
+    }
+
+    fn of(n: &[f64], _: &Scales) -> Self {
+        PiecewiseLinear {
+            rebound_slopes_n_s_m: [n[0], n[1], n[2]],
+            rebound_knees_m_s: [n[3], n[3] + n[4]],
+            compression_slopes_n_s_m: [n[5], n[6]],
+            compression_knee_m_s: n[7],
+            gas_force_n: n[8],
+        }
+    }
+
+    fn forces(&self, motion: &Motion) -> Vec<f64> {
+        motion.velocity.iter().map(|v| self.at(*v)).collect()
+    }
+}

@@ -1,0 +1,163 @@
+//! Spencer's modified Bouc-Wen model.
+//!
+//! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng.
+//! Mech. ASCE 123, 1997. A Bouc-Wen element with spring k₀ and dashpot c₀ beside it, in series with a dashpot c₁ that
+//! rounds the loop at low speed, and an accumulator k₁ beside all of it:
+//! `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x + f₀`, z the hysteresis of [`super::bouc_wen`] over x − y.
+//! The paper's `k₁ (x − x₀)` is written with f₀ = −k₁ x₀: the same model, without a division where k₁ is nearly nothing.
+
+use super::bouc_wen::BoucWen;
+use super::bristle::{Shape, phi};
+use super::law::{self, Law, Number};
+use super::observation::{Motion, Observation, Scales};
+use serde::{Deserialize, Serialize};
+
+/// Its numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spencer {
+    /// Level F_z of the hysteretic force (α z at sliding), N.
+    pub level_n: f64,
+    /// Travel over which it builds up, m.
+    pub stick_distance_m: f64,
+    /// Sharpness n of the passage to sliding.
+    pub sharpness: f64,
+    /// β; γ is 1 − β.
+    pub beta: f64,
+    /// Damping c₀ beside the hysteresis, N s/m.
+    pub inner_damping_n_s_m: f64,
+    /// Stiffness k₀ beside the hysteresis, N/m.
+    pub inner_stiffness_n_m: f64,
+    /// Damping c₁ in series with both, N s/m.
+    pub series_damping_n_s_m: f64,
+    /// Stiffness k₁ of the accumulator, N/m.
+    pub stiffness_n_m: f64,
+    /// Constant force f₀, N.
+    pub offset_n: f64,
+}
+
+/// Largest travel of one step, in stick distances.
+const STEP: f64 = 0.25;
+/// Largest decay of the dashpot's own deflection in one step.
+const DECAY: f64 = 0.5;
+/// Most steps between two samples; they are needed only where a start is far off.
+const MOST: f64 = 24.0;
+
+/// Series damping, over that of the tests, at which the series path is as good as rigid.
+const RIGID: f64 = 3e3;
+
+/// Identifies the model; among its starts is the plain Bouc-Wen model, which it contains, so that it is never worse.
+pub fn fit(tests: &[Observation]) -> Option<Spencer> {
+    let s = Scales::of(tests);
+    let plain = law::fit::<BoucWen>(tests).map(|b| {
+        vec![
+            b.level_n,
+            b.stick_distance_m,
+            b.sharpness,
+            b.beta,
+            b.damping_n_s_m,
+            0.0,
+            RIGID * s.force / s.velocity,
+            b.stiffness_n_m,
+            b.offset_n,
+        ]
+    });
+    law::fit_from(tests, &plain.into_iter().collect::<Vec<_>>())
+}
+
+#[derive(Clone, Copy)]
+struct Memory {
+    /// Bend of the hysteresis, −1..1.
+    z: f64,
+    /// x − y, m.
+    deflection: f64,
+}
+
+impl Law for Spencer {
+    fn numbers(s: &Scales) -> Vec<Number> {
+        let (stiff, damp) = (s.force / s.displacement, s.force / s.velocity);
+        vec![
+            Number::Log { low: 1e-3 * s.force, high: 10.0 * s.force },
+            Number::Log { low: 1e-5 * s.displacement, high: 3.0 * s.displacement },
+            Number::Log { low: 1.0, high: 20.0 },
+            // Below a half the element would give energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
+            Number::Plain { typical: 1.0, low: 0.5, high: 5.0 },
+            Number::Plain { typical: damp, low: 0.0, high: 10.0 * damp },
+            Number::Plain { typical: stiff, low: -2.0 * stiff, high: 10.0 * stiff },
+            Number::Log { low: 1e-2 * damp, high: 1e4 * damp },
+            Number::Plain { typical: stiff, low: -2.0 * stiff, high: 10.0 * stiff },
+            Number::Plain { typical: s.force, low: -10.0 * s.force, high: 10.0 * s.force },
+        ]
+    }
+
+    fn starts(s: &Scales) -> Vec<Vec<f64>> {
+        let (stiff, damp) = (s.force / s.displacement, s.force / s.velocity);
+        let mut starts = Vec::new();
+        for stick in [0.005, 0.05] {
+            for inner in [0.1, 0.5] {
+                for series in [1.0, 10.0, 100.0] {
+                    let (level, middle) = (0.5, 0.1 * stiff);
+                    starts.push(vec![
+                        level * s.force,
+                        stick * s.displacement,
+                        1.5,
+                        0.5,
+                        inner * damp,
+                        0.02 * stiff,
+                        series * damp,
+                        middle,
+                        -middle * s.middle,
+                    ]);
+                }
+            }
+        }
+        starts
+    }
+
+    fn of(n: &[f64], _: &Scales) -> Self {
+        Spencer {
+            level_n: n[0],
+            stick_distance_m: n[1],
+            sharpness: n[2],
+            beta: n[3],
+            inner_damping_n_s_m: n[4],
+            inner_stiffness_n_m: n[5],
+            series_damping_n_s_m: n[6],
+            stiffness_n_m: n[7],
+            offset_n: n[8],
+        }
+    }
+
+    fn forces(&self, motion: &Motion) -> Vec<f64> {
+        let (x, v) = (&motion.displacement, &motion.velocity);
+        let shape = Shape { sharpness: self.sharpness, turning: self.beta };
+        let sum = self.inner_damping_n_s_m + self.series_damping_n_s_m;
+        // Velocity of the inner point.
+        let inner = |m: &Memory, v: f64| {
+            (self.level_n * m.z + self.inner_damping_n_s_m * v + self.inner_stiffness_n_m * m.deflection) / sum
+        };
+        motion.run(Memory { z: 0.0, deflection: 0.0 }, |m, i| {
+            if i > 0 && motion.dt[i] > 0.0 {
+                let dt = motion.dt[i];
+                let travel = (v[i].abs().max(v[i - 1].abs())) * dt / self.stick_distance_m;
+                let decay = self.inner_stiffness_n_m.abs() / sum * dt;
+                let steps = (travel / STEP).max(decay / DECAY).ceil().clamp(1.0, MOST);
+                let h = dt / steps;
+                // Over a sample the velocity is the one that the displacements need, so that travel adds up.
+                let mean = (x[i] - x[i - 1]) / dt;
+                for k in 0..steps as usize {
+                    let part = (k as f64 + 0.5) / steps;
+                    let tilt = v[i] - v[i - 1];
+                    let speed = mean + tilt * (part - 0.5);
+                    let rate = (speed - inner(m, speed)) / self.stick_distance_m;
+                    let direction = rate.signum();
+                    let (bend, slope) = shape.rate(direction * m.z);
+                    let slope = rate.abs() * slope - self.level_n / sum / self.stick_distance_m * bend;
+                    m.z += h * rate * bend * phi(slope * h);
+                    let relative = speed - inner(m, speed);
+                    m.deflection += h * relative * phi(-self.inner_stiffness_n_m / sum * h);
+                }
+            }
+            self.series_damping_n_s_m * inner(m, v[i]) + self.stiffness_n_m * x[i] + self.offset_n
+        })
+    }
+}

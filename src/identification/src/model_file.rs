@@ -1,0 +1,397 @@
+//! The model file as people and tools see it: the kernel's flat part, then tables with what the fit knows.
+//!
+//! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
+//! are for validation, diagnosis and people.
+
+use crate::{Estimate, Fit, Standing};
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Row, Shape};
+use dashpot_core::{Params, model_file};
+use dashpot_records::Record;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// A model file that has been read.
+#[derive(Debug, Clone)]
+pub struct ModelFile {
+    /// The damper.
+    pub params: Params,
+    /// What the fit left behind; empty in a file written by hand.
+    pub identification: Identification,
+}
+
+/// The tables behind the flat part.
+#[derive(Debug, Clone, Default, Deserialize)]
+pub struct Identification {
+    /// Names of the tests that the fit used.
+    #[serde(default)]
+    pub tests: Vec<String>,
+    /// Their contents in short.
+    #[serde(default)]
+    pub fingerprints: Vec<String>,
+    /// Parameters that the data does not determine.
+    #[serde(default)]
+    pub not_identified: Vec<String>,
+    /// Remarks of the fit.
+    #[serde(default)]
+    pub notes: Vec<String>,
+    /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
+    #[serde(default)]
+    pub intervals: BTreeMap<String, Interval>,
+    /// Which tests a parameter was identified from.
+    #[serde(default)]
+    pub sources: BTreeMap<String, String>,
+    /// The plain FV curve fitted to the same tests.
+    #[serde(default)]
+    pub fv_only: Option<FvOnly>,
+}
+
+/// A 95 % interval of a number or of every point of a curve.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(untagged)]
+pub enum Interval {
+    /// Of one number: low, high.
+    Number([f64; 2]),
+    /// Of a list: low and high of each entry.
+    List(Vec<[f64; 2]>),
+}
+
+/// The plain FV curve with a constant gas force.
+#[derive(Debug, Clone, Deserialize)]
+pub struct FvOnly {
+    /// Velocities, m/s.
+    pub velocity: Vec<f64>,
+    /// Forces, N.
+    pub force: Vec<f64>,
+    /// Gas force, N.
+    pub gas_force: f64,
+}
+
+impl Identification {
+    /// Whether the fit used this record: the same measurement, not only the same name.
+    pub fn used(&self, record: &Record) -> bool {
+        if self.fingerprints.is_empty() {
+            return self.tests.contains(&record.name);
+        }
+        self.fingerprints.contains(&record.fingerprint())
+    }
+}
+
+impl FvOnly {
+    /// As a parameter set.
+    ///
+    /// # Errors
+    /// What the parameter table refuses.
+    pub fn params(&self) -> Result<Params, String> {
+        let mut p = Params::new();
+        p.disable_all();
+        let set = |r: Result<(), dashpot_core::Fault>| r.map_err(|f| f.reason.text().to_owned());
+        set(p.enable("fv_curve", true))?;
+        set(p.enable("gas_preload", true))?;
+        set(p.set_list("fv_velocity", &self.velocity))?;
+        set(p.set_list("fv_force", &self.force))?;
+        set(p.set("gas_force", self.gas_force))?;
+        Ok(p)
+    }
+}
+
+/// Why a model file cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum ModelFileError {
+    /// The file cannot be read.
+    #[error("cannot read the model file {file}: {why}")]
+    Unreadable {
+        /// Path.
+        file: PathBuf,
+        /// The system's reason.
+        why: std::io::Error,
+    },
+    /// The flat part is wrong.
+    #[error("{file}, line {line}: {subject}{text}")]
+    Line {
+        /// Path.
+        file: PathBuf,
+        /// Line.
+        line: u32,
+        /// Parameter at fault with a colon, or nothing.
+        subject: String,
+        /// What is wrong.
+        text: String,
+    },
+    /// The tables are wrong.
+    #[error("{file}: {why}")]
+    Tables {
+        /// Path.
+        file: PathBuf,
+        /// The reader's words, with line and column.
+        why: String,
+    },
+    /// A model of the literature that the kernel cannot run.
+    #[error(
+        "{file} holds a model of the literature for comparison; the kernel cannot run it. Give it to dashpot validate --against"
+    )]
+    ForComparison {
+        /// Path.
+        file: PathBuf,
+    },
+    /// The parameters do not make a model.
+    #[error("{file}: {parameter} {text}")]
+    Model {
+        /// Path.
+        file: PathBuf,
+        /// Parameter at fault.
+        parameter: &'static str,
+        /// What is wrong.
+        text: &'static str,
+    },
+}
+
+/// Reads a model file and checks that it makes a model.
+///
+/// # Errors
+/// [`ModelFileError`], naming file, line and parameter.
+pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
+    let file = path.to_path_buf();
+    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file: file.clone(), why })?;
+    if crate::literature::file::is_one(&text) {
+        return Err(ModelFileError::ForComparison { file });
+    }
+    let mut params = Params::new();
+    model_file::read(text.as_bytes(), &mut params).map_err(|e| {
+        let (subject, mut words) = match e.problem {
+            model_file::Problem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
+            _ => (String::new(), e.problem.text().to_owned()),
+        };
+        if let model_file::Problem::Parameter(fault) = e.problem {
+            if fault.reason == dashpot_core::Reason::UnknownName {
+                let line = text.lines().nth(e.line as usize - 1).unwrap_or("");
+                let name = line.split('=').next().unwrap_or("").trim();
+                words = format!("{name:?}: {words}{}", nearest(name));
+            } else if fault.reason == dashpot_core::Reason::OutOfBounds {
+                words = format!("{words}{}", bounds(fault.parameter));
+            }
+        }
+        ModelFileError::Line { file: file.clone(), line: e.line, subject, text: words }
+    })?;
+    dashpot_core::Model::new(&params).map_err(|fault| ModelFileError::Model {
+        file: file.clone(),
+        parameter: name_of(fault.parameter).unwrap_or("a parameter"),
+        text: fault.reason.text(),
+    })?;
+    #[derive(Deserialize)]
+    struct Tables {
+        #[serde(default)]
+        identification: Identification,
+    }
+    let tables: Tables =
+        toml::from_str(&text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
+    Ok(ModelFile { params, identification: tables.identification })
+}
+
+fn name_of(parameter: u16) -> Option<&'static str> {
+    parameter::table().nth(parameter as usize).map(|row| row.parameter.name)
+}
+
+fn subject(parameter: u16) -> String {
+    name_of(parameter).map_or(String::new(), |name| format!("{name}: the value "))
+}
+
+fn bounds(parameter: u16) -> String {
+    parameter::table().nth(parameter as usize).map_or(String::new(), |row| {
+        let p = row.parameter;
+        format!(" ({} to {} {})", p.low, p.high, p.unit)
+    })
+}
+
+/// The known name that a misspelt one most resembles.
+fn nearest(name: &str) -> String {
+    let shared = |other: &str| {
+        let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
+        let (a, b) = (pairs(name), pairs(other));
+        2.0 * a.iter().filter(|p| b.contains(p)).count() as f64 / (a.len() + b.len()).max(1) as f64
+    };
+    parameter::table()
+        .map(|row| row.parameter.name)
+        .max_by(|a, b| shared(a).total_cmp(&shared(b)))
+        .filter(|best| shared(best) > 0.6)
+        .map_or(String::new(), |best| format!("; did you mean {best}?"))
+}
+
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+fn text(value: &str) -> String {
+    // A TOML basic string.
+    let mut out = String::from("\"");
+    for c in value.chars() {
+        match c {
+            '\\' | '"' => out.extend(['\\', c]),
+            '\n' => out.push(' '),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out + "\""
+}
+
+fn value(row: &Row, params: &Params) -> String {
+    let values = params.get(row);
+    match row.parameter.shape {
+        Shape::Scalar => number(values[0]),
+        Shape::Choice(words) => text(words[values[0] as usize]),
+        Shape::List(_) => format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// The flat part alone: what a kernel reads.
+pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
+    let on: Vec<String> = elements::names().filter(|n| params.is_on(n)).map(text).collect();
+    let mut out = format!("format = 1\nelements = [{}]\n", on.join(", "));
+    for (g, group) in GROUPS.iter().enumerate() {
+        let element = g < elements::COUNT;
+        let rows: Vec<Row> = parameter::table()
+            .filter(|row| row.group == g)
+            // Settings at their default and empty lists say nothing.
+            .filter(|row| element || params.get(row) != row.parameter.default)
+            .filter(|row| !params.get(row).is_empty())
+            .collect();
+        if rows.is_empty() || (element && !params.is_on(group.name)) {
+            continue;
+        }
+        let _ = write!(out, "\n# {}: {}\n", group.name, group.meaning);
+        for row in rows {
+            let _ = writeln!(out, "{} = {}  # {}", row.parameter.name, value(&row, params), comment(&row));
+        }
+    }
+    out
+}
+
+/// A model file for a fit.
+pub fn write(fit: &Fit) -> String {
+    let of = |name: &str| fit.estimates.iter().filter(move |e| e.name == name).collect::<Vec<&Estimate>>();
+    let comment = |row: &Row| {
+        let p = row.parameter;
+        let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
+        words += p.meaning;
+        if let [estimate] = of(p.name)[..] {
+            match (&estimate.standing, estimate.low, estimate.high) {
+                (Standing::NotIdentified, ..) => words += "; not identified from this data",
+                (_, Some(low), Some(high)) => {
+                    let _ = write!(words, "; 95 %: {} to {}; from {}", short(low), short(high), estimate.from);
+                }
+                _ => {}
+            }
+        }
+        words
+    };
+    let mut out = String::from(
+        "# A damper identified by dashpot. SI units; extension (rebound) and tension positive.\n\
+         # The lines up to [identification] are the damper; what follows is for people and tools.\n\n",
+    );
+    out += &flat(&fit.params, comment);
+    let list =
+        |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
+    let _ = write!(out, "\n[identification]\ntests = {}\n", list(&fit.tests));
+    let _ = write!(out, "fingerprints = {}\n", list(&fit.fingerprints));
+    let mut not: Vec<String> = fit
+        .estimates
+        .iter()
+        .filter(|e| e.standing == Standing::NotIdentified)
+        .map(|e| e.index.map_or(e.name.to_owned(), |i| format!("{}[{i}]", e.name)))
+        .collect();
+    not.dedup();
+    let _ = write!(out, "not_identified = {}\n", list(&not));
+    let mut notes: Vec<String> = fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
+    notes.extend(fit.notes.iter().cloned());
+    let _ = write!(out, "notes = {}\n", list(&notes));
+    out += "\n[identification.intervals]  # 95 %\n";
+    let mut names: Vec<&str> = fit.estimates.iter().map(|e| e.name).collect();
+    names.dedup();
+    for name in &names {
+        let entries = of(name);
+        if let [Estimate { index: None, low, high, .. }] = entries[..] {
+            if let (Some(low), Some(high)) = (low, high) {
+                let _ = writeln!(out, "{name} = [{}, {}]", number(*low), number(*high));
+            }
+            continue;
+        }
+        let count = fit.params.list(name).len();
+        let pairs: Vec<String> = (0..count)
+            .map(|k| match entries.iter().find(|e| e.index == Some(k)) {
+                Some(Estimate { low: Some(low), high: Some(high), .. }) => {
+                    format!("[{}, {}]", number(*low), number(*high))
+                }
+                // The fixed point of a curve is exact by definition.
+                _ => format!("[{0}, {0}]", number(fit.params.list(name)[k])),
+            })
+            .collect();
+        let _ = writeln!(out, "{name} = [{}]", pairs.join(", "));
+    }
+    out += "\n[identification.sources]  # share of the information by kind of test\n";
+    for name in &names {
+        if let [Estimate { index: None, from, .. }] = of(name)[..] {
+            let _ = writeln!(out, "{name} = {}", text(from));
+        }
+    }
+    let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
+    let _ = write!(
+        out,
+        "\n[identification.fv_only]  # the plain FV curve fitted to the same tests\nvelocity = [{}]\nforce = [{}]\n\
+         gas_force = {}\n",
+        floats(fit.fv_only.list("fv_velocity")),
+        floats(fit.fv_only.list("fv_force")),
+        number(fit.fv_only.scalar("gas_force")),
+    );
+    out
+}
+
+/// Four significant digits: enough for a comment.
+fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = (3 - value.abs().log10().floor() as i32).max(0) as usize;
+    if value.abs() >= 1e5 { format!("{value:.3e}") } else { format!("{value:.digits$}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_flat_part_is_toml_and_reads_back_exactly() {
+        let mut params = Params::new();
+        params.set("series_stiffness", 2.345_678_901_234_5e6).unwrap();
+        params.set("gas_force", -0.1).unwrap();
+        params.set("method", 1.0).unwrap();
+        let text = flat(&params, |_| String::new());
+        let mut back = Params::new();
+        model_file::read(text.as_bytes(), &mut back).unwrap();
+        assert_eq!(back, params);
+        let table: toml::Table = text.parse().unwrap();
+        assert_eq!(table["series_stiffness"].as_float(), Some(2.345_678_901_234_5e6));
+        assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list("fv_force").len());
+    }
+
+    #[test]
+    fn every_text_survives_the_file() {
+        for name in ["Dämpfer \"A\" – 試験\\1", "a\tb\u{1}c\u{7f}", "# [x] = 'y'"] {
+            let table: toml::Table = format!("name = {}", text(name)).parse().unwrap();
+            assert_eq!(table["name"].as_str(), Some(name));
+        }
+    }
+
+    #[test]
+    fn a_misspelt_name_is_named_with_its_line_and_a_suggestion() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("m.toml");
+        std::fs::write(&path, "format = 1\nelements = []\nseries_stifness = 1e6\n").unwrap();
+        let message = read(&path).unwrap_err().to_string();
+        assert!(message.contains("line 3") && message.contains("series_stiffness"), "{message}");
+    }
+}

@@ -1,0 +1,174 @@
+//! The validation of a whole campaign: every test, the overall figures, and the tests left out of the fit apart.
+
+use super::against::Against;
+use super::compared::{Compared, ValidationError};
+use super::deviation::{Deviation, Errors, REGION_BOUNDARY};
+use super::hysteresis::Hysteresis;
+use super::matrix::ErrorMatrix;
+use serde::Serialize;
+
+/// Every figure of one test.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TestValidation {
+    /// Name of the test.
+    pub name: String,
+    /// Displacement amplitude, m.
+    pub amplitude_m: f64,
+    /// Frequency, Hz; zero where the motion is not periodic.
+    pub frequency_hz: f64,
+    /// Peak velocity, m/s.
+    pub peak_velocity_m_s: f64,
+    /// Largest |measured force|, N.
+    pub max_force_n: f64,
+    /// Errors of the model and of the force–velocity curve alone.
+    #[serde(flatten)]
+    pub errors: Errors,
+    /// Whether identification saw this test.
+    pub used_in_fit: bool,
+    /// Number of samples compared.
+    pub samples: usize,
+    /// Number of whole cycles.
+    pub cycles: usize,
+    /// Root mean square of the measured force's noise, N: no model can come closer.
+    pub noise_rms_n: f64,
+    /// Hysteresis, where the test has whole cycles.
+    pub hysteresis: Option<Hysteresis>,
+}
+
+/// Mean figures over a set of tests. Each test has equal weight whatever its length; the percent is the mean of the
+/// tests' percents and the root mean square the mean of the tests' root mean squares.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// Number of tests.
+    pub tests: usize,
+    /// Mean errors.
+    #[serde(flatten)]
+    pub errors: Errors,
+}
+
+/// How close a model comes to a campaign. Its JSON form is what `dashpot validate` writes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Validation {
+    /// Every test, in the order given.
+    pub tests: Vec<TestValidation>,
+    /// All tests together.
+    pub overall: Summary,
+    /// The tests identification saw, if any.
+    pub used_in_fit: Option<Summary>,
+    /// The tests identification did not see, if any.
+    pub left_out: Option<Summary>,
+    /// Errors by amplitude and peak velocity.
+    pub matrix: ErrorMatrix,
+    /// Speed between region 1 and region 2, m/s.
+    pub region_boundary_m_s: f64,
+    /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub against: Vec<Against>,
+}
+
+/// Measures every test and groups the figures.
+///
+/// # Errors
+/// [`ValidationError`] for the first test that cannot be measured; see there.
+pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError> {
+    compared.iter().try_for_each(Compared::check)?;
+    let tests: Vec<TestValidation> = compared.iter().map(TestValidation::of).collect();
+    let summary = |wanted: &dyn Fn(&TestValidation) -> bool| {
+        let errors: Vec<Errors> = tests.iter().filter(|test| wanted(test)).map(|test| test.errors).collect();
+        Errors::mean(&errors).map(|mean| Summary { tests: errors.len(), errors: mean })
+    };
+    Ok(Validation {
+        overall: summary(&|_| true).ok_or(ValidationError::NoTests)?,
+        used_in_fit: summary(&|test| test.used_in_fit),
+        left_out: summary(&|test| !test.used_in_fit),
+        matrix: ErrorMatrix::of(&tests),
+        region_boundary_m_s: REGION_BOUNDARY,
+        against: Vec::new(),
+        tests,
+    })
+}
+
+impl TestValidation {
+    /// Measures a checked test.
+    fn of(compared: &Compared<'_>) -> Self {
+        let record = compared.record;
+        let max_force_n = record.force.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
+        let deviation = |simulated| Deviation::of_test(simulated, &record.force, &record.velocity, max_force_n);
+        Self {
+            name: record.name.clone(),
+            amplitude_m: record.amplitude,
+            frequency_hz: record.frequency,
+            peak_velocity_m_s: record.peak_velocity,
+            max_force_n,
+            errors: Errors { model: deviation(&compared.model), fv_only: deviation(&compared.fv_only) },
+            used_in_fit: compared.used_in_fit,
+            samples: record.force.len(),
+            cycles: record.cycles.len(),
+            noise_rms_n: record.noise.force_rms,
+            hysteresis: Hysteresis::of_test(compared),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_records::Record;
+
+    fn record(name: &str, scale: f64) -> Record {
+        let velocity = vec![0.1, 0.9, -0.1, -0.9];
+        Record {
+            name: name.into(),
+            time: vec![0.0, 1.0, 2.0, 3.0],
+            displacement: vec![0.0; 4],
+            force: velocity.iter().map(|v| scale * v).collect(),
+            velocity,
+            peak_velocity: 0.9,
+            ..Record::default()
+        }
+    }
+
+    fn shifted<'a>(record: &'a Record, model: f64, fv_only: f64, used_in_fit: bool) -> Compared<'a> {
+        let by = |offset: f64| record.force.iter().map(|force| force + offset).collect();
+        Compared { record, model: by(model), fv_only: by(fv_only), used_in_fit }
+    }
+
+    #[test]
+    fn fitted_and_left_out_tests_are_told_apart() {
+        let (a, b) = (record("a", 1000.0), record("b", 2000.0));
+        let got = validate(&[shifted(&a, 9.0, 18.0, true), shifted(&b, -36.0, 54.0, false)]).unwrap();
+        let figures = |summary: &Summary| (summary.tests, summary.errors.model.mean_error_n.round());
+        assert_eq!(figures(&got.overall), (2, 23.0));
+        assert_eq!(figures(got.used_in_fit.as_ref().unwrap()), (1, 9.0));
+        assert_eq!(figures(got.left_out.as_ref().unwrap()), (1, 36.0));
+        assert!((got.overall.errors.model.error_percent - 1.5).abs() < 1e-12, "mean of 1 % and 2 %");
+        assert!((got.overall.errors.fv_only.error_percent - 2.5).abs() < 1e-12, "mean of 2 % and 3 %");
+        assert!(validate(&[shifted(&a, 1.0, 1.0, true)]).unwrap().left_out.is_none());
+    }
+
+    #[test]
+    fn the_written_keys_are_the_promised_ones() {
+        // Scripts read these names; changing one breaks them.
+        const ERRORS: [&str; 5] = ["mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"];
+        let a = record("a", 1000.0);
+        let validation = validate(&[shifted(&a, 9.0, 18.0, true)]).unwrap();
+        let written = toml::Value::try_from(&validation).unwrap();
+        let (test, overall) = (&written["tests"][0], &written["overall"]);
+        for key in ["name", "amplitude_m", "frequency_hz", "peak_velocity_m_s", "max_force_n"] {
+            assert!(test.get(key).is_some(), "{key}");
+        }
+        for key in ERRORS {
+            assert!(test.get(key).is_some_and(toml::Value::is_float), "{key}");
+            assert!(overall.get(key).is_some_and(toml::Value::is_float), "{key}");
+        }
+        for key in ["mean_error_n", "error_percent", "rmse_n"] {
+            assert!(test["fv_only"].get(key).is_some(), "{key}");
+            assert!(overall["fv_only"].get(key).is_some(), "{key}");
+        }
+    }
+
+    #[test]
+    fn nothing_to_compare_is_an_error() {
+        assert_eq!(validate(&[]), Err(ValidationError::NoTests));
+    }
+}

@@ -1,0 +1,29 @@
+//! How close a model comes to the rig: error figures, the error matrix and hysteresis.
+//!
+//! The input is one [`Compared`] per test: the measured record and two simulated forces at its samples, those of the
+//! full model and those of the force–velocity curve alone. Every figure is given for both, because a model is only
+//! worth its cost where it beats the curve.
+//!
+//! | file | measure |
+//! |---|---|
+//! | [`Against`] | the same tests with the models of the literature |
+//! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
+//! | [`hysteresis`] | vertical gap between the strokes, loop area, energy per cycle |
+//! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
+//!
+//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5, so that
+//! figures can be set beside the published ones.
+
+mod against;
+mod campaign;
+mod compared;
+pub mod deviation;
+pub mod hysteresis;
+pub mod matrix;
+
+pub use against::{Against, AgainstSummary, AgainstTest};
+pub use campaign::{Summary, TestValidation, Validation, validate};
+pub use compared::{Compared, ValidationError};
+pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
+pub use hysteresis::{GapBin, Hysteresis, OfEach};
+pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};

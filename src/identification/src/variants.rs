@@ -1,0 +1,397 @@
+//! The variants of friction and spring, and the choice among them by tests that the fit did not see.
+
+use dashpot_core::Params;
+use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
+use dashpot_core::parameter::find;
+use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use serde::Serialize;
+
+/// Relative fall of the error that one more parameter must bring to be worth having.
+const WORTH: f64 = 0.02;
+/// Points of the lookup spring.
+const LOOKUP_POINTS: usize = 7;
+
+/// How a variant is told apart from its rivals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Variant {
+    /// Name in the report.
+    pub name: &'static str,
+    /// The same where the damper is rigid in series: friction that turns over within a distance and a soft series path look alike, and
+    /// which of them a damper has is chosen with it.
+    pub rigid: &'static str,
+    /// Elements that it switches on.
+    pub elements: &'static [&'static str],
+    /// Its unknowns; `log:` varies by factors, `above:` starts from the level below.
+    unknowns: &'static [&'static str],
+    /// Choice parameters that it sets.
+    choices: &'static [(&'static str, f64)],
+    /// Whether a host that holds the force over a step of 1 ms can run it: friction that turns over within a step chatters there.
+    runs_in_real_time: bool,
+}
+
+/// Friction variants, simplest first (thesis 3.1–3.7).
+pub const FRICTION: &[Variant] = &[
+    Variant {
+        name: "none",
+        rigid: "none, rigid in series",
+        elements: &[],
+        unknowns: &[],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "Coulomb",
+        rigid: "Coulomb, rigid in series",
+        elements: &["coulomb_friction"],
+        unknowns: &["coulomb_force", "log:coulomb_steepness"],
+        choices: &[],
+        runs_in_real_time: false,
+    },
+    Variant {
+        name: "Coulomb + viscous",
+        rigid: "Coulomb + viscous, rigid in series",
+        elements: &["coulomb_friction", "viscous_friction"],
+        unknowns: &["coulomb_force", "log:coulomb_steepness", "viscous_coefficient"],
+        choices: &[],
+        runs_in_real_time: false,
+    },
+    Variant {
+        name: "simplified Stribeck",
+        rigid: "simplified Stribeck, rigid in series",
+        elements: &["stribeck_friction"],
+        unknowns: &["stribeck_coulomb_force", "above:stribeck_breakaway_force", "log:stribeck_breakaway_velocity"],
+        choices: &[("stribeck_form", 0.0)],
+        runs_in_real_time: false,
+    },
+    Variant {
+        name: "full Stribeck",
+        rigid: "full Stribeck, rigid in series",
+        elements: &["stribeck_friction"],
+        unknowns: &[
+            "stribeck_coulomb_force",
+            "above:stribeck_breakaway_force",
+            "log:stribeck_breakaway_velocity",
+            "log:stribeck_velocity",
+        ],
+        choices: &[("stribeck_form", 1.0)],
+        runs_in_real_time: false,
+    },
+    Variant {
+        name: "presliding",
+        rigid: "presliding, rigid in series",
+        elements: &["presliding_friction"],
+        unknowns: &["presliding_force", "log:presliding_length"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+];
+
+/// Spring variants, simplest first (thesis 3, F_p).
+pub const SPRING: &[Variant] = &[
+    Variant {
+        name: "none",
+        rigid: "none, rigid in series",
+        elements: &[],
+        unknowns: &[],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "linear",
+        rigid: "linear, rigid in series",
+        elements: &["parallel_spring"],
+        unknowns: &["spring_linear"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "quadratic",
+        rigid: "quadratic, rigid in series",
+        elements: &["parallel_spring"],
+        unknowns: &["spring_quadratic"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "cubic",
+        rigid: "cubic, rigid in series",
+        elements: &["parallel_spring"],
+        unknowns: &["spring_cubic"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "quartic",
+        rigid: "quartic, rigid in series",
+        elements: &["parallel_spring"],
+        unknowns: &["spring_quartic"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "lookup",
+        rigid: "lookup, rigid in series",
+        elements: &["parallel_spring"],
+        unknowns: &["lookup"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+];
+
+/// Elements that a fit can identify; all others are found by a diagnosis.
+pub fn identified() -> Vec<&'static str> {
+    let mut all = vec!["fv_curve", "series_compliance", "gas_preload", "side_force_friction"];
+    for name in FRICTION.iter().chain(SPRING).flat_map(|v| v.elements) {
+        if !all.contains(name) {
+            all.push(name);
+        }
+    }
+    all
+}
+
+/// What is on in a fit.
+#[derive(Debug, Clone, Copy)]
+pub struct Structure {
+    /// Friction.
+    pub friction: Variant,
+    /// Spring parallel to the primary damper.
+    pub spring: Variant,
+    /// Series compliance and internal mass.
+    pub series: bool,
+    /// Constant gas force.
+    pub gas: bool,
+    /// Friction growing with side force.
+    pub side_force: bool,
+}
+
+impl Structure {
+    /// Base set and unknowns of this structure, starting from the values in `from`.
+    pub fn unknowns(&self, from: &Params, segments: &[Segment]) -> Unknowns {
+        let mut base = *from;
+        let mut list = Vec::new();
+        base.disable_all();
+        let on = |base: &mut Params, name: &str| {
+            // The names come from the kernel's own list.
+            let _ = base.enable(name, true);
+        };
+        on(&mut base, "fv_curve");
+        list.extend(Unknowns::rises(&base, CurveName::Fv));
+        if self.series {
+            on(&mut base, "series_compliance");
+            list.extend([
+                Unknown::Log("series_stiffness"),
+                Unknown::Linear("series_damping"),
+                Unknown::Log("internal_mass"),
+            ]);
+        }
+        if self.gas {
+            on(&mut base, "gas_preload");
+            list.push(Unknown::Linear("gas_force"));
+        }
+        if self.side_force {
+            on(&mut base, "side_force_friction");
+            list.push(Unknown::Linear("side_force_coefficient"));
+        }
+        for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {
+            if !self.spring.unknowns.contains(&name) {
+                let _ = base.set(name, 0.0);
+            }
+        }
+        if !self.spring.unknowns.contains(&"lookup") {
+            let _ = base.set_list("spring_displacement", &[]);
+            let _ = base.set_list("spring_force", &[]);
+        }
+        for variant in [self.friction, self.spring] {
+            for (name, value) in variant.choices {
+                let _ = base.set(name, *value);
+            }
+            for element in variant.elements {
+                on(&mut base, element);
+            }
+            for name in variant.unknowns {
+                match (name.strip_prefix("log:"), name.strip_prefix("above:")) {
+                    (Some(name), _) => list.push(Unknown::Log(name)),
+                    // Only the Stribeck peak lies above something: its own Coulomb level.
+                    (_, Some(name)) => list.push(Unknown::Above(name, "stribeck_coulomb_force")),
+                    _ if *name == "lookup" => {
+                        if base.list("spring_displacement").is_empty() {
+                            start_lookup(&mut base, segments);
+                        }
+                        list.extend(Unknowns::rises(&base, CurveName::Spring));
+                    }
+                    _ => list.push(Unknown::Linear(name)),
+                }
+            }
+        }
+        Unknowns { base, list }
+    }
+}
+
+/// A flat lookup spring over the displacements that the tests cover, with a point at zero.
+fn start_lookup(base: &mut Params, segments: &[Segment]) {
+    let x = || segments.iter().flat_map(|s| s.input.iter().filter_map(|i| i.displacement));
+    let (low, high) = (x().fold(0.0f64, f64::min), x().fold(0.0f64, f64::max));
+    let span = (high - low).max(1e-6);
+    let step = span / (LOOKUP_POINTS - 1) as f64;
+    let first = (low / step).round() * step;
+    let points: Vec<f64> = (0..LOOKUP_POINTS)
+        .map(|k| {
+            let p = first + k as f64 * step;
+            if p.abs() < 0.5 * step { 0.0 } else { p }
+        })
+        .collect();
+    let forces: Vec<f64> = points.iter().map(|x| 1.0 * x).collect();
+    let _ = base.set_list("spring_displacement", &points);
+    let _ = base.set_list("spring_force", &forces);
+}
+
+/// Fewest tests that can judge variants by leaving one of them out.
+pub const FEWEST_TESTS: usize = 4;
+
+/// Velocities, as shares of the fastest slow test's peak, at which the FV table gets points from slow tests.
+const SLOW_POINTS: [f64; 2] = [0.4, 1.0];
+
+/// The same parameters with points in the FV table where only slow tests are (thesis 4: "with and without the slow-test
+/// points"); `None` where the table already reaches that far down.
+pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
+    let (v, f) = (from.list("fv_velocity"), from.list("fv_force"));
+    let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
+    let closest = v.iter().filter(|v| **v != 0.0).fold(f64::INFINITY, |m, v| m.min(v.abs()));
+    if slow_peak <= 0.0 || 2.0 * slow_peak > closest || v.len() + 2 * SLOW_POINTS.len() > MAX_POINTS {
+        return None;
+    }
+    let mut points: Vec<f64> = v.to_vec();
+    points.extend(SLOW_POINTS.iter().flat_map(|share| [share * slow_peak, -share * slow_peak]));
+    points.sort_by(f64::total_cmp);
+    let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
+    let mut params = *from;
+    params.set_list("fv_velocity", &points).ok()?;
+    params.set_list("fv_force", &forces).ok()?;
+    Some(params)
+}
+
+/// The outcome of one choice.
+#[derive(Debug, Clone, Serialize)]
+pub struct Choice {
+    /// What was chosen: "friction", "spring" or "FV points".
+    pub of: &'static str,
+    /// The name of the variant that was kept.
+    pub chosen: &'static str,
+    /// Each variant with its error on left-out tests, in units of what a test's noise and floor allow.
+    pub scores: Vec<Score>,
+    /// Why, in words.
+    pub why: String,
+}
+
+/// Error of one variant on left-out tests.
+#[derive(Debug, Clone, Serialize)]
+pub struct Score {
+    /// Variant.
+    pub name: &'static str,
+    /// Root mean square over the left-out tests of rms error per allowed error.
+    pub held_out: f64,
+    /// Difference of the mean square from the best variant's that chance explains (one standard error).
+    pub tie_within: f64,
+}
+
+/// One of several ways to fit.
+pub struct Candidate {
+    /// Name in the report.
+    pub name: &'static str,
+    /// What is on.
+    pub structure: Structure,
+    /// Where the fit starts.
+    pub from: Params,
+}
+
+/// The same with the series path of a usual damper; `None` where it has none.
+fn as_usual(from: &Params) -> Option<Params> {
+    let mut usual = *from;
+    for name in ["series_stiffness", "series_damping", "internal_mass"] {
+        let row = find(name)?;
+        usual.set(name, row.parameter.default[0]).ok()?;
+    }
+    (usual != *from).then_some(usual)
+}
+
+/// Chooses among ways to fit; returns the place of the winner, the account, and the fitted parameters.
+///
+/// Every candidate is fitted to all tests and then judged on each test as predicted from all others. The simplest
+/// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984,
+/// 3.4.3), each unknown costing [`WORTH`] of the error.
+pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) -> (usize, Choice, Params) {
+    struct Judged {
+        params: Params,
+        unknowns: usize,
+        errors: Vec<f64>,
+    }
+    let all: Vec<&Segment> = segments.iter().collect();
+    let judged: Vec<Judged> = candidates
+        .iter()
+        .map(|candidate| {
+            // From where the last choice ended, and from a damper as it is usual: another friction may need another series path.
+            let usual = as_usual(&candidate.from);
+            let fits = [Some(&candidate.from), usual.as_ref().filter(|_| of == "friction")].into_iter().flatten().map(
+                |from| {
+                    let unknowns = candidate.structure.unknowns(from, segments);
+                    let found = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH);
+                    (found.cost, found.theta, unknowns)
+                },
+            );
+            let best = fits.min_by(|a, b| a.0.total_cmp(&b.0));
+            let (_, theta, unknowns) = best.unwrap_or_else(|| {
+                let unknowns = candidate.structure.unknowns(&candidate.from, segments);
+                (f64::INFINITY, unknowns.start(), unknowns)
+            });
+            Judged {
+                params: unknowns.params(&theta),
+                unknowns: unknowns.list.len(),
+                errors: left_out_errors(&all, &unknowns, &theta),
+            }
+        })
+        .collect();
+    let n = segments.len() as f64;
+    let places = 0..candidates.len();
+    let mean = |k: usize| judged[k].errors.iter().sum::<f64>() / n;
+    let rms = |k: usize| mean(k).sqrt();
+    let fewest = judged.iter().map(|j| j.unknowns).min().unwrap_or(0);
+    let priced = |k: usize| rms(k) * (1.0 + WORTH * (judged[k].unknowns - fewest) as f64);
+    let best = places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
+    let tie = |k: usize| {
+        let d: Vec<f64> = judged[k].errors.iter().zip(&judged[best].errors).map(|(a, b)| a - b).collect();
+        let m = d.iter().sum::<f64>() / n;
+        (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
+    };
+    let kept = places
+        .clone()
+        .filter(|k| mean(*k) - mean(best) <= tie(*k))
+        .min_by(|a, b| {
+            // Among those that explain the records alike, one that every host can run.
+            let friction = |k: usize| !candidates[k].structure.friction.runs_in_real_time;
+            friction(*a)
+                .cmp(&friction(*b))
+                .then(judged[*a].unknowns.cmp(&judged[*b].unknowns))
+                .then(mean(*a).total_cmp(&mean(*b)))
+        })
+        .unwrap_or(best);
+    let others = places
+        .clone()
+        .filter(|k| *k != kept)
+        .map(|k| format!("{} {:.2}", candidates[k].name, rms(k)))
+        .collect::<Vec<_>>()
+        .join(", ");
+    let why = format!(
+        "error on left-out tests {:.2} of the allowed error{}; {}",
+        rms(kept),
+        if others.is_empty() { String::new() } else { format!(" ({others})") },
+        if kept == best {
+            "no other is better by what its parameters cost"
+        } else {
+            "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper"
+        }
+    );
+    let scores = places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
+    (kept, Choice { of, chosen: candidates[kept].name, scores, why }, judged[kept].params)
+}

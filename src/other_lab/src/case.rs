@@ -1,0 +1,97 @@
+//! What is asked for: a damper, what is hidden in it, how it is measured.
+
+use crate::LabError;
+use crate::draw::Draw;
+use crate::hidden::{self, Hidden};
+use crate::plant::{Kind, Plant};
+use crate::protocol::Protocol;
+use serde::Serialize;
+
+/// A damper, what is hidden, and how it is measured.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Which kind of damper.
+    pub plant: Kind,
+    /// Names and strengths of what is hidden; `name:law` asks for a law, otherwise the seed chooses.
+    pub effects: Vec<(String, f64)>,
+    /// How it is measured.
+    pub protocol: Protocol,
+    /// Seed of the damper, of the effects' sizes and of the order of the tests.
+    pub seed: u64,
+    /// Seed of the sensors' noise: another one is another measurement of the same damper.
+    pub noise_seed: u64,
+}
+
+/// What is hidden.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HiddenEffect {
+    /// Its name.
+    pub effect: String,
+    /// The law.
+    pub law: String,
+    /// Its strength.
+    pub strength: f64,
+    /// Whether it is in the list of effects that a diagnosis names.
+    pub known: bool,
+}
+
+pub(crate) struct Prepared {
+    pub plant: Plant,
+    pub effects: Vec<Box<dyn Hidden>>,
+    pub truth: Vec<HiddenEffect>,
+}
+
+impl Case {
+    /// A damper with nothing hidden, measured in the usual way.
+    pub fn new(plant: Kind, seed: u64) -> Case {
+        Case { plant, effects: Vec::new(), protocol: Protocol::default(), seed, noise_seed: seed }
+    }
+
+    /// One more effect hidden.
+    #[must_use]
+    pub fn hiding(mut self, effect: &str, strength: f64) -> Case {
+        self.effects.push((effect.to_owned(), strength));
+        self
+    }
+
+    /// The same damper without what is hidden, on the same tests in the same order, with other noise: what it is compared with.
+    #[must_use]
+    pub fn reference(&self) -> Case {
+        Case { effects: Vec::new(), noise_seed: self.noise_seed ^ 0x5265_6665_7265_6e63, ..self.clone() }
+    }
+
+    pub(crate) fn prepare(&self) -> Result<Prepared, LabError> {
+        let plant = Plant::new(self.plant, self.seed);
+        let (mut effects, mut truth) = (Vec::new(), Vec::new());
+        for (asked, strength) in &self.effects {
+            let (name, law) = asked.split_once(':').map_or((asked.as_str(), None), |(n, l)| (n, Some(l)));
+            let Some(effect) = hidden::find(name) else {
+                let names: Vec<&str> = hidden::names().collect();
+                return Err(LabError::Effect { name: name.to_owned(), names: names.join(", ") });
+            };
+            let laws: Vec<&str> = effect.laws.iter().map(|(name, _)| *name).collect();
+            let chosen = match law {
+                None => Draw::new(self.seed, &format!("law of {name}")).choice(laws.len()),
+                Some(law) => laws.iter().position(|known| *known == law).ok_or_else(|| LabError::Law {
+                    effect: name.to_owned(),
+                    law: law.to_owned(),
+                    laws: laws.join(", "),
+                })?,
+            };
+            if !strength.is_finite() || *strength < 0.0 {
+                return Err(LabError::Strength { effect: name.to_owned(), strength: *strength });
+            }
+            truth.push(HiddenEffect {
+                effect: name.to_owned(),
+                law: laws[chosen].to_owned(),
+                strength: *strength,
+                known: hidden::KNOWN.iter().any(|e| e.name == name),
+            });
+            if *strength > 0.0 {
+                let mut draw = Draw::new(self.seed, &format!("{name}:{}", laws[chosen]));
+                effects.push((effect.laws[chosen].1)(*strength, &plant.scale, &mut draw));
+            }
+        }
+        Ok(Prepared { plant, effects, truth })
+    }
+}

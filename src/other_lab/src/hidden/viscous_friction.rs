@@ -1,0 +1,41 @@
+//! Friction of films that are sheared.
+
+use super::{Effect, Here, Hidden, Make};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect =
+    Effect { name: "viscous_friction", laws: &[("cross_film", cross_film as Make), ("blasius_drag", blasius_drag)] };
+
+/// A film that thins by shear (Cross, J. Colloid Sci. 20, 1965).
+struct CrossFilm {
+    per_speed: f64,
+    speed: f64,
+    power: f64,
+}
+
+impl Hidden for CrossFilm {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        self.per_speed * here.v / (1.0 + (here.v.abs() / self.speed).powf(self.power))
+    }
+}
+
+fn cross_film(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
+    let per_speed = strength * d.between(0.3, 0.8) * (scale.rebound_n + scale.compression_n);
+    Box::new(CrossFilm { per_speed, speed: d.scale(0.1, 0.5), power: d.between(0.6, 0.9) })
+}
+
+/// Drag in a long smooth gap, |v|^1.75 (Blasius 1913).
+struct BlasiusDrag {
+    factor: f64,
+}
+
+impl Hidden for BlasiusDrag {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        self.factor * here.v * (here.v * here.v + 1e-6).powf(0.375)
+    }
+}
+
+fn blasius_drag(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
+    Box::new(BlasiusDrag { factor: strength * d.between(0.3, 0.8) * (scale.rebound_n + scale.compression_n) })
+}

@@ -1,0 +1,268 @@
+//! RODAS3 (Sandu et al., Atmos. Environ. 31, 1997): a Rosenbrock method of order 3 with an error estimate of order 2.
+//! L-stable, so the fast parts of a damper (oil columns, a mount with a small mass, bristles) do not set the step.
+
+/// What is integrated.
+pub trait Equations {
+    /// What drives the states at an instant.
+    type Drive;
+    /// The drive at time `t`.
+    fn drive(&self, t: f64) -> Self::Drive;
+    /// Rates of the states.
+    fn rates(&self, drive: &Self::Drive, y: &[f64], rates: &mut [f64]);
+    /// Longest step from here that resolves what is read off the states, s.
+    fn longest(&self, _: &Self::Drive) -> f64 {
+        f64::INFINITY
+    }
+    /// Error that each state may have in a step, beside `relative` of its size.
+    fn tolerances(&self) -> &[f64];
+}
+
+/// Order of the steps, and what they may miss.
+#[derive(Debug, Clone, Copy)]
+pub struct Steps {
+    /// Longest step, s.
+    pub longest: f64,
+    /// Multiplies what the equations say of the longest step.
+    pub resolution: f64,
+    /// Relative error of a step.
+    pub relative: f64,
+    /// Multiplies the tolerances of the states.
+    pub absolute: f64,
+}
+
+/// Shortest step, s: below it an error is accepted as it is (an exact corner has no step that resolves it).
+const SHORTEST: f64 = 1e-7;
+const DIAGONAL: f64 = 0.5;
+const A: [[f64; 3]; 4] = [[0.0; 3], [0.0; 3], [2.0, 0.0, 0.0], [2.0, 0.0, 1.0]];
+const C: [[f64; 3]; 4] = [[0.0; 3], [4.0, 0.0, 0.0], [1.0, -1.0, 0.0], [1.0, -1.0, -8.0 / 3.0]];
+const M: [f64; 4] = [2.0, 0.0, 1.0, 1.0];
+const GAMMA: [f64; 4] = [0.5, 1.5, 0.0, 0.0];
+/// Share of a step over which the rates of change in time are found: the error of that is this share of the step's own.
+const AHEAD: f64 = 1e-4;
+/// States move by this multiple of their tolerance, or this share of their size, to find the Jacobian.
+const NUDGE: (f64, f64) = (1e-1, 1e-7);
+
+/// Advances states in steps of its own choice; buffers are kept.
+pub struct Integrator {
+    n: usize,
+    jacobian: Vec<f64>,
+    matrix: Vec<f64>,
+    pivots: Vec<usize>,
+    rates: Vec<f64>,
+    later: Vec<f64>,
+    k: [Vec<f64>; 4],
+    trial: Vec<f64>,
+}
+
+impl Integrator {
+    /// For `n` states.
+    pub fn new(n: usize) -> Integrator {
+        let row = || vec![0.0; n];
+        Integrator {
+            n,
+            jacobian: vec![0.0; n * n],
+            matrix: vec![0.0; n * n],
+            pivots: vec![0; n],
+            rates: row(),
+            later: row(),
+            k: [row(), row(), row(), row()],
+            trial: row(),
+        }
+    }
+
+    /// From `start` to `end`; `each` is told every accepted step's end with its drive and states. False if the states are no
+    /// numbers any more.
+    pub fn run<E: Equations>(
+        &mut self,
+        equations: &E,
+        (start, end): (f64, f64),
+        y: &mut [f64],
+        steps: &Steps,
+        mut each: impl FnMut(f64, &E::Drive, &[f64]),
+    ) -> bool {
+        let n = self.n;
+        let mut t = start;
+        let mut h = (steps.longest * 0.01).min(end - start);
+        let mut drive = equations.drive(t);
+        let mut fresh = true;
+        while t < end - 1e-12 {
+            h = h.min(steps.longest).min(steps.resolution * equations.longest(&drive)).max(SHORTEST).min(end - t);
+            if fresh {
+                equations.rates(&drive, y, &mut self.rates);
+                self.differentiate(equations, &drive, y);
+            }
+            let later = t + AHEAD * h;
+            let drive_later = equations.drive(later);
+            equations.rates(&drive_later, y, &mut self.later);
+            for (l, r) in self.later.iter_mut().zip(&self.rates) {
+                *l = (*l - r) / (later - t);
+            }
+            let drive_end = equations.drive(t + h);
+            let error = self.attempt(equations, &drive_end, y, h, steps);
+            let shortest = h <= SHORTEST;
+            if error.is_finite() && (error <= 1.0 || shortest) {
+                y.copy_from_slice(&self.trial);
+                t += h;
+                drive = drive_end;
+                fresh = true;
+                each(t, &drive, &y[..n]);
+                h *= (0.85 * error.max(1e-6).powf(-1.0 / 3.0)).clamp(0.3, 3.0);
+            } else {
+                if shortest {
+                    return false;
+                }
+                fresh = false;
+                let factor = if error.is_finite() { 0.85 * error.powf(-1.0 / 3.0) } else { 0.1 };
+                h = (h * factor.clamp(0.1, 0.7)).max(SHORTEST);
+            }
+        }
+        true
+    }
+
+    fn differentiate<E: Equations>(&mut self, equations: &E, drive: &E::Drive, y: &mut [f64]) {
+        let n = self.n;
+        for (column, tolerance) in equations.tolerances().iter().enumerate() {
+            let kept = y[column];
+            let nudge = NUDGE.0 * tolerance + NUDGE.1 * kept.abs();
+            y[column] = kept + nudge;
+            equations.rates(drive, y, &mut self.trial);
+            y[column] = kept;
+            for row in 0..n {
+                self.jacobian[row * n + column] = (self.trial[row] - self.rates[row]) / nudge;
+            }
+        }
+    }
+
+    /// One step into `trial`; the error relative to what is allowed.
+    fn attempt<E: Equations>(&mut self, e: &E, drive_end: &E::Drive, y: &[f64], h: f64, steps: &Steps) -> f64 {
+        let n = self.n;
+        for (i, (m, j)) in self.matrix.iter_mut().zip(&self.jacobian).enumerate() {
+            *m = -j + if i % (n + 1) == 0 { 1.0 / (h * DIAGONAL) } else { 0.0 };
+        }
+        if !self.factorise() {
+            return f64::INFINITY;
+        }
+        for stage in 0..4 {
+            let (done, rest) = self.k.split_at_mut(stage);
+            let k = &mut rest[0];
+            if stage < 2 {
+                k.copy_from_slice(&self.rates);
+            } else {
+                for i in 0..n {
+                    self.trial[i] = y[i] + done.iter().zip(&A[stage]).map(|(d, a)| a * d[i]).sum::<f64>();
+                }
+                e.rates(drive_end, &self.trial, k);
+            }
+            for i in 0..n {
+                k[i] += done.iter().zip(&C[stage]).map(|(d, c)| c * d[i]).sum::<f64>() / h
+                    + h * GAMMA[stage] * self.later[i];
+            }
+            solve(&self.matrix, &self.pivots, k);
+        }
+        let mut sum = 0.0;
+        for (i, tolerance) in e.tolerances().iter().enumerate() {
+            self.trial[i] = y[i] + (0..4).map(|s| M[s] * self.k[s][i]).sum::<f64>();
+            let allowed = steps.absolute * tolerance + steps.relative * y[i].abs().max(self.trial[i].abs());
+            sum += (self.k[3][i] / allowed).powi(2);
+        }
+        (sum / n as f64).sqrt()
+    }
+
+    /// LU with row exchange.
+    fn factorise(&mut self) -> bool {
+        let (n, m) = (self.n, &mut self.matrix);
+        for column in 0..n {
+            let mut best = column;
+            for row in column + 1..n {
+                if m[row * n + column].abs() > m[best * n + column].abs() {
+                    best = row;
+                }
+            }
+            self.pivots[column] = best;
+            if best != column {
+                for i in 0..n {
+                    m.swap(column * n + i, best * n + i);
+                }
+            }
+            let pivot = m[column * n + column];
+            if pivot == 0.0 || !pivot.is_finite() {
+                return false;
+            }
+            for row in column + 1..n {
+                let factor = m[row * n + column] / pivot;
+                m[row * n + column] = factor;
+                if factor != 0.0 {
+                    for i in column + 1..n {
+                        m[row * n + i] -= factor * m[column * n + i];
+                    }
+                }
+            }
+        }
+        true
+    }
+}
+
+fn solve(m: &[f64], pivots: &[usize], b: &mut [f64]) {
+    let n = b.len();
+    for (row, pivot) in pivots.iter().enumerate() {
+        b.swap(row, *pivot);
+    }
+    for row in 0..n {
+        let known: f64 = (0..row).map(|i| m[row * n + i] * b[i]).sum();
+        b[row] -= known;
+    }
+    for row in (0..n).rev() {
+        let known: f64 = (row + 1..n).map(|i| m[row * n + i] * b[i]).sum();
+        b[row] = (b[row] - known) / m[row * n + row];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Prothero and Robinson's problem: y follows cos t however stiff, beside a stiff pair that rotates and decays.
+    struct Stiff(Vec<f64>);
+
+    impl Equations for Stiff {
+        type Drive = f64;
+        fn drive(&self, t: f64) -> f64 {
+            t
+        }
+        fn rates(&self, t: &f64, y: &[f64], r: &mut [f64]) {
+            r[0] = -1e4 * (y[0] - t.cos()) - t.sin();
+            r[1] = y[2];
+            r[2] = -y[1] - 0.1 * y[1].powi(3) + y[0];
+        }
+        fn tolerances(&self) -> &[f64] {
+            &self.0
+        }
+    }
+
+    fn end(longest: f64, relative: f64) -> Vec<f64> {
+        let mut y = vec![1.0, 0.5, 0.0];
+        let steps = Steps { longest, resolution: 1.0, relative, absolute: relative / 1e-5 };
+        assert!(Integrator::new(3).run(&Stiff(vec![1e-5; 3]), (0.0, 3.0), &mut y, &steps, |_, _, _| ()));
+        y
+    }
+
+    #[test]
+    fn stiff_part_follows_and_the_rest_has_order_three() {
+        let exact = end(1e-3, 1e-9);
+        assert!((exact[0] - 3f64.cos()).abs() < 1e-6);
+        // Steps are set by `longest` alone.
+        let error = |h: f64| {
+            let y = end(h, 1e3);
+            (y[1] - exact[1]).hypot(y[2] - exact[2])
+        };
+        let orders = [0.1, 0.05].map(|h| (error(h) / error(0.5 * h)).log2());
+        assert!(orders.iter().all(|order| *order > 2.5), "{orders:?} {}", error(0.1));
+    }
+
+    #[test]
+    fn tolerance_sets_the_error() {
+        let exact = end(1e-3, 1e-9);
+        let error = |relative: f64| (end(1.0, relative)[1] - exact[1]).abs();
+        assert!(error(1e-3) < 1e-2 && error(1e-6) < 1e-4, "{} {}", error(1e-3), error(1e-6));
+    }
+}

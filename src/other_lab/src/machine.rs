@@ -1,0 +1,200 @@
+//! Damper, mount and what is hidden, as one set of equations.
+
+use crate::hidden::{Here, Hidden};
+use crate::integrator::Equations;
+use crate::jet::Jet;
+use crate::plant::{Beside, Plant};
+use crate::protocol::motion::Ready;
+
+const MOUNT: usize = 0;
+const X: usize = 1;
+const V: usize = 2;
+const BRISTLE: usize = 3;
+const OIL: usize = 4;
+/// Temperature at which the valves are stated, °C.
+const REFERENCE_C: f64 = 25.0;
+/// Viscosity of damper oil falls by about this much a kelvin.
+const THINS: f64 = 0.022;
+
+/// Velocity within which friction turns over, m/s.
+const TURNS: f64 = 1.5e-3;
+
+/// What surrounds a test.
+#[derive(Debug, Clone, Copy)]
+pub struct Around {
+    /// Time in the campaign at the record's start, s, and the campaign's length, s.
+    pub clock: f64,
+    /// Length of the campaign, s.
+    pub campaign: f64,
+    /// Side force, N.
+    pub side: f64,
+    /// Temperature of the oil, °C.
+    pub oil_c: f64,
+}
+
+/// A damper with what is hidden, in one test.
+pub struct Machine<'a> {
+    plant: &'a Plant,
+    hidden: &'a [Box<dyn Hidden>],
+    motion: &'a Ready,
+    around: Around,
+    tolerances: Vec<f64>,
+    /// Where the states of each effect begin.
+    begins: Vec<usize>,
+}
+
+/// Time and motion at an instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Instant {
+    /// Time in the record, s.
+    pub t: f64,
+    /// Motion of the driven end.
+    pub input: Jet,
+}
+
+impl<'a> Machine<'a> {
+    /// A damper in a test.
+    pub fn new(plant: &'a Plant, hidden: &'a [Box<dyn Hidden>], motion: &'a Ready, around: Around) -> Machine<'a> {
+        let mut tolerances = vec![0.1, 5e-7, 2e-5, 2e-3 * plant.seal.length()];
+        tolerances.resize(OIL + plant.oil.states(), 0.0);
+        plant.oil.tolerances(&mut tolerances[OIL..]);
+        let mut begins = Vec::new();
+        for effect in hidden {
+            begins.push(tolerances.len());
+            tolerances.extend(effect.tolerances());
+        }
+        Machine { plant, hidden, motion, around, tolerances, begins }
+    }
+
+    /// States at rest.
+    pub fn rest(&self) -> Vec<f64> {
+        let mut y = vec![0.0; self.tolerances.len()];
+        let at = self.drive(0.0);
+        y[X] = at.input.x;
+        let oil = OIL..OIL + self.plant.oil.states();
+        self.plant.oil.rest(at.input.x, &mut y[oil.clone()]);
+        let held = self.plant.oil.force(&y[oil]);
+        y[MOUNT] = held;
+        if !self.plant.seal_is_outside {
+            let here = self.here(&at, &y);
+            y[MOUNT] += self.parallel(&here, &y);
+        }
+        y
+    }
+
+    fn states<'y>(&self, effect: usize, y: &'y [f64]) -> &'y [f64] {
+        let begin = self.begins[effect];
+        &y[begin..begin + self.hidden[effect].tolerances().len()]
+    }
+
+    fn here(&self, at: &Instant, y: &[f64]) -> Here {
+        let outside = self.plant.seal_is_outside;
+        let oil = &y[OIL..OIL + self.plant.oil.states()];
+        let clock = self.around.clock + at.t;
+        Here {
+            t: at.t,
+            clock,
+            progress: clock / self.around.campaign,
+            input: at.input,
+            x: if outside { at.input.x } else { y[X] },
+            v: if outside { at.input.v } else { y[V] },
+            hydraulic: self.plant.oil.hydraulic(oil),
+            mount: y[MOUNT],
+            mount_rate: 0.0,
+            side: self.around.side,
+            oil_c: self.around.oil_c,
+        }
+    }
+
+    /// All that acts beside the oil on the rod, or on the whole damper.
+    fn parallel(&self, here: &Here, y: &[f64]) -> f64 {
+        let plant = self.plant;
+        let mut force = plant.seal.force(here.v, y[BRISTLE]) + plant.slight.gas[0] * gas(here.x, plant.slight.gas[1]);
+        if plant.seal_is_outside {
+            force -= plant.scale.gas_n;
+        }
+        for (i, effect) in self.hidden.iter().enumerate() {
+            force += effect.parallel(here, self.states(i, y));
+        }
+        force
+    }
+
+    /// What the series path's own rate is, and the force of its damper.
+    fn series(&self, here: &mut Here, at: &Instant, y: &[f64]) -> (f64, f64) {
+        let mount = &self.plant.mount;
+        let own = mount.compliance(y[MOUNT]);
+        let mut all = own;
+        for (i, effect) in self.hidden.iter().enumerate() {
+            all += effect.series(here, self.states(i, y));
+        }
+        let rate = (at.input.v - y[V]) / all;
+        here.mount_rate = rate * own;
+        let mut beside = mount.damping * here.mount_rate;
+        for (i, effect) in self.hidden.iter().enumerate() {
+            beside += effect.beside_mount(here, self.states(i, y));
+        }
+        (rate, beside)
+    }
+
+    /// Force at the load cell, and the power that goes into heat.
+    pub fn force(&self, at: &Instant, y: &[f64]) -> f64 {
+        let mut here = self.here(at, y);
+        let (_, beside) = self.series(&mut here, at, y);
+        let mut force = y[MOUNT] + beside + self.plant.slight.laden_kg * at.input.a;
+        if self.plant.seal_is_outside {
+            force += self.parallel(&here, y);
+        }
+        force
+    }
+}
+
+/// A gas column's force relative to stiffness times length, without its constant part: softer as it expands.
+fn gas(x: f64, length: f64) -> f64 {
+    x / (1.0 + x / length).max(0.2)
+}
+
+impl Equations for Machine<'_> {
+    type Drive = Instant;
+
+    fn drive(&self, t: f64) -> Instant {
+        Instant { t, input: self.motion.at(t) }
+    }
+
+    fn tolerances(&self) -> &[f64] {
+        &self.tolerances
+    }
+
+    /// Friction turns over within about a millimetre per second, and where it acts beside the mount no state knows of it.
+    fn longest(&self, at: &Instant) -> f64 {
+        0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
+    }
+
+    fn rates(&self, at: &Instant, y: &[f64], r: &mut [f64]) {
+        let plant = self.plant;
+        let mut here = self.here(at, y);
+        let (mount_rate, beside) = self.series(&mut here, at, y);
+        r[MOUNT] = mount_rate;
+        r[X] = y[V];
+        r[BRISTLE] = plant.seal.rate(here.v, y[BRISTLE]);
+
+        let warmth = (-plant.slight.warmth * THINS * (self.around.oil_c - REFERENCE_C)).exp();
+        let mut around =
+            Beside { taken: 0.0, compliance: 0.0, gain: 1.0 + plant.slight.position * y[X], viscosity: warmth };
+        for (i, effect) in self.hidden.iter().enumerate() {
+            let states = self.states(i, y);
+            around.taken += effect.taken(&here, states);
+            around.compliance += effect.column(&here, states);
+            around.gain *= effect.gain(&here, states);
+            around.viscosity *= effect.viscosity(&here, states);
+            let begin = self.begins[i];
+            effect.rates(&here, states, &mut r[begin..begin + states.len()]);
+        }
+        let oil = OIL..OIL + plant.oil.states();
+        let mut held = plant.oil.force(&y[oil.clone()]);
+        plant.oil.rates(y[X], y[V], &around, &y[oil.clone()], &mut r[oil]);
+        if !plant.seal_is_outside {
+            held += self.parallel(&here, y);
+        }
+        r[V] = (y[MOUNT] + beside - held) / plant.mass;
+    }
+}

@@ -1,0 +1,136 @@
+//! Dampers without a hidden effect. None of them is the model that is fitted to them: each carries friction with memory,
+//! and the physical ones several small mismatches more.
+
+pub mod flow;
+mod lumped;
+mod monotube;
+mod mount;
+mod seal;
+mod twin_tube;
+
+pub use mount::Mount;
+pub use seal::Seal;
+
+use crate::draw::Draw;
+use serde::{Deserialize, Serialize};
+
+/// The kinds of damper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Input, series spring and damper, mass, a smooth force-velocity law; friction and gas parallel to the whole.
+    ThesisLike,
+    /// Piston between two chambers, gas behind a floating piston.
+    Monotube,
+    /// Piston, compression chamber, base valve, reserve with gas.
+    TwinTube,
+}
+
+impl Kind {
+    /// All.
+    pub const ALL: [Kind; 3] = [Kind::ThesisLike, Kind::Monotube, Kind::TwinTube];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::ThesisLike => "thesis_like",
+            Kind::Monotube => "monotube",
+            Kind::TwinTube => "twin_tube",
+        }
+    }
+}
+
+/// What acts on the oil from beside the valves.
+#[derive(Debug, Clone, Copy)]
+pub struct Beside {
+    /// Velocity that passages beside the valves, or voids, take from the piston's, m/s.
+    pub taken: f64,
+    /// Compliance beside that of the oil, m/N.
+    pub compliance: f64,
+    /// What the valves pass, relative to what they are made for.
+    pub gain: f64,
+    /// Viscosity of the oil relative to that at the reference.
+    pub viscosity: f64,
+}
+
+/// The part of a damper that the oil is in. Its states come after those of mount, mass and seal.
+pub trait Oil: Send + Sync {
+    /// Number of states.
+    fn states(&self) -> usize;
+    /// States at rest at a displacement.
+    fn rest(&self, x: f64, states: &mut [f64]);
+    /// Tolerances of the states.
+    fn tolerances(&self, tolerances: &mut [f64]);
+    /// Hydraulic force, N: what the pressures' differences make, without the gas.
+    fn hydraulic(&self, states: &[f64]) -> f64;
+    /// All that the oil does to the rod, N.
+    fn force(&self, states: &[f64]) -> f64;
+    /// Rates at displacement x and velocity v of the rod.
+    fn rates(&self, x: f64, v: f64, beside: &Beside, states: &[f64], rates: &mut [f64]);
+}
+
+/// What a damper is like, for effects that have to suit it.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Scale {
+    /// Hydraulic force at 0.5 m/s in rebound, N.
+    pub rebound_n: f64,
+    /// The same in compression, as a positive number.
+    pub compression_n: f64,
+    /// Stiffness of what is in line with the damper, N/m.
+    pub series_n_m: f64,
+    /// Friction, N.
+    pub friction_n: f64,
+    /// Push of the gas at mid-stroke, N.
+    pub gas_n: f64,
+}
+
+/// Small things that are never quite right.
+#[derive(Debug, Clone, Copy)]
+pub struct Slight {
+    /// Rig mass on the damper's side of the load cell, kg.
+    pub laden_kg: f64,
+    /// Change of what the valves pass over the stroke, 1/m.
+    pub position: f64,
+    /// Share of the viscosity's exponent that the valves feel.
+    pub warmth: f64,
+    /// Stiffness of a gas column parallel to the damper, N/m, and its length, m.
+    pub gas: [f64; 2],
+}
+
+/// A damper.
+pub struct Plant {
+    /// Which kind.
+    pub kind: Kind,
+    /// What is in line with it.
+    pub mount: Mount,
+    /// Mass behind the mount, kg.
+    pub mass: f64,
+    /// Friction.
+    pub seal: Seal,
+    /// Whether friction and gas act beside mount and oil together, as in the thesis, or behind the mount.
+    pub seal_is_outside: bool,
+    /// The oil.
+    pub oil: Box<dyn Oil>,
+    /// Small mismatches.
+    pub slight: Slight,
+    /// What it is like.
+    pub scale: Scale,
+}
+
+impl Plant {
+    /// The damper of a seed.
+    pub fn new(kind: Kind, seed: u64) -> Plant {
+        let mut d = Draw::new(seed, kind.name());
+        match kind {
+            Kind::ThesisLike => lumped::plant(&mut d),
+            Kind::Monotube => monotube::plant(&mut d),
+            Kind::TwinTube => twin_tube::plant(&mut d),
+        }
+    }
+}
+
+/// Rebound and compression force at 0.5 m/s: rebound is usually 1.3 to 3.5 times as firm.
+fn forces(d: &mut Draw) -> (f64, f64) {
+    let rebound = d.scale(450.0, 1900.0);
+    (rebound, rebound / d.between(1.3, 3.5))
+}

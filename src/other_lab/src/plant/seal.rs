@@ -1,0 +1,50 @@
+//! Friction of rod seal and guides: LuGre with a Stribeck curve (Canudas de Wit et al., IEEE Trans. Autom. Control 40, 1995).
+
+use crate::draw::Draw;
+
+/// `dz/dt = v − |v| z/g(v)`, F = σ_0 z + σ_1 dz/dt, `g = (F_c + (F_b − F_c) exp(−(v/v_s)²))/σ_0`.
+#[derive(Debug, Clone)]
+pub struct Seal {
+    /// σ_0, N/m.
+    pub stiffness: f64,
+    /// σ_1 at standstill, N s/m; it fades over v_s so that the bristles never drive the rod.
+    pub damping: f64,
+    /// F_c, N.
+    pub sliding: f64,
+    /// F_b, N.
+    pub breakaway: f64,
+    /// v_s, m/s.
+    pub stribeck: f64,
+}
+
+impl Seal {
+    /// A seal with some friction.
+    pub fn new(d: &mut Draw, sliding: (f64, f64)) -> Seal {
+        let sliding = d.scale(sliding.0, sliding.1);
+        let stiffness = sliding / d.scale(4e-5, 2.5e-4);
+        Seal {
+            stiffness,
+            damping: stiffness * d.between(2e-4, 1e-3),
+            sliding,
+            breakaway: sliding * d.between(1.05, 1.35),
+            stribeck: d.scale(8e-3, 3e-2),
+        }
+    }
+
+    /// Deflection of bristles that slide, m.
+    pub fn length(&self) -> f64 {
+        self.sliding / self.stiffness
+    }
+
+    /// dz/dt.
+    pub fn rate(&self, v: f64, z: f64) -> f64 {
+        let level = self.sliding + (self.breakaway - self.sliding) * (-(v / self.stribeck).powi(2)).exp();
+        v - v.abs() * z * self.stiffness / level
+    }
+
+    /// The friction.
+    pub fn force(&self, v: f64, z: f64) -> f64 {
+        let fades = (-(v / self.stribeck).powi(2)).exp();
+        self.stiffness * z + self.damping * fades * self.rate(v, z)
+    }
+}

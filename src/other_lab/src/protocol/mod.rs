@@ -1,0 +1,127 @@
+//! How a campaign is run and measured.
+
+pub mod motion;
+pub mod plan;
+
+use crate::LabError;
+use crate::draw::Draw;
+use plan::Plan;
+use serde::Serialize;
+
+/// How a campaign is run and measured.
+#[derive(Debug, Clone, Serialize)]
+pub struct Protocol {
+    /// The tests.
+    pub plan: Plan,
+    /// Sampling, Hz: slow tests are thinned, see `most_samples`.
+    pub sample_rate_hz: f64,
+    /// A sine or triangle with more samples than this is sampled more slowly, in whole parts.
+    pub most_samples: usize,
+    /// Cycles at full amplitude.
+    pub cycles: u32,
+    /// Duration of a road, s.
+    pub road_s: f64,
+    /// Rest before the motion, s.
+    pub rest_s: f64,
+    /// Force noise as a percentage of each test's rms; 0.5 N come on top. 0: no noise in any channel.
+    pub noise_percent: f64,
+    /// Correlation of neighbouring samples of the force noise (AR(1)); 0: white.
+    pub noise_colour: f64,
+    /// Amplitude of 50 Hz hum on the force, N.
+    pub hum_n: f64,
+    /// Steps of the converter of force and displacement as powers of two; none: no rounding.
+    pub bits: Option<u32>,
+    /// How late the force channel is, s.
+    pub force_delay_s: f64,
+    /// Zero error of the force, N.
+    pub force_offset_n: f64,
+    /// Zero error of the displacement, m.
+    pub displacement_offset_m: f64,
+    /// Whether velocity is measured.
+    pub velocity_channel: bool,
+    /// Whether the temperature of the oil is measured.
+    pub temperature_channel: bool,
+    /// Whether the tests are run in random order, repeats at start, middle and end.
+    pub shuffled: bool,
+    /// How many times the recorded cycles each test is run before, unrecorded, for which the oil warms up.
+    pub conditioning: f64,
+}
+
+impl Default for Protocol {
+    fn default() -> Protocol {
+        Protocol {
+            plan: Plan::Sines,
+            sample_rate_hz: 2000.0,
+            most_samples: 1600,
+            cycles: 3,
+            road_s: 10.0,
+            rest_s: 0.2,
+            noise_percent: 2.0,
+            noise_colour: 0.0,
+            hum_n: 0.0,
+            bits: None,
+            force_delay_s: 0.0,
+            force_offset_n: 0.0,
+            displacement_offset_m: 0.0,
+            velocity_channel: true,
+            temperature_channel: true,
+            shuffled: true,
+            conditioning: 30.0,
+        }
+    }
+}
+
+impl Protocol {
+    /// Some laboratory's way: sampling from 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or coloured noise, hum,
+    /// with or without channels for velocity and temperature. Neither delay nor offset: those are asked for.
+    pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
+        let mut d = Draw::new(seed, "laboratory");
+        let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];
+        Protocol {
+            plan,
+            sample_rate_hz,
+            most_samples: [1000, 2000, 4000][d.choice(3)],
+            cycles: [3, 3, 4, 5, 8, 12, 20, 30][d.choice(8)],
+            road_s: d.between(10.0, 30.0).round(),
+            rest_s: d.between(0.1, 0.6),
+            noise_percent: d.between(1.0, 3.0),
+            noise_colour: if d.choice(2) == 0 { 0.0 } else { d.between(0.5, 0.95) },
+            hum_n: if d.choice(2) == 0 { 0.0 } else { d.between(0.5, 4.0) },
+            bits: [None, Some(12), Some(14), Some(16)][d.choice(4)],
+            velocity_channel: d.choice(2) == 0,
+            temperature_channel: d.choice(2) == 0,
+            ..Protocol::default()
+        }
+    }
+}
+
+impl Protocol {
+    /// Whether it can be run.
+    ///
+    /// # Errors
+    /// [`LabError::Protocol`] names what cannot.
+    pub fn check(&self) -> Result<(), LabError> {
+        let positive = [
+            ("sample_rate_hz", self.sample_rate_hz),
+            ("most_samples", self.most_samples as f64),
+            ("cycles", f64::from(self.cycles)),
+            ("road_s", self.road_s - 2.0),
+        ];
+        let not_negative = [
+            ("rest_s", self.rest_s),
+            ("noise_percent", self.noise_percent),
+            ("noise_colour", self.noise_colour),
+            ("conditioning", self.conditioning),
+            ("force_delay_s", self.force_delay_s),
+        ];
+        let wrong = positive.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0));
+        let wrong = wrong.or_else(|| not_negative.iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)));
+        if let Some((what, _)) = wrong {
+            return Err(LabError::Protocol { what, why: "it has to be a positive number (road_s: above 2 s)" });
+        }
+        if self.noise_colour >= 1.0 {
+            return Err(LabError::Protocol { what: "noise_colour", why: "it has to be below 1" });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,206 @@
+//! Motions of the driven end.
+
+use crate::draw::Draw;
+use crate::jet::Jet;
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// A motion about the mean displacement.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+pub enum Motion {
+    /// A sine.
+    Sine {
+        /// Amplitude, m.
+        amplitude: f64,
+        /// Frequency, Hz.
+        frequency: f64,
+    },
+    /// A triangle with rounded tips: constant speed in between.
+    Triangle {
+        /// Amplitude, m.
+        amplitude: f64,
+        /// Frequency, Hz.
+        frequency: f64,
+    },
+    /// A sine whose frequency grows exponentially; its amplitude falls so that the peak velocity stays.
+    Sweep {
+        /// Amplitude at the first frequency, m.
+        amplitude: f64,
+        /// First and last frequency, Hz.
+        frequencies: (f64, f64),
+        /// Duration, s.
+        seconds: f64,
+    },
+    /// A road: waves of random phases up to 25 Hz whose displacement falls with frequency as that of a road does.
+    Road {
+        /// Largest displacement, m.
+        displacement: f64,
+        /// Largest velocity, m/s.
+        velocity: f64,
+        /// Duration, s.
+        seconds: f64,
+        /// Which road.
+        seed: u64,
+    },
+}
+
+/// Tips of a triangle are rounded: this share of the peak of the sine below it.
+const SHARP: f64 = 0.995;
+const WAVES: usize = 28;
+/// Time in which a road or sweep sets in and fades, s.
+const FADE: f64 = 0.5;
+
+/// A motion that is ready to be asked.
+#[derive(Debug, Clone)]
+pub struct Ready {
+    motion: Motion,
+    mean: f64,
+    rest: f64,
+    cycles: f64,
+    /// Amplitude, angular frequency and phase of a road's waves.
+    waves: Vec<[f64; 3]>,
+}
+
+impl Motion {
+    /// Longest time that a step of the simulation may take, s.
+    pub fn longest_step(&self) -> f64 {
+        match self {
+            Motion::Sine { frequency, .. } => 1.0 / (110.0 * frequency),
+            Motion::Triangle { frequency, .. } => 1.0 / (200.0 * frequency),
+            Motion::Sweep { .. } | Motion::Road { .. } => 2e-3,
+        }
+    }
+
+    /// Time that full motion lasts, s.
+    pub fn seconds(&self, cycles: f64) -> f64 {
+        match self {
+            Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => cycles / frequency,
+            Motion::Sweep { seconds, .. } | Motion::Road { seconds, .. } => *seconds,
+        }
+    }
+
+    /// Time in which the motion is built up before that, s.
+    pub fn run_up(&self) -> f64 {
+        match self {
+            Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => 1.0 / frequency,
+            _ => 0.0,
+        }
+    }
+
+    /// Makes it ready about a mean displacement, after some rest.
+    pub fn ready(&self, mean: f64, rest: f64, cycles: f64) -> Ready {
+        let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
+        if let Motion::Road { displacement, velocity, seconds, seed } = *self {
+            let mut d = Draw::new(seed, "road");
+            let ratio = (25.0f64 / 0.5).ln() / WAVES as f64;
+            let drawn: Vec<[f64; 2]> =
+                (0..WAVES).map(|i| [0.5 * ((i as f64 + d.share()) * ratio).exp(), TAU * d.share()]).collect();
+            // A steeper spectrum moves further at the same velocity: the one that uses both limits is found by halving.
+            let (mut flat, mut steep) = (-0.3, 1.5);
+            for _ in 0..24 {
+                let power = 0.5 * (flat + steep);
+                ready.waves = drawn
+                    .iter()
+                    .map(|[f, phase]| [f.powf(-power) / (1.0 + (f / 15.0).powi(4)), TAU * f, *phase])
+                    .collect();
+                let (mut x, mut v) = (0.0f64, 0.0f64);
+                for i in 0..(seconds * 100.0) as usize {
+                    let at = ready.at(rest + i as f64 / 100.0);
+                    (x, v) = (x.max((at.x - mean).abs()), v.max(at.v.abs()));
+                }
+                let factor = (displacement / x).min(velocity / v);
+                ready.waves.iter_mut().for_each(|wave| wave[0] *= factor);
+                if displacement / x < velocity / v {
+                    steep = power;
+                } else {
+                    flat = power;
+                }
+                if (displacement / x / (velocity / v)).ln().abs() < 0.01 {
+                    break;
+                }
+            }
+        }
+        ready
+    }
+}
+
+impl Ready {
+    /// Displacement, velocity and acceleration at time `t` of the record.
+    pub fn at(&self, t: f64) -> Jet {
+        let since = Jet::time(t - self.rest);
+        if since.x <= 0.0 {
+            return Jet::constant(self.mean);
+        }
+        let moved = match self.motion {
+            Motion::Sine { amplitude, frequency } => {
+                since.times(TAU * frequency).sin().times(amplitude) * since.times(frequency).smooth_step()
+            }
+            Motion::Triangle { amplitude, frequency } => {
+                let wave = since.times(TAU * frequency).sin().times(SHARP).asin().times(amplitude / SHARP.asin());
+                wave * since.times(frequency).smooth_step()
+            }
+            Motion::Sweep { amplitude, frequencies: (from, to), seconds } => {
+                let rate = (to / from).ln() / seconds;
+                let growth = (rate * since.x).exp();
+                let growth = since.times(rate).through(growth, growth, growth);
+                let phase = (growth - Jet::constant(1.0)).times(TAU * from / rate);
+                phase.sin() * growth.powf(-1.0).times(amplitude) * self.fades(since, seconds)
+            }
+            Motion::Road { seconds, .. } => {
+                let sum = self.waves.iter().fold(Jet::constant(0.0), |sum, [size, omega, phase]| {
+                    let (s, c) = (omega * since.x + phase).sin_cos();
+                    sum + Jet { x: size * s, v: size * omega * c, a: -size * omega * omega * s }
+                });
+                sum * self.fades(since, seconds)
+            }
+        };
+        Jet::constant(self.mean) + moved
+    }
+
+    fn fades(&self, since: Jet, seconds: f64) -> Jet {
+        let start = since.times(1.0 / FADE).smooth_step();
+        start * (Jet::constant(seconds) - since).times(1.0 / FADE).smooth_step()
+    }
+
+    /// Length of the record, s.
+    pub fn seconds(&self) -> f64 {
+        self.rest + self.motion.run_up() + self.motion.seconds(self.cycles)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn velocity_and_acceleration_belong_to_displacement() {
+        for motion in [
+            Motion::Sine { amplitude: 0.02, frequency: 2.0 },
+            Motion::Triangle { amplitude: 0.02, frequency: 1.0 },
+            Motion::Sweep { amplitude: 0.02, frequencies: (0.5, 10.0), seconds: 5.0 },
+            Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 5.0, seed: 4 },
+        ] {
+            let ready = motion.ready(0.01, 0.2, 3.0);
+            let h = 1e-6;
+            for i in 0..60 {
+                let t = 0.21 + 0.047 * f64::from(i);
+                let (before, at, after) = (ready.at(t - h), ready.at(t), ready.at(t + h));
+                assert!((at.v - (after.x - before.x) / (2.0 * h)).abs() < 1e-6, "{motion:?} at {t}");
+                assert!(
+                    (at.a - (after.v - before.v) / (2.0 * h)).abs() < 1e-3 * (1.0 + at.a.abs()),
+                    "{motion:?} at {t}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn roads_keep_their_limits_and_use_one() {
+        let road = Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 10.0, seed: 7 }.ready(0.0, 0.2, 1.0);
+        let all: Vec<Jet> = (0..10_200).map(|i| road.at(f64::from(i) * 1e-3)).collect();
+        let x = all.iter().fold(0.0f64, |m, at| m.max(at.x.abs())) / 0.03;
+        let v = all.iter().fold(0.0f64, |m, at| m.max(at.v.abs())) / 0.8;
+        assert!(x < 1.03 && v < 1.03 && x.max(v) > 0.97, "{x} {v}");
+    }
+}

@@ -1,0 +1,46 @@
+//! Runs the second laboratory's cases: `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference]
+//! [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it.
+
+use dashpot_proving::laboratory::{run, suite};
+use dashpot_proving::outcome::Outcome;
+use dashpot_proving::score;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let number = |place: usize, or: u64| args.get(place).and_then(|a| a.parse().ok()).unwrap_or(or);
+    let with_reference = args.iter().any(|a| a == "reference");
+    let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    for (block, case) in suite(number(0, 1), number(1, 1000)) {
+        let hidden = case.effects.first().map_or("nothing", |(name, _)| name.as_str());
+        if only.is_some_and(|names| !names.split(',').any(|name| name == hidden)) {
+            continue;
+        }
+        match run(block, &case, with_reference) {
+            Ok((o, _)) => {
+                eprintln!(
+                    "{} {} {} {:?} seed {} -> {:?} {:?} {:?} gap {:?} {:.1}s",
+                    o.block,
+                    case.plant.name(),
+                    hidden,
+                    o.forms,
+                    o.seed,
+                    o.verdict,
+                    o.named,
+                    o.suspects,
+                    o.gap_closed,
+                    o.seconds
+                );
+                outcomes.push(o);
+            }
+            Err(error) => eprintln!("{block} {hidden} seed {}: {error}", case.seed),
+        }
+    }
+    if let Some(path) = args.iter().find(|a| a.ends_with(".jsonl")) {
+        let lines: Vec<String> = outcomes.iter().filter_map(|o| serde_json::to_string(o).ok()).collect();
+        if let Err(error) = std::fs::write(path, lines.join("\n") + "\n") {
+            eprintln!("{path}: {error}");
+        }
+    }
+    println!("{}\n{}", score::table(&outcomes), score::confusion(&outcomes));
+}

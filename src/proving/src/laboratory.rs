@@ -1,0 +1,233 @@
+//! The second laboratory's campaigns as cases: measured, read back as files, base model identified, strengths found by the
+//! severity that they make.
+
+use crate::ProvingError;
+use crate::case::{Measured, base_model};
+use crate::outcome::{Outcome, judged};
+use dashpot_core::Params;
+use dashpot_diagnosis::{Diagnosis, Options, refitted};
+use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind};
+use dashpot_records::{self as records, Record};
+use dashpot_rig::{HiddenEffect, Truth};
+use std::collections::BTreeMap;
+
+/// How near the severity must come.
+const NEAR: f64 = 0.1;
+/// Most strengths tried.
+const TRIES: usize = 8;
+/// Strengths a case may have: beyond them a law is no damper's any more.
+const STRENGTHS: (f64, f64) = (1e-3, 12.0);
+/// Constant part of the laboratory's force noise, N.
+const LEAST_NOISE: f64 = 0.5;
+
+/// The campaign of a case as the diagnosis gets it; the strengths are those of the case.
+///
+/// # Errors
+/// What laboratory, reader or fit refuse.
+pub fn measure(case: &Case) -> Result<Measured, ProvingError> {
+    let campaign = case.run()?;
+    let records = read(&campaign)?;
+    let clean = read(&campaign.without_noise())?;
+    let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(HELD_OUT)).collect();
+    let base = base_of(case, &seen(&records))?;
+    let effects = campaign.truth.hidden.iter().map(|hidden| HiddenEffect {
+        name: hidden.effect.clone(),
+        form: hidden.law.clone(),
+        strength: hidden.strength,
+        shapes: BTreeMap::new(),
+    });
+    let scale = &campaign.truth.scale;
+    let damper = [
+        ("rebound_n", scale.rebound_n),
+        ("compression_n", scale.compression_n),
+        ("series_n_m", scale.series_n_m),
+        ("friction_n", scale.friction_n),
+        ("gas_n", scale.gas_n),
+    ];
+    let truth = Truth {
+        seed: case.seed,
+        effects: effects.collect(),
+        damper: damper.map(|(name, value)| (name.to_owned(), value)).into(),
+    };
+    let strengths = case.effects.iter().map(|(_, strength)| *strength).collect();
+    Ok(Measured { records, clean, held_out, base, strengths, truth })
+}
+
+/// Effects that a free FV curve, the base's own friction or the base's own springs take up nearly whole: no severity is in reach.
+const TAKEN_UP: [&str; 6] =
+    ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
+
+/// Cases of the second laboratory at typical strengths: every effect that leaves a trace, everything outside the vocabulary and as many with
+/// nothing hidden, on each plant in turn; `rounds` times over, with seeds from `first_seed` on.
+pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
+    let (known, unknown) = (dashpot_other_lab::hidden::KNOWN, dashpot_other_lab::hidden::UNKNOWN);
+    let mut seed = first_seed;
+    let mut all = Vec::new();
+    for round in 0..rounds as usize {
+        let mut next = |k: usize| {
+            seed += 1;
+            Case::new(Kind::ALL[(k + round) % Kind::ALL.len()], seed)
+        };
+        let names = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name));
+        all.extend(names.enumerate().map(|(k, name)| ("single", next(k).hiding(name, 1.0))));
+        all.extend(unknown.iter().enumerate().map(|(k, u)| ("unknown", next(k).hiding(u.effect.name, 1.0))));
+        all.extend((0..unknown.len()).map(|k| ("null_white", next(k))));
+    }
+    all
+}
+
+/// Runs and scores one case; with the same damper without what is hidden as its reference, where that is wanted.
+///
+/// # Errors
+/// What laboratory, reader, fit or diagnosis refuse.
+pub fn run(block: &'static str, case: &Case, with_reference: bool) -> Result<(Outcome, Diagnosis), ProvingError> {
+    let measured = measure(case)?;
+    let reference = if with_reference { read(&case.reference().run()?)? } else { Vec::new() };
+    let options = Options { reference, ..Options::default() };
+    judged(block, case.seed, &case.effects, &measured, &options)
+}
+
+/// The same case with each effect as strong as it has to be, by itself, for the severity that stands in the place of its
+/// strength: what a refit of the base model cannot absorb, root mean square, in units of the noise.
+///
+/// # Errors
+/// What laboratory, reader or fit refuse; a severity that no strength reaches.
+pub fn at_severities(case: &Case) -> Result<Case, ProvingError> {
+    let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
+    let ground = Ground::new(case, &neutral)?;
+    let mut found = case.clone();
+    for (asked, (name, wanted)) in found.effects.iter_mut().zip(&case.effects) {
+        asked.1 = ground.strength(case, name, *wanted)?;
+    }
+    Ok(found)
+}
+
+/// Records as a user reads them: written to files and loaded.
+///
+/// # Errors
+/// What laboratory or reader refuse.
+pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("campaign");
+    campaign.write(&path)?;
+    let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
+    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| ProvingError::Records(e.to_string()))?;
+    Ok(loaded.records)
+}
+
+fn seen(records: &[Record]) -> Vec<&Record> {
+    records.iter().filter(|r| !r.name.starts_with(HELD_OUT)).collect()
+}
+
+fn base_of(case: &Case, records: &[&Record]) -> Result<Params, ProvingError> {
+    let mut base = base_model(records)?;
+    if case.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
+        // A name of the kernel's own list.
+        let _ = base.enable("side_force_friction", false);
+    }
+    Ok(base)
+}
+
+/// The damper without what is hidden, against which an effect is measured.
+struct Ground {
+    base: Params,
+    noise: Vec<f64>,
+    /// What the base model leaves of it, in units of the noise.
+    own: Vec<f64>,
+}
+
+impl Ground {
+    fn new(case: &Case, neutral: &Campaign) -> Result<Ground, ProvingError> {
+        let clean = read(&neutral.without_noise())?;
+        let records = seen(&clean);
+        let noise: Vec<f64> = records
+            .iter()
+            .map(|r| {
+                let rms = (r.force.iter().map(|f| f * f).sum::<f64>() / r.force.len().max(1) as f64).sqrt();
+                0.01 * case.protocol.noise_percent * rms + LEAST_NOISE
+            })
+            .collect();
+        let base = base_of(case, &records)?;
+        let (base, own) = refitted(&records, &noise, &base).ok_or(ProvingError::NotFinite)?;
+        Ok(Ground { base, noise, own })
+    }
+
+    fn severity(&self, case: &Case, name: &str, strength: f64, wanted: f64) -> Result<f64, ProvingError> {
+        let campaign = Case { effects: vec![(name.to_owned(), strength)], ..case.clone() }.run()?;
+        let clean = read(&campaign.without_noise())?;
+        let records = seen(&clean);
+        let from_neutral = self.left(&records, &self.base)?;
+        if from_neutral <= wanted * (1.0 + NEAR) {
+            return Ok(from_neutral);
+        }
+        // A refit may have stopped on the way that a fresh model does not have to go.
+        Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
+    }
+
+    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, ProvingError> {
+        let (_, left) = refitted(records, &self.noise, model).ok_or(ProvingError::NotFinite)?;
+        if left.len() != self.own.len() {
+            return Err(ProvingError::OtherSamples);
+        }
+        let square: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
+        Ok((square / left.len().max(1) as f64).sqrt())
+    }
+
+    /// By halving between what is too weak and what is too strong, on a logarithmic scale.
+    fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, ProvingError> {
+        if wanted <= 0.0 {
+            return Ok(0.0);
+        }
+        let (mut low, mut high) = (None::<(f64, f64)>, None::<(f64, f64)>);
+        let mut strength: f64 = 0.5;
+        let mut best = (f64::INFINITY, strength, 0.0);
+        for _ in 0..TRIES {
+            let found = self.severity(case, name, strength, wanted)?.max(1e-3);
+            let off = (found / wanted).ln();
+            if off.abs() < best.0 {
+                best = (off.abs(), strength, found);
+            }
+            if off.abs() < NEAR {
+                break;
+            }
+            *(if off < 0.0 { &mut low } else { &mut high }) = Some((strength.ln(), off));
+            let next = match (low, high) {
+                // The trace is nearly straight on logarithms; kept inside what is known.
+                (Some((a, fa)), Some((b, fb))) => a + (b - a) * (fa / (fa - fb)).clamp(0.15, 0.85),
+                (Some((a, fa)), None) => a - fa.max(-2.0),
+                (None, Some((b, fb))) => b - fb.min(3.0),
+                (None, None) => strength.ln(),
+            };
+            let next = next.exp().clamp(STRENGTHS.0, STRENGTHS.1);
+            if (next / strength).ln().abs() < 1e-3 {
+                break;
+            }
+            strength = next;
+        }
+        if best.0 < 0.35 {
+            return Ok(best.1);
+        }
+        Err(ProvingError::OutOfReach { effect: name.to_owned(), reached: best.2, wanted })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_other_lab::{Plan, Protocol};
+
+    #[test]
+    fn strength_makes_the_severity_that_was_asked_for() {
+        let protocol = Protocol { plan: Plan::Reduced, ..Protocol::default() };
+        let case = Case { protocol, ..Case::new(Kind::ThesisLike, 2) }.hiding("free_play", 2.0);
+        let found = at_severities(&case).unwrap();
+        let neutral = Case { effects: Vec::new(), ..case.clone() }.run().unwrap();
+        let reached =
+            Ground::new(&case, &neutral).unwrap().severity(&case, "free_play", found.effects[0].1, 2.0).unwrap();
+        assert!((reached / 2.0).ln().abs() < 0.35, "{reached}");
+        let measured = measure(&found).unwrap();
+        assert_eq!(measured.records.len(), measured.held_out.len());
+        assert_eq!(measured.truth.effects[0].name, "free_play");
+        assert!(measured.held_out.iter().any(|out| *out) && measured.base.is_on("fv_curve"));
+    }
+}

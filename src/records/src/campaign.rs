@@ -1,0 +1,662 @@
+//! Loads the records of a campaign: finds the files, reads and cleans them in parallel, settles the sign.
+
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::channel::Channel;
+use super::cleaning;
+use super::delay::Delay;
+use super::error::RecordError;
+use super::options::Options;
+use super::plausibility;
+use super::profile::{self, Profile};
+use super::record::{Note, Record};
+use super::samples::Samples;
+use super::sign::{self, SignFinding};
+use super::{csv, glob, mat, rpc, slips, xlsx};
+
+/// The records of a campaign, cleaned, in SI, rebound and tension positive.
+#[derive(Debug, Clone, Serialize)]
+pub struct Campaign {
+    /// One record per test, in natural order of the file names, then in the order within the file.
+    pub records: Vec<Record>,
+    /// Which direction the files count positive, and how sure that is.
+    pub sign: SignFinding,
+    /// How late the force comes, where that stands out; nothing was moved for it.
+    pub delay: Option<Delay>,
+    /// What concerns the campaign as a whole.
+    pub notes: Vec<Note>,
+}
+
+/// How far loading has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Steps done.
+    pub done: usize,
+    /// Steps in all; may grow while files turn out to hold several tests.
+    pub total: usize,
+}
+
+/// Loads files and folders as one campaign.
+///
+/// A folder stands for all record files directly in it. What `campaign.toml` beside the records says holds where `options`
+/// say nothing. A file that is no record is named and left out, unless [`Options::strict`]. `progress` is called from
+/// several threads, once per finished step. The result does not depend on the number of threads.
+///
+/// # Errors
+/// [`RecordError`] for the first file, in order, that cannot be read or trusted.
+pub fn load(
+    paths: &[PathBuf],
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Campaign, RecordError> {
+    if let Some(&channel) = [Channel::Time, Channel::Force].iter().find(|c| options.ignore.contains(c)) {
+        return Err(RecordError::Indispensable { channel });
+    }
+    let mut notes = Vec::new();
+    let Found { files, folders, mut excluded } = find(paths, options, &mut notes)?;
+    let given = options;
+    let options = &whole(given, &folders)?;
+    let counter = Counter::new(files.len(), progress);
+    // Every file is read before the first error is picked, so that the error does not depend on the threads.
+    let read: Vec<Result<Vec<Samples>, RecordError>> = files
+        .par_iter()
+        .map(|file| {
+            let tests = read_file(&file.path, &file.options);
+            counter.step(tests.as_ref().map_or(0, Vec::len));
+            tests
+        })
+        .collect();
+    let mut strays = Strays { strict: options.strict, left_out: Vec::new() };
+    let mut tests: Vec<(&Options, Samples)> = Vec::new();
+    for (file, read) in files.iter().zip(read) {
+        let read = strays.pass(read)?.unwrap_or_default();
+        let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
+        tests.extend(kept.map(|test| (&*file.options, test)));
+    }
+    if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
+        let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
+        return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
+    }
+    if tests.is_empty() && strays.left_out.is_empty() {
+        return Err(RecordError::ExcludesAll { count: excluded.count });
+    }
+    let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
+        tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
+    let mut pieces = Vec::new();
+    for (options, sorted) in sorted {
+        pieces.extend(strays.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
+    }
+    let mended: Vec<Result<_, RecordError>> = pieces
+        .into_par_iter()
+        .map(|(options, test)| {
+            let mended = cleaning::mend(test, options);
+            counter.step(0);
+            mended
+        })
+        .collect();
+    let mut motions =
+        mended.into_iter().map(|m| strays.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    strays.tell(motions.is_empty(), &mut notes)?;
+    tell_gaps(&motions, &mut notes);
+    let (sign, delay) = sign::settle(&mut motions, options, &mut notes)?;
+    let mut records: Vec<Record> = motions
+        .into_par_iter()
+        .map(|motion| {
+            let record = cleaning::finish(motion)?;
+            plausibility::refuse_absurd(&record)?;
+            Ok(record)
+        })
+        .collect::<Result<_, _>>()?;
+    unique_names(&mut records);
+    slips::refuse(&records, options)?;
+    plausibility::remark(&records, &mut notes)?;
+    Ok(Campaign { records, sign, delay, notes })
+}
+
+/// Files that are no records, met on the way.
+struct Strays {
+    strict: bool,
+    left_out: Vec<RecordError>,
+}
+
+impl Strays {
+    /// Nothing where a file is no record; other errors stay errors.
+    fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
+        match read {
+            Ok(value) => Ok(Some(value)),
+            Err(error) if error.is_stray() && !self.strict => {
+                self.left_out.push(error);
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    fn tell(mut self, nothing_left: bool, notes: &mut Vec<Note>) -> Result<(), RecordError> {
+        if nothing_left && !self.left_out.is_empty() {
+            return Err(self.left_out.remove(0));
+        }
+        let long = |text: String| {
+            // The full list of headings understood is no news here.
+            let end = text.find(" Understood are").unwrap_or(text.len());
+            text[..end].to_owned()
+        };
+        /// Strays that are named one by one.
+        const NAMED: usize = 20;
+        let more = self.left_out.len().saturating_sub(NAMED);
+        notes.extend(self.left_out.into_iter().take(NAMED).map(|error| Note {
+            kind: "left_out",
+            text: format!("left out, as it is no record: {}", long(error.to_string())),
+        }));
+        if more > 0 {
+            notes.push(Note { kind: "left_out", text: format!("{more} more were left out, as they are no records") });
+        }
+        Ok(())
+    }
+}
+
+/// Gaps concern what counts as a test, so the campaign says them, before anything else.
+fn tell_gaps(motions: &[cleaning::Motion], notes: &mut Vec<Note>) {
+    let mut told: Vec<Note> = Vec::new();
+    for motion in motions {
+        if let Some(note) = motion.notes.iter().find(|n| n.kind == "gap") {
+            let text = format!("{}: {}", motion.at.file.display(), note.text);
+            if told.iter().all(|n| n.text != text) {
+                told.push(Note { kind: "gap", text });
+            }
+        }
+    }
+    notes.splice(0..0, told);
+}
+
+/// What holds for the campaign as a whole: the options, and the direction that profiles agree on.
+fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, RecordError> {
+    let mut whole = options.clone();
+    if let [(_, only)] = folders {
+        whole = whole.over(only);
+    }
+    let mut said = folders.iter().filter_map(|(folder, of)| of.positive.map(|p| (folder, p)));
+    if let (None, Some((first, positive))) = (options.positive, said.next()) {
+        if let Some((second, _)) = said.find(|(_, other)| *other != positive) {
+            return Err(RecordError::ProfilesDisagree {
+                first: first.join(profile::FILE),
+                second: second.join(profile::FILE),
+            });
+        }
+        whole.positive = Some(positive);
+    }
+    whole.strict = options.strict;
+    Ok(whole)
+}
+
+/// Counts finished steps for the caller's progress display.
+struct Counter<'a> {
+    done: std::sync::atomic::AtomicUsize,
+    total: std::sync::atomic::AtomicUsize,
+    report: &'a (dyn Fn(Progress) + Sync),
+}
+
+impl<'a> Counter<'a> {
+    fn new(total: usize, report: &'a (dyn Fn(Progress) + Sync)) -> Self {
+        Counter { done: 0.into(), total: total.into(), report }
+    }
+
+    fn step(&self, new_steps: usize) {
+        use std::sync::atomic::Ordering::Relaxed;
+        let total = self.total.fetch_add(new_steps, Relaxed) + new_steps;
+        let done = self.done.fetch_add(1, Relaxed) + 1;
+        (self.report)(Progress { done, total });
+    }
+}
+
+/// A file to read, and how.
+struct File {
+    path: PathBuf,
+    options: Arc<Options>,
+}
+
+/// What is to be read.
+struct Found {
+    files: Vec<File>,
+    /// Folders with a profile, and what it says.
+    folders: Vec<(PathBuf, Options)>,
+    excluded: Excluded,
+}
+
+/// What patterns have left out.
+#[derive(Default)]
+struct Excluded {
+    patterns: BTreeSet<String>,
+    count: usize,
+}
+
+impl Excluded {
+    /// Whether a file or test is left out by its name.
+    fn takes(&mut self, options: &Options, name: &str) -> bool {
+        let matching: Vec<&String> = options.exclude.iter().filter(|p| glob::matches(p, name)).collect();
+        self.count += usize::from(!matching.is_empty());
+        self.patterns.extend(matching.iter().map(|p| (*p).clone()));
+        !matching.is_empty()
+    }
+}
+
+/// The record files among the paths, folders opened, with what is said about them.
+fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<Found, RecordError> {
+    if paths.is_empty() {
+        return Err(RecordError::NoPaths);
+    }
+    let mut found = Found { files: Vec::new(), folders: Vec::new(), excluded: Excluded::default() };
+    let mut known: HashMap<PathBuf, Arc<Options>> = HashMap::new();
+    let mut seen: HashSet<PathBuf> = HashSet::new();
+    for path in paths {
+        if !path.exists() {
+            return Err(RecordError::NotFound { file: path.clone() });
+        }
+        let folder = profile::folder_of(path);
+        let own = match known.get(&folder) {
+            Some(own) => own.clone(),
+            None => {
+                let own = match Profile::of(&folder)? {
+                    Some(profile) => {
+                        // Checked when it was read.
+                        let said = profile.options().unwrap_or_default();
+                        notes.push(Note {
+                            kind: "profile",
+                            text: format!("read as {} says", folder.join(profile::FILE).display()),
+                        });
+                        let own = options.over(&said);
+                        found.folders.push((folder.clone(), said));
+                        own
+                    }
+                    None => options.clone(),
+                };
+                known.entry(folder.clone()).or_insert(Arc::new(own)).clone()
+            }
+        };
+        let entries = if path.is_dir() {
+            entries(path, found.folders.iter().any(|(f, _)| *f == folder), notes)?
+        } else {
+            vec![path.clone()]
+        };
+        if path.is_dir() && entries.is_empty() {
+            return Err(RecordError::EmptyFolder { folder: path.clone() });
+        }
+        for entry in entries {
+            // The same file by another path is the same file.
+            let place = std::fs::canonicalize(&entry).unwrap_or_else(|_| entry.clone());
+            let stem = entry.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            if seen.insert(place)
+                && !found.excluded.takes(&own, &file_name(&entry))
+                && !found.excluded.takes(&own, &stem)
+            {
+                found.files.push(File { path: entry, options: own.clone() });
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The record files in a folder, in natural order; the rest is named.
+fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Vec<PathBuf>, RecordError> {
+    let unreadable = |source| RecordError::Read { file: folder.to_owned(), source };
+    let mut entries = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        entries.push(entry.map_err(unreadable)?.path());
+    }
+    entries.sort_by(|a, b| natural_order(&file_name(a), &file_name(b)));
+    let (mut files, mut ignored) = (Vec::new(), Vec::new());
+    for entry in entries {
+        let name = file_name(&entry);
+        // Hidden files, the lock files that a spreadsheet leaves beside an open workbook, and what was read already.
+        if name.starts_with('.') || name.starts_with("~$") || (has_profile && name == profile::FILE) {
+            continue;
+        }
+        if entry.is_file() && is_record_name(&entry) {
+            files.push(entry);
+        } else {
+            ignored.push(name);
+        }
+    }
+    if !ignored.is_empty() {
+        notes.push(Note {
+            kind: "ignored",
+            text: format!("in {}, not read as records: {}", folder.display(), ignored.join(", ")),
+        });
+    }
+    Ok(files)
+}
+
+/// Whether a file is read as a record where its folder is given, by its name.
+pub fn is_record_name(path: &Path) -> bool {
+    matches!(
+        extension(path).as_str(),
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "xlsx" | "xlsm" | "mat" | "rsp" | "drv" | "tim"
+    )
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
+}
+
+/// The tests of one file, read by its extension.
+pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    match extension(file).as_str() {
+        "csv" | "txt" | "tsv" | "asc" | "dat" => csv::read(file, &name, options),
+        "xlsx" | "xlsm" => xlsx::read(file, &name, options),
+        "mat" => mat::read(file, &name, options),
+        "rsp" | "drv" | "tim" => rpc::read(file, &name, options),
+        _ => Err(RecordError::UnknownType { file: file.into() }),
+    }
+}
+
+/// Order in which people number files: digits compare as numbers, `test2` before `test10`.
+fn natural_order(a: &str, b: &str) -> Ordering {
+    let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
+    loop {
+        match (left.peek().copied(), right.peek().copied()) {
+            (None, None) => return a.cmp(b),
+            (None, _) => return Ordering::Less,
+            (_, None) => return Ordering::Greater,
+            (Some(x), Some(y)) if x.is_ascii_digit() && y.is_ascii_digit() => {
+                let digits = |side: &mut std::iter::Peekable<std::str::Chars<'_>>| {
+                    let mut text = String::new();
+                    while let Some(c) = side.next_if(char::is_ascii_digit) {
+                        text.push(c);
+                    }
+                    text.trim_start_matches('0').to_string()
+                };
+                let (x, y) = (digits(&mut left), digits(&mut right));
+                let order = x.len().cmp(&y.len()).then_with(|| x.cmp(&y));
+                if order != Ordering::Equal {
+                    return order;
+                }
+            }
+            (Some(x), Some(y)) => {
+                let order = x.to_lowercase().cmp(y.to_lowercase()).then(x.cmp(&y));
+                if x.to_lowercase().ne(y.to_lowercase()) {
+                    return order;
+                }
+                left.next();
+                right.next();
+            }
+        }
+    }
+}
+
+/// Gives records of equal name (same test name in two files) a number, so that every name is one record.
+fn unique_names(records: &mut [Record]) {
+    let mut taken: HashSet<String> = HashSet::with_capacity(records.len());
+    // The number to try next, by name.
+    let mut next: HashMap<String, usize> = HashMap::new();
+    for record in records {
+        if taken.contains(&record.name) {
+            let number = next.entry(record.name.clone()).or_insert(2);
+            let name = loop {
+                let name = format!("{} ({number})", record.name);
+                *number += 1;
+                if !taken.contains(&name) {
+                    break name;
+                }
+            };
+            record.name = name;
+        }
+        taken.insert(record.name.clone());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use super::super::fixtures::SineTest;
+    use super::*;
+
+    fn quiet(_: Progress) {}
+
+    /// A folder with these files.
+    fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in files {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        folder
+    }
+
+    fn load_folder(folder: &tempfile::TempDir, options: &Options) -> Result<Campaign, RecordError> {
+        load(&[folder.path().to_path_buf()], options, &quiet)
+    }
+
+    fn sine(frequency: f64) -> String {
+        SineTest { frequency, seed: (1e3 * frequency) as u64, ..SineTest::default() }.csv()
+    }
+
+    #[test]
+    fn a_folder_is_a_campaign_in_natural_order() {
+        let folder = folder(&[
+            ("test10.csv", &sine(2.0)),
+            ("test2.csv", &sine(0.5)),
+            ("Test1.csv", &sine(0.02)),
+            (".hidden.csv", "rubbish"),
+            ("~$open.xlsx", "rubbish"),
+            ("README.md", "about"),
+            ("campaign.toml", ""),
+        ]);
+        let calls = AtomicUsize::new(0);
+        let progress = |p: Progress| {
+            assert!(p.done >= 1);
+            calls.fetch_add(1, Relaxed);
+        };
+        let campaign = load(&[folder.path().to_path_buf()], &Options::default(), &progress).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["Test1", "test2", "test10"]);
+        assert_eq!(calls.load(Relaxed), 6); // three files, three tests
+        assert_eq!(campaign.sign.positive, super::super::Positive::Rebound);
+        let note = &campaign.notes[0];
+        assert!(
+            note.kind == "ignored" && note.text.contains("README.md, campaign.toml")
+                || note.text.contains("campaign.toml, README.md")
+        );
+        assert!(!note.text.contains("hidden"));
+        for (record, frequency) in campaign.records.iter().zip([0.02, 0.5, 2.0]) {
+            assert_eq!(record.cycles.len(), 5);
+            assert!((record.frequency / frequency - 1.0).abs() < 2e-3, "{}", record.frequency);
+            assert!((record.noise.force_rms / 4.0 - 1.0).abs() < 0.1);
+        }
+    }
+
+    #[test]
+    fn the_result_does_not_depend_on_the_number_of_threads() {
+        let files: Vec<(String, String)> = (1..8).map(|k| (format!("t{k}.csv"), sine(0.3 * f64::from(k)))).collect();
+        let files: Vec<(&str, &str)> = files.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
+        let folder = folder(&files);
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            format!("{:?}", pool.install(|| load_folder(&folder, &Options::default()).unwrap()))
+        };
+        assert!(with(1) == with(4));
+    }
+
+    #[test]
+    fn one_file_with_several_tests_gives_one_record_each() {
+        let mut text = String::from("Test No;Time [ms];Stroke [mm];Force [kN]\n");
+        for (name, frequency) in [("A7", 0.5), ("A8", 2.0)] {
+            let samples = SineTest { frequency, ..SineTest::default() }.samples();
+            let x = samples.displacement.as_ref().unwrap();
+            for ((t, x), f) in samples.time.iter().zip(x).zip(&samples.force) {
+                let row = format!("{name};{:.3};{:.6};{:.7}\n", 1e3 * t, 1e3 * x, 1e-3 * f);
+                text.push_str(&row.replace('.', ","));
+            }
+        }
+        let folder = folder(&[("all.csv", &text)]);
+        let campaign = load_folder(&folder, &Options::default()).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["A7", "A8"]);
+        assert!(campaign.records[1].source.ends_with("all.csv (test 'A8')"));
+        assert!((campaign.records[1].amplitude - 0.05).abs() < 2e-4);
+        let notes = &campaign.records[0].notes;
+        assert!(notes.iter().any(|n| n.kind == "converted") && notes.iter().any(|n| n.kind == "derived"));
+    }
+
+    #[test]
+    fn records_of_equal_name_are_told_apart() {
+        let (one, two) = (folder(&[("a.csv", &sine(1.0))]), folder(&[("a.csv", &sine(2.0))]));
+        let other_way = one.path().join("..").join(one.path().file_name().unwrap()).join("a.csv");
+        let paths = [one.path().join("a.csv"), two.path().to_path_buf(), one.path().join("a.csv"), other_way];
+        let campaign = load(&paths, &Options::default(), &quiet).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a", "a (2)"]);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_refused_with_the_file_named() {
+        let message =
+            |files: &[(&str, &str)]| load_folder(&folder(files), &Options::default()).unwrap_err().to_string();
+        assert!(message(&[("notes.pdf", "")]).contains("holds no record"));
+        assert!(message(&[("notes.txt", "")]).contains("notes.txt: is empty (0 bytes)"));
+        assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
+        // The first bad file in order is named, whichever thread finds its fault first.
+        let files = [("a1.csv", sine(1.0)), ("a2.csv", "x\n".into()), ("a10.csv", "y\n".into())];
+        let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        let strict = Options { strict: true, ..Options::default() };
+        assert!(load_folder(&folder(&files), &strict).unwrap_err().to_string().contains("a2.csv"));
+        let folder = folder(&[("a.pdf", "")]);
+        let path = |name: &str| load(&[folder.path().join(name)], &Options::default(), &quiet).unwrap_err().to_string();
+        assert!(path("missing.csv").contains("missing.csv: there is no such file"));
+        assert!(path("a.pdf").contains("a.pdf: is no record"));
+        assert!(load(&[], &Options::default(), &quiet).unwrap_err().to_string().contains("no record given"));
+    }
+
+    #[test]
+    fn strays_are_named_and_left_out() {
+        let (good, stub) = (sine(1.0), "time_s,x_mm,force_N\n1,2,3\n");
+        let files = [
+            ("a.csv", good.as_str()),
+            ("b.csv", "alpha,beta\n1,2\n"),
+            ("c.csv", ""),
+            ("d.csv", stub),
+            ("e.xlsx", "no workbook"),
+            ("readme.txt", "about this folder\n"),
+        ];
+        let campaign = load_folder(&folder(&files), &Options::default()).unwrap();
+        assert_eq!(campaign.records.len(), 1);
+        let told: Vec<&str> = campaign.notes.iter().filter(|n| n.kind == "left_out").map(|n| n.text.as_str()).collect();
+        assert_eq!(told.len(), 5, "{told:?}");
+        for (name, why) in [
+            ("b.csv", "no header line"),
+            ("c.csv", "is empty"),
+            ("d.csv", "only 1 usable"),
+            ("e.xlsx", "workbook"),
+            ("readme.txt", "header"),
+        ] {
+            assert!(told.iter().any(|t| t.contains(name) && t.contains(why)), "{name}: {told:?}");
+        }
+        // A record that needs an answer is no stray.
+        let unit = good.replace("force_N", "force");
+        let files = [("a.csv", good.as_str()), ("b.csv", unit.as_str())];
+        assert!(
+            load_folder(&folder(&files), &Options::default()).unwrap_err().to_string().contains("'force' has no unit")
+        );
+    }
+
+    #[test]
+    fn files_of_text_in_folders_are_records_whatever_their_ending() {
+        let texts: Vec<String> = [0.5, 1.0, 2.0, 3.0].iter().map(|f| sine(*f).replace(',', "\t")).collect();
+        let blanks = texts[3].replace('\t', "   ");
+        let files = [
+            ("a.txt", texts[0].as_str()),
+            ("b.asc", &texts[1]),
+            ("c.dat", &texts[2]),
+            ("d.tsv", &texts[3]),
+            ("e.txt", &blanks),
+        ];
+        assert_eq!(load_folder(&folder(&files), &Options::default()).unwrap().records.len(), 5);
+    }
+
+    #[test]
+    fn patterns_leave_files_and_tests_out() {
+        let (a, b) = (sine(1.0), sine(2.0));
+        let folder = folder(&[("warmup1.csv", &a), ("t1.csv", &b)]);
+        let with = |patterns: &[&str]| {
+            let exclude = patterns.iter().map(ToString::to_string).collect();
+            load_folder(&folder, &Options { exclude, ..Options::default() })
+        };
+        assert_eq!(with(&["warm*"]).unwrap().records.len(), 1);
+        assert_eq!(with(&["t1.csv"]).unwrap().records[0].name, "warmup1");
+        let message = with(&["none*"]).unwrap_err().to_string();
+        assert!(message.contains("none*") && message.contains("t1.csv"), "{message}");
+        assert!(with(&["*"]).unwrap_err().to_string().contains("leaves no record"));
+    }
+
+    #[test]
+    fn a_profile_beside_the_records_is_obeyed() {
+        let text = sine(1.0).replace("time_s,displacement_m,velocity_m_s,force_N", "A,B,C,D");
+        let profile = "format = \"dashpot campaign profile 1\"\nexclude = [\"warm*\"]\npositive = \"compression\"\n\
+                       columns = { time = \"A\", displacement = \"B\", velocity = \"C\", force = \"4\" }\n\
+                       units = { time = \"s\", displacement = \"m\", velocity = \"m/s\", force = \"N\" }\n";
+        let files = [("a.csv", text.as_str()), ("warmup.csv", text.as_str()), ("campaign.toml", profile)];
+        let folder = folder(&files);
+        for path in [folder.path().to_path_buf(), folder.path().join("a.csv")] {
+            let campaign = load(&[path], &Options::default(), &quiet).unwrap();
+            assert_eq!(campaign.records.len(), 1);
+            assert!(campaign.sign.given && campaign.sign.positive == super::super::Positive::Compression);
+            assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.contains("campaign.toml")));
+        }
+        // The command line wins.
+        let options = Options { positive: Some(super::super::Positive::Rebound), ..Options::default() };
+        assert_eq!(load_folder(&folder, &options).unwrap().sign.positive, super::super::Positive::Rebound);
+        // Two folders that contradict each other.
+        let other = tempfile::tempdir().unwrap();
+        fs::write(other.path().join("b.csv"), &text).unwrap();
+        fs::write(other.path().join("campaign.toml"), profile.replace("compression", "rebound")).unwrap();
+        let paths = [folder.path().to_path_buf(), other.path().to_path_buf()];
+        assert!(load(&paths, &Options::default(), &quiet).unwrap_err().to_string().contains("different directions"));
+    }
+
+    #[test]
+    fn gaps_are_said_first() {
+        let mut text = String::from("time_s,displacement_m,force_N\n");
+        let samples = SineTest::default().samples();
+        for (i, ((t, x), f)) in
+            samples.time.iter().zip(samples.displacement.as_ref().unwrap()).zip(&samples.force).enumerate()
+        {
+            let t = if 2 * i > samples.time.len() { t + 5.0 } else { *t };
+            text += &format!("{t:.6},{x:.9},{f:.4}\n");
+        }
+        let campaign = load_folder(&folder(&[("a.csv", &text), ("z.pdf", "")]), &Options::default()).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a part 1", "a part 2"]);
+        assert!(campaign.notes[0].kind == "gap" && campaign.notes[0].text.contains("a.csv: gaps in time: 5.0"));
+    }
+
+    #[test]
+    fn compression_positive_files_end_rebound_positive() {
+        let mut text = String::from("time_s,displacement_m,force_N\n");
+        let samples = SineTest::default().samples();
+        for ((t, x), f) in samples.time.iter().zip(samples.displacement.as_ref().unwrap()).zip(&samples.force) {
+            text += &format!("{t:.6},{:.9},{:.4}\n", -x, -f);
+        }
+        let campaign = load_folder(&folder(&[("a.csv", &text)]), &Options::default()).unwrap();
+        let record = &campaign.records[0];
+        assert_eq!(campaign.sign.positive, super::super::Positive::Compression);
+        // Cycles begin on the way into rebound.
+        assert!(record.velocity[record.cycles[1].start] > 0.3);
+        assert!((record.mean_displacement - 0.01).abs() < 2e-4);
+    }
+
+    #[test]
+    fn natural_order_compares_numbers_as_numbers() {
+        let mut names = ["t10", "t9", "T1", "t010a", "t", "s3", "t9.5", "t9.10"];
+        names.sort_by(|a, b| natural_order(a, b));
+        assert_eq!(names, ["s3", "t", "T1", "t9", "t9.5", "t9.10", "t10", "t010a"]);
+    }
+}

@@ -1,0 +1,139 @@
+//! What the user knows of the sensors: zeros, a gain, signs, a late force channel. The only place where these are applied.
+
+use super::super::options::Options;
+use super::super::record::Note;
+use super::{Motion, cycles};
+
+/// Applies the corrections of the options, in the file's own directions, with a note for each.
+///
+/// Returns the range of samples that are left; the rest has no partner after a delay was taken out.
+pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<usize> {
+    let mut note = |text: String| motion.notes.push(Note { kind: "corrected", text });
+    if options.force_zero_n != 0.0 {
+        motion.force.iter_mut().for_each(|f| *f -= options.force_zero_n);
+        note(format!("force zero of {} N taken off, as given", options.force_zero_n));
+    }
+    if options.gain != 1.0 {
+        motion.force.iter_mut().for_each(|f| *f *= options.gain);
+        note(format!("force multiplied by {}, as given", options.gain));
+    }
+    if options.displacement_zero_m != 0.0 {
+        motion.displacement.iter_mut().for_each(|x| *x -= options.displacement_zero_m);
+        note(format!("displacement zero of {:.4} mm taken off, as given", 1e3 * options.displacement_zero_m));
+    }
+    if options.flip_force {
+        motion.force.iter_mut().for_each(|f| *f = -*f);
+        motion.notes.push(Note { kind: "flipped", text: "sign of force turned, as asked".into() });
+    }
+    if options.flip_motion {
+        motion.displacement.iter_mut().chain(&mut motion.velocity).for_each(|v| *v = -*v);
+        motion.notes.push(Note { kind: "flipped", text: "sign of displacement and velocity turned, as asked".into() });
+        motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    }
+    let mut note = |text: String| motion.notes.push(Note { kind: "corrected", text });
+    if options.delay_s == 0.0 {
+        return 0..motion.time.len();
+    }
+    note(format!(
+        "force comes {:.3} ms after the motion, as given; the motion was moved there, the force samples are as recorded",
+        1e3 * options.delay_s
+    ));
+    delay_motion(motion, options.delay_s)
+}
+
+/// Gives every force sample the motion of `delay` seconds before. The motion is interpolated, since it is smooth; the
+/// force, whose noise interpolation would colour, is not touched.
+///
+/// Returns the range of the samples, of those before, that have such a motion.
+pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
+    let time = std::mem::take(&mut motion.time);
+    let n = time.len();
+    let (first, last) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
+    let from = time.partition_point(|t| t - delay < first);
+    let to = time.partition_point(|t| t - delay <= last).max(from);
+    let mut displacement = Vec::with_capacity(to - from);
+    let mut velocity = Vec::with_capacity(to - from);
+    let mut at = 0;
+    for t in &time[from..to] {
+        let wanted = t - delay;
+        while at + 2 < n && time[at + 1] <= wanted {
+            at += 1;
+        }
+        displacement.push(between(&time, &motion.displacement, at, wanted));
+        velocity.push(between(&time, &motion.velocity, at, wanted));
+    }
+    motion.displacement = displacement;
+    motion.velocity = velocity;
+    motion.time = time[from..to].to_vec();
+    let cut = |values: &mut Vec<f64>| {
+        values.truncate(to);
+        values.drain(..from);
+    };
+    cut(&mut motion.force);
+    [&mut motion.side_force, &mut motion.temperature].into_iter().flatten().for_each(cut);
+    motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    from..to
+}
+
+/// The value at a time after sample `at`: of the cubic through four samples, where there are as many on both sides.
+fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
+    let n = time.len();
+    let from = at.saturating_sub(1).min(n.saturating_sub(4));
+    let to = (from + 4).min(n);
+    (from..to)
+        .map(|i| {
+            let weight: f64 = (from..to).filter(|&k| k != i).map(|k| (t - time[k]) / (time[i] - time[k])).product();
+            weight * values[i]
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::SineTest;
+    use super::super::repair;
+    use super::*;
+
+    #[test]
+    fn a_late_force_finds_its_motion_again() {
+        let test = SineTest { frequency: 4.0, noise: 0.0, ..SineTest::default() };
+        let sound = repair(test.samples(), &Options::default()).unwrap();
+        for (steps, delay) in [(9, 9.0 / 800.0), (40, 40.0 / 800.0)] {
+            let mut late = test.samples();
+            // The force of sample i stands in row i + steps.
+            late.force.rotate_right(steps);
+            let options = Options { delay_s: delay, ..Options::default() };
+            let found = repair(late, &options).unwrap();
+            assert_eq!(found.time.len(), sound.time.len() - steps);
+            assert!(found.notes.iter().any(|n| n.kind == "corrected"));
+            for i in 0..found.time.len() {
+                assert!((found.force[i] - sound.force[i]).abs() < 1e-9);
+                assert!((found.displacement[i] - sound.displacement[i]).abs() < 1e-6);
+                assert!((found.velocity[i] - sound.velocity[i]).abs() < 1e-9 + 1e-3 * 1.3, "{i}");
+            }
+        }
+        // A delay between two samples: the motion of a sine is found to a thousandth of a step.
+        let options = Options { delay_s: 3.4 / 800.0, ..Options::default() };
+        let found = repair(test.samples(), &options).unwrap();
+        let steady = found.steady();
+        for i in steady.start + 4..steady.end - 4 {
+            let phase = std::f64::consts::TAU * 4.0 * (found.time[i] - options.delay_s - 0.6 * 0.25)
+                + std::f64::consts::TAU * 0.37 / 200.0;
+            let wanted = 0.01 + 0.05 * phase.sin();
+            assert!((found.displacement[i] - wanted).abs() < 1e-6, "{i}: {} {wanted}", found.displacement[i]);
+        }
+    }
+
+    #[test]
+    fn zeros_and_gain_are_applied_and_told() {
+        let test = SineTest::default();
+        let sound = repair(test.samples(), &Options::default()).unwrap();
+        let options = Options { force_zero_n: 20.0, gain: 2.0, displacement_zero_m: 0.01, ..Options::default() };
+        let found = repair(test.samples(), &options).unwrap();
+        assert_eq!(found.notes.iter().filter(|n| n.kind == "corrected").count(), 3);
+        for i in 0..found.time.len() {
+            assert_eq!(found.force[i], (sound.force[i] - 20.0) * 2.0);
+            assert_eq!(found.displacement[i], sound.displacement[i] - 0.01);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Blocks of rows that an export or a logger buffer wrote twice.
+
+use std::collections::HashMap;
+
+use super::super::channel::Channel;
+use super::super::samples::{Samples, median, range};
+
+/// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.
+const BLOCK: usize = 10;
+
+/// Most places that are looked at closely for a repeated block, each of which takes time in proportion to the rows.
+const LOOKS: usize = 200;
+
+/// Removes repeated blocks, with a note for each kind.
+pub(crate) fn remove(samples: &mut Samples) {
+    same_time(samples);
+    new_time(samples);
+}
+
+/// A hash of one row's values, exact to the last bit.
+fn row_key(samples: &Samples, i: usize, channels: &[Channel]) -> u64 {
+    // FNV-1a over the bits; equality is checked on the values themselves.
+    channels.iter().filter_map(|&c| samples.channel(c)).fold(0xcbf2_9ce4_8422_2325, |hash: u64, values| {
+        let mixed = (hash ^ values[i].to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+        mixed ^ (mixed >> 29)
+    })
+}
+
+fn equal(samples: &Samples, i: usize, j: usize, channels: &[Channel]) -> bool {
+    channels.iter().filter_map(|&c| samples.channel(c)).all(|values| values[i] == values[j])
+}
+
+/// Rows that repeat an earlier row with its time stamp.
+fn same_time(samples: &mut Samples) {
+    let channels = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
+    let mut seen: HashMap<u64, usize> = HashMap::with_capacity(samples.len());
+    let mut repeated = vec![false; samples.len()];
+    for (i, repeated) in repeated.iter_mut().enumerate() {
+        let first = *seen.entry(row_key(samples, i, &channels)).or_insert(i);
+        *repeated = first != i && equal(samples, first, i, &channels);
+    }
+    let count = repeated.iter().filter(|&&r| r).count();
+    if count == 0 {
+        return;
+    }
+    let first = repeated.iter().position(|&r| r).unwrap_or(0);
+    let blocks = repeated.chunk_by(|a, b| a == b).filter(|run| run[0]).count();
+    let line = samples.lines[first];
+    samples.retain(|i| !repeated[i]);
+    samples.note(
+        "duplicated",
+        format!(
+            "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed"
+        ),
+    );
+}
+
+/// Blocks that repeat the rows just before them under new time stamps (a buffer written twice).
+///
+/// A noise-free periodic record repeats itself too. So the block must either break the motion at its seam, or the
+/// rest of the record must show, one block length apart, a like motion that does not repeat to the last digit.
+fn new_time(samples: &mut Samples) {
+    let channels = [Channel::Force, Channel::Displacement, Channel::Velocity];
+    let mut removed: Vec<(usize, usize, usize)> = Vec::new();
+    while let Some((start, length)) = find_block(samples, &channels) {
+        let line = samples.lines[start];
+        // Later rows were measured earlier than their stamps say.
+        let shift = samples.time[start] - samples.time[start - length];
+        for time in &mut samples.time[start + length..] {
+            *time -= shift;
+        }
+        samples.retain(|i| !(start..start + length).contains(&i));
+        removed.push((line, length, samples.len()));
+        if removed.len() >= 100 {
+            break;
+        }
+    }
+    if let Some(&(line, length, _)) = removed.first() {
+        let rows: usize = removed.iter().map(|r| r.1).sum();
+        samples.note(
+            "duplicated",
+            format!(
+                "{} blocks, {rows} rows in all, repeat the rows just before them under new time stamps (first: {length} \
+                 rows from line {line}); removed and the time behind them closed up",
+                removed.len()
+            ),
+        );
+    }
+}
+
+/// The first block `start..start + length` that equals the `length` rows before it and is not mere periodicity.
+fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)> {
+    let n = samples.len();
+    let mut last: HashMap<u64, usize> = HashMap::with_capacity(n);
+    let mut i = 0;
+    let mut looked_at = 0;
+    while i < n {
+        let Some(before) = last.insert(row_key(samples, i, channels), i) else {
+            i += 1;
+            continue;
+        };
+        let lag = i - before;
+        // Inside a run of repeated rows nothing begins; only its first row is looked at, and not for ever.
+        let inside = i > lag && equal(samples, i - 1, i - 1 - lag, channels);
+        if lag >= BLOCK && !inside && looked_at < LOOKS {
+            looked_at += 1;
+            let run = (i..n).take_while(|&k| equal(samples, k, k - lag, channels)).count();
+            let changing = samples.force[i - lag..i].windows(2).filter(|w| w[0] != w[1]).count() > lag / 4;
+            if run >= lag && changing && (breaks_motion(samples, i, lag) || rest_is_noisy(samples, i, lag, run)) {
+                return Some((i, lag));
+            }
+        }
+        i += 1;
+    }
+    None
+}
+
+/// Whether the motion jumps back at the seam before row `i`.
+fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
+    [Channel::Displacement, Channel::Velocity].iter().filter_map(|&c| samples.channel(c)).any(|values| {
+        let block = &values[i - lag..i];
+        let step = block.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
+        let seam = (values[i] - values[i - 1]).abs();
+        seam > 4.0 * step && step > 0.0
+    })
+}
+
+/// Whether rows one lag apart outside the repeated run are alike and differ by noise: not smoothly, as in the run-up of a
+/// noise-free record.
+fn rest_is_noisy(samples: &Samples, i: usize, lag: usize, run: usize) -> bool {
+    let force = &samples.force;
+    let scale = 0.2 * range(force);
+    let difference = |k: usize| force[k] - force[k - lag];
+    let outside = (lag + 1..i).chain(i + run + 1..force.len());
+    let (mut sizes, mut steps) = (Vec::new(), Vec::new());
+    for k in outside {
+        sizes.push(difference(k).abs());
+        steps.push((difference(k) - difference(k - 1)).abs());
+    }
+    let (size, step) = (median(&mut sizes), median(&mut steps));
+    sizes.len() >= lag && size > 0.0 && size < scale && step > 0.3 * size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::SineTest;
+    use super::*;
+
+    /// The rows `range` written twice; with `new_stamps` the logger goes on counting time.
+    fn doubled(sound: &Samples, range: std::ops::Range<usize>, new_stamps: bool) -> Samples {
+        let order: Vec<usize> = (0..range.end).chain(range.start..sound.len()).collect();
+        let mut samples = sound.clone();
+        samples.select(&order);
+        if new_stamps {
+            let step = sound.time[1] - sound.time[0];
+            samples.time = (0..samples.len()).map(|i| i as f64 * step).collect();
+        }
+        samples
+    }
+
+    #[test]
+    fn doubled_blocks_are_removed() {
+        let sound = SineTest::default().samples();
+        // A part of a cycle, and a whole cycle (which leaves no seam).
+        for range in [500..560, 600..800] {
+            for new_stamps in [false, true] {
+                let mut samples = doubled(&sound, range.clone(), new_stamps);
+                remove(&mut samples);
+                assert_eq!(samples.force, sound.force, "{range:?} {new_stamps}");
+                assert!(samples.time.iter().zip(&sound.time).all(|(a, b)| (a - b).abs() < 1e-9));
+                assert_eq!(samples.notes.len(), 1);
+                assert_eq!(samples.notes[0].kind, "duplicated");
+            }
+        }
+    }
+
+    #[test]
+    fn sound_and_noise_free_records_are_left_alone() {
+        for noise in [0.0, 4.0] {
+            let mut samples = SineTest { noise, ..SineTest::default() }.samples();
+            // As written to a file, so that noise-free cycles are equal to the last digit.
+            for values in [Channel::Force, Channel::Displacement, Channel::Velocity] {
+                samples.channel_mut(values).unwrap().iter_mut().for_each(|v| *v = (*v * 1e6).round() / 1e6);
+            }
+            let before = samples.force.clone();
+            remove(&mut samples);
+            assert_eq!(samples.force, before);
+            assert!(samples.notes.is_empty());
+        }
+    }
+}

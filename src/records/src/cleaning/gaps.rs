@@ -1,0 +1,124 @@
+//! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
+
+use super::super::record::Note;
+use super::super::samples::{Samples, median};
+use super::FEWEST;
+
+/// How many times longer than the steps around it a step is that counts as a gap. Loggers that change their rate do so for
+/// many samples; lost telegrams cost a few.
+const LONGER: f64 = 12.0;
+/// Steps on each side that a step is compared with.
+const AROUND: usize = 15;
+
+/// Splits a test at its gaps; says so first.
+pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
+    let gaps = find(&samples.time);
+    if gaps.is_empty() {
+        return vec![samples];
+    }
+    let places: Vec<String> = gaps
+        .iter()
+        .take(5)
+        .map(|&i| {
+            let (from, to) = (samples.time[i - 1], samples.time[i]);
+            format!("{:.4} s without samples after {from:.4} s (line {})", to - from, samples.lines[i])
+        })
+        .collect();
+    let more =
+        if gaps.len() > places.len() { format!(" and {} more", gaps.len() - places.len()) } else { String::new() };
+    let bounds: Vec<usize> = std::iter::once(0).chain(gaps).chain([samples.len()]).collect();
+    let pieces: Vec<std::ops::Range<usize>> = bounds.windows(2).map(|w| w[0]..w[1]).collect();
+    let kept: Vec<&std::ops::Range<usize>> = pieces.iter().filter(|p| p.len() >= FEWEST).collect();
+    let dropped: usize = pieces.iter().filter(|p| p.len() < FEWEST).map(std::iter::ExactSizeIterator::len).sum();
+    let rest =
+        if dropped > 0 { format!("; {dropped} samples between gaps are too few for a test") } else { String::new() };
+    let text = format!("gaps in time: {}{more}. Read as {} tests{rest}", places.join(", "), kept.len());
+    samples.notes.insert(0, Note { kind: "gap", text });
+    if kept.len() < 2 {
+        if let [only] = kept[..] {
+            samples.select(&only.clone().collect::<Vec<_>>());
+        }
+        return vec![samples];
+    }
+    kept.iter()
+        .enumerate()
+        .map(|(k, range)| {
+            let mut piece = samples.clone();
+            piece.select(&(*range).clone().collect::<Vec<_>>());
+            piece.name = format!("{} part {}", samples.name, k + 1);
+            let part = format!("part {} of {}", k + 1, kept.len());
+            piece.at.part = Some(samples.at.part.as_ref().map_or(part.clone(), |p| format!("{p}, {part}")));
+            piece
+        })
+        .collect()
+}
+
+/// Indices of the samples that follow a gap.
+fn find(time: &[f64]) -> Vec<usize> {
+    let steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
+    let typical = median(&mut steps.clone());
+    (0..steps.len())
+        // The comparison with the whole record is quick and passes few.
+        .filter(|&k| steps[k] > LONGER * typical)
+        .filter(|&k| {
+            let side = |range: std::ops::Range<usize>| {
+                let mut around: Vec<f64> = steps[range].to_vec();
+                (!around.is_empty()).then(|| median(&mut around))
+            };
+            let before = side(k.saturating_sub(AROUND)..k);
+            let after = side(k + 1..(k + 1 + AROUND).min(steps.len()));
+            [before, after].into_iter().flatten().all(|around| steps[k] > LONGER * around)
+        })
+        .map(|k| k + 1)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::SineTest;
+    use super::*;
+
+    #[test]
+    fn a_pause_makes_two_tests_and_is_told_first() {
+        let mut samples = SineTest::default().samples();
+        samples.note("other", "x".into());
+        let n = samples.len();
+        for t in &mut samples.time[n / 2..] {
+            *t += 3.0;
+        }
+        let pieces = split(samples);
+        assert_eq!(pieces.len(), 2);
+        assert_eq!(pieces[0].len() + pieces[1].len(), n);
+        assert_eq!(pieces[1].name, "test part 2");
+        assert_eq!(pieces[1].at.to_string(), "test.csv (part 2 of 2)");
+        for piece in &pieces {
+            assert_eq!(piece.notes[0].kind, "gap");
+            assert!(
+                piece.notes[0].text.contains("3.0050 s without samples") && piece.notes[0].text.contains("2 tests")
+            );
+        }
+    }
+
+    #[test]
+    fn lost_samples_and_a_change_of_rate_are_no_gaps() {
+        let mut samples = SineTest::default().samples();
+        samples.retain(|i| !(300..308).contains(&i));
+        let n = samples.len();
+        // From here on every fortieth sample alone was kept.
+        samples.retain(|i| i < n / 2 || i % 40 == 0);
+        assert_eq!(split(samples).len(), 1);
+    }
+
+    #[test]
+    fn scraps_are_left_out() {
+        let mut samples = SineTest::default().samples();
+        for t in &mut samples.time[5..] {
+            *t += 10.0;
+        }
+        let n = samples.len();
+        let pieces = split(samples);
+        assert_eq!(pieces.len(), 1);
+        assert_eq!(pieces[0].len(), n - 5);
+        assert!(pieces[0].notes[0].text.contains("too few"));
+    }
+}

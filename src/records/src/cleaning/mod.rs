@@ -1,0 +1,409 @@
+//! Cleaning of one test. Every step repairs what is safe to repair, notes what it did with figures, and refuses
+//! what cannot be trusted.
+
+mod clipped;
+mod corrections;
+mod cycles;
+mod drift;
+mod duplicates;
+mod frozen;
+mod gaps;
+mod missing;
+mod order;
+mod outliers;
+mod trim;
+
+use super::consistency;
+use super::derive;
+use super::error::{Place, RecordError};
+use super::noise;
+use super::options::Options;
+use super::record::{Note, Record};
+use super::samples::{Samples, range};
+use super::swapped;
+
+pub(crate) use corrections::delay_motion;
+#[cfg(test)]
+pub(crate) use cycles::find as find_cycles;
+pub(crate) use cycles::{Cycle, robust_peak};
+pub(crate) use drift::time_mean;
+
+/// Fewest samples of a test.
+const FEWEST: usize = 20;
+/// Length of the differentiating window, as a share of the cycle: bends the fundamental by 2e-5 and its fifth
+/// harmonic by 1 %.
+const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
+/// Length of the differentiating window where there is no cycle, s: bends 25 Hz, the upper end of road motion at a
+/// damper, by 1 %.
+const WINDOW_NO_CYCLE: f64 = 0.017;
+
+/// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
+#[derive(Debug, Clone)]
+pub(crate) struct Motion {
+    pub at: Place,
+    pub name: String,
+    pub time: Vec<f64>,
+    pub displacement: Vec<f64>,
+    pub velocity: Vec<f64>,
+    pub force: Vec<f64>,
+    pub side_force: Option<Vec<f64>>,
+    pub temperature: Option<Vec<f64>>,
+    pub cycles: Vec<Cycle>,
+    pub notes: Vec<Note>,
+}
+
+impl Motion {
+    /// Sample range of the steady part: from the first whole cycle to the last, or everything.
+    pub fn steady(&self) -> std::ops::Range<usize> {
+        steady(&self.cycles, self.time.len())
+    }
+}
+
+fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
+    match (cycles.first(), cycles.last()) {
+        (Some(first), Some(last)) => first.start..last.end,
+        _ => 0..samples,
+    }
+}
+
+/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps.
+pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    enough(&samples)?;
+    swapped::refuse(&samples, options)?;
+    missing::drop_rows(&mut samples)?;
+    duplicates::remove(&mut samples);
+    order::restore(&mut samples)?;
+    Ok(gaps::split(samples))
+}
+
+/// First half, before the sign is known, of a test without gaps.
+#[cfg(test)]
+pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
+    let mut pieces = sort_out(samples, options)?;
+    assert_eq!(pieces.len(), 1, "gaps in {pieces:?}");
+    mend(pieces.remove(0), options)
+}
+
+/// First half, before the sign is known: flaws of single samples repaired, the missing motion channel derived, what the user
+/// knows of the sensors applied.
+pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, RecordError> {
+    enough(&samples)?;
+    frozen::refuse(&samples)?;
+    let without_force = clipped::deal(&mut samples)?;
+    outliers::replace(&mut samples);
+    let (displacement, velocity, cycles) = complete(&mut samples, options)?;
+    let mut motion = Motion {
+        at: samples.at,
+        name: samples.name,
+        time: samples.time,
+        displacement,
+        velocity,
+        force: samples.force,
+        side_force: samples.side_force,
+        temperature: samples.temperature,
+        cycles,
+        notes: samples.notes,
+    };
+    let partnered = corrections::apply(&mut motion, options);
+    let without_force =
+        &without_force[partnered.start.min(without_force.len())..partnered.end.min(without_force.len())];
+    if motion.time.len() < FEWEST {
+        return Err(RecordError::TooFew { at: motion.at, samples: motion.time.len(), needed: FEWEST });
+    }
+    if without_force.contains(&true) {
+        let drop = |values: &mut Vec<f64>| {
+            let mut at = without_force.iter();
+            values.retain(|_| at.next() == Some(&false));
+        };
+        for values in [&mut motion.time, &mut motion.displacement, &mut motion.velocity, &mut motion.force] {
+            drop(values);
+        }
+        for values in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
+            drop(values);
+        }
+        motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    }
+    Ok(motion)
+}
+
+fn enough(samples: &Samples) -> Result<(), RecordError> {
+    if samples.len() < FEWEST {
+        return Err(RecordError::TooFew { at: samples.at.clone(), samples: samples.len(), needed: FEWEST });
+    }
+    Ok(())
+}
+
+/// Displacement, velocity and cycles.
+type CompleteMotion = (Vec<f64>, Vec<f64>, Vec<Cycle>);
+
+/// Completes the motion: derives what is missing and compares what is not.
+fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, RecordError> {
+    match (samples.displacement.take(), samples.velocity.take()) {
+        (Some(displacement), Some(velocity)) => {
+            let cycles = cycles::find(&samples.time, &displacement);
+            let span = steady(&cycles, samples.len());
+            let agreement =
+                consistency::compare(&samples.time[span.clone()], &displacement[span.clone()], &velocity[span]);
+            if let Some(agreement) = agreement {
+                if let Some(cause) = consistency::contradiction(&agreement) {
+                    return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
+                }
+                samples.note(
+                    "consistency",
+                    format!(
+                        "velocity is {:.4} times the derivative of displacement and lags it by {:.2} ms ({:.3} % of the \
+                         displacement's variance unexplained)",
+                        agreement.gain,
+                        1e3 * agreement.lag,
+                        100.0 * (1.0 - agreement.explained).max(0.0)
+                    ),
+                );
+            }
+            Ok((displacement, velocity, cycles))
+        }
+        (Some(displacement), None) => {
+            let cycles = cycles::find(&samples.time, &displacement);
+            let window = match cycles.len() {
+                0 => WINDOW_NO_CYCLE,
+                n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
+            };
+            let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
+            samples.note(
+                "derived",
+                format!(
+                    "velocity derived from displacement by local cubics over {} samples ({:.4} s), zero phase, -3 dB at \
+                     {:.1} Hz",
+                    filter.points, filter.window, filter.bandwidth
+                ),
+            );
+            Ok((displacement, velocity, cycles))
+        }
+        (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
+        // The layout admits no table without motion, and cleaning gives up at most one of two channels.
+        (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
+    }
+}
+
+/// Displacement from velocity. A velocity offset would drift away with it; it is the mean over whole cycles, since the
+/// damper returns in every cycle.
+fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> CompleteMotion {
+    let time = &samples.time;
+    let n = time.len();
+    let mut cycles = Vec::new();
+    let mut removed = 0.0;
+    // The first pass removes the offset of the whole record, the second what whole cycles show to be left.
+    for _ in 0..3 {
+        let span = steady(&cycles, n);
+        let offset = time_mean(time, &velocity, span.start, span.end.min(n - 1));
+        velocity.iter_mut().for_each(|v| *v -= offset);
+        removed += offset;
+        cycles = cycles::find(time, &derive::integrate(time, &velocity, initial));
+        if cycles.is_empty() {
+            break;
+        }
+    }
+    let displacement = derive::integrate(time, &velocity, initial);
+    let seconds = time[n - 1] - time[0];
+    let basis = if cycles.is_empty() {
+        "the record is not periodic, so the damper is taken to end where it began"
+    } else {
+        "from whole cycles, in each of which the damper returns"
+    };
+    samples.note(
+        "derived",
+        format!(
+            "displacement integrated from velocity, starting at {:.2} mm; velocity offset {:.4} mm/s removed, which is a drift \
+             of {:.2} mm over the record ({basis})",
+            1e3 * initial,
+            1e3 * removed,
+            1e3 * removed * seconds
+        ),
+    );
+    (displacement, velocity, cycles)
+}
+
+/// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
+pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
+    motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    trim::trim(&mut motion);
+    let Motion { at, name, time, displacement, velocity, force, side_force, temperature, cycles, mut notes } = motion;
+    if time.len() < FEWEST {
+        return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
+    }
+    drift::report(&time, &displacement, &force, &cycles, &mut notes);
+    let noise = noise::floor(&time, &force, &cycles);
+    let (amplitude, frequency) = match (cycles.first(), cycles.last()) {
+        (Some(_), Some(_)) => {
+            let strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
+            let seconds: f64 = cycles.iter().map(Cycle::period).sum();
+            (0.5 * super::samples::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
+        }
+        _ => (0.5 * range(&displacement), 0.0),
+    };
+    Ok(Record {
+        name,
+        source: at.to_string(),
+        peak_velocity: cycles::robust_peak(&velocity, &cycles),
+        mean_displacement: time_mean(&time, &displacement, 0, time.len()),
+        amplitude,
+        frequency,
+        cycles: cycles.iter().map(|c| c.start..c.end).collect(),
+        noise,
+        time,
+        displacement,
+        velocity,
+        force,
+        side_force,
+        temperature,
+        notes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::fixtures::SineTest;
+    use super::super::record::NoiseSource;
+    use super::*;
+
+    fn clean(samples: Samples, options: &Options) -> Result<Record, RecordError> {
+        finish(repair(samples, options)?)
+    }
+
+    #[test]
+    fn the_figures_of_a_test_are_found() {
+        let test = SineTest::default();
+        let record = clean(test.samples(), &Options::default()).unwrap();
+        assert_eq!(record.cycles.len(), 5);
+        assert_eq!((record.cycles[0].start, record.cycles[4].end), (0, record.time.len()));
+        assert!((record.amplitude - 0.05).abs() < 1e-4);
+        assert!((record.frequency - 1.0).abs() < 1e-3);
+        assert!((record.peak_velocity / (std::f64::consts::TAU * 0.05) - 1.0).abs() < 2e-3);
+        assert!((record.mean_displacement - 0.01).abs() < 1e-4);
+        assert_eq!(record.noise.from, NoiseSource::CycleRepeat);
+        assert!((record.noise.force_rms / 4.0 - 1.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn a_missing_channel_is_derived_and_agrees_with_the_measured_one() {
+        let both = SineTest::default().samples();
+        let reference = clean(both.clone(), &Options::default()).unwrap();
+        let mut without_velocity = both.clone();
+        without_velocity.velocity = None;
+        let derived = clean(without_velocity, &Options::default()).unwrap();
+        assert_eq!(derived.time, reference.time);
+        let peak = reference.peak_velocity;
+        assert!(derived.velocity.iter().zip(&reference.velocity).all(|(a, b)| (a - b).abs() < 0.01 * peak));
+        assert!(derived.notes.iter().any(|n| n.kind == "derived" && n.text.contains("-3 dB")));
+
+        let mut without_displacement = both;
+        without_displacement.displacement = None;
+        without_displacement.velocity.as_mut().unwrap().iter_mut().for_each(|v| *v += 0.003); // sensor offset
+        let options = Options { initial_position: 0.01, ..Options::default() };
+        let derived = clean(without_displacement, &options).unwrap();
+        assert!((derived.amplitude - 0.05).abs() < 2e-4 && derived.cycles.len() == 5);
+        assert!((derived.mean_displacement - 0.01).abs() < 5e-4, "{}", derived.mean_displacement);
+        let note = derived.notes.iter().find(|n| n.kind == "derived").unwrap();
+        assert!(
+            note.text.contains("velocity offset 3.0") || note.text.contains("velocity offset 2.9"),
+            "{}",
+            note.text
+        );
+    }
+
+    #[test]
+    fn a_disturbed_last_cycle_is_left_out() {
+        let test = SineTest::default();
+        let mut samples = test.samples();
+        let from = ((test.steady_from() + 4.2) * 200.0) as usize;
+        for (k, force) in samples.force[from..from + 100].iter_mut().enumerate() {
+            *force += 80.0 * (k as f64).sin();
+        }
+        let record = clean(samples, &Options::default()).unwrap();
+        assert_eq!(record.cycles.len(), 4);
+        assert!(record.notes.iter().any(|n| n.kind == "noisy_last_cycle"));
+    }
+
+    #[test]
+    fn an_incomplete_last_cycle_is_cut() {
+        let test = SineTest::default();
+        let samples = test.samples();
+        let mut cut = samples.clone();
+        cut.select(&(0..((test.steady_from() + 3.7) * 200.0) as usize).collect::<Vec<_>>());
+        let record = clean(cut, &Options::default()).unwrap();
+        assert_eq!(record.cycles.len(), 3);
+        assert_eq!(record.cycles[2].end, record.time.len());
+        assert!(record.notes.iter().any(|n| n.kind == "trimmed" && n.text.contains("incomplete cycle")));
+    }
+
+    #[test]
+    fn clipped_force_samples_are_left_out() {
+        let mut samples = SineTest { noise: 1.0, ..SineTest::default() }.samples();
+        let top = samples.force.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        samples.force.iter_mut().for_each(|f| *f = f.min(0.98 * top));
+        let record = clean(samples, &Options::default()).unwrap();
+        assert_eq!(record.cycles.len(), 5);
+        assert!(record.notes.iter().any(|n| n.kind == "clipped"));
+        assert!(record.time.len() < 1000 && record.time.windows(2).all(|w| w[1] > w[0]));
+        assert!(record.cycles.iter().all(|c| c.end <= record.time.len()));
+    }
+
+    #[test]
+    fn a_record_without_cycles_is_kept_whole() {
+        let mut samples = SineTest::default().samples();
+        let x: Vec<f64> = samples.time.iter().map(|t| 0.02 * (t * t).sin() * (1.3 * t).cos()).collect();
+        samples.displacement = Some(x);
+        samples.velocity = None;
+        let n = samples.len();
+        let record = clean(samples, &Options::default()).unwrap();
+        assert!(record.cycles.is_empty() && record.frequency == 0.0 && record.time.len() == n);
+        assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
+    }
+
+    #[test]
+    fn too_few_samples_are_refused() {
+        let mut samples = SineTest::default().samples();
+        samples.select(&(0..19).collect::<Vec<_>>());
+        assert!(matches!(clean(samples, &Options::default()), Err(RecordError::TooFew { samples: 19, .. })));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+        /// Whatever a file holds, cleaning gives a sound record or an error, never a panic.
+        #[test]
+        fn any_table_gives_a_sound_record_or_an_error(
+            rows in prop::collection::vec(
+                (-1.0..5.0_f64, -3..4_i32, -1.0..1.0_f64, prop::sample::select(vec![0.0, 1.0, 1e-300, 1e300, f64::NAN])), 0..120),
+            sorted in any::<bool>(),
+            motion in 0..3,
+        ) {
+            let mut times: Vec<f64> = rows.iter().map(|r| r.0).collect();
+            if sorted {
+                times.sort_by(f64::total_cmp);
+            }
+            let n = rows.len();
+            let samples = Samples {
+                at: Place::file("any.csv"),
+                name: "any".into(),
+                lines: (2..n + 2).collect(),
+                headings: Vec::new(),
+                time: times,
+                force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),
+                displacement: (motion != 0).then(|| rows.iter().map(|r| r.2).collect()),
+                velocity: (motion != 1).then(|| rows.iter().map(|r| f64::from(r.1)).collect()),
+                side_force: None,
+                temperature: None,
+                notes: Vec::new(),
+            };
+            let options = Options::default();
+            let pieces = sort_out(samples, &options).unwrap_or_default();
+            for record in pieces.into_iter().filter_map(|piece| finish(mend(piece, &options).ok()?).ok()) {
+                prop_assert!(record.time.windows(2).all(|w| w[1] > w[0]));
+                let n = record.time.len();
+                prop_assert!([record.displacement.len(), record.velocity.len(), record.force.len()] == [n, n, n]);
+                prop_assert!(record.cycles.iter().all(|c| c.start < c.end && c.end <= n));
+            }
+        }
+    }
+}

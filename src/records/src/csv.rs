@@ -1,0 +1,568 @@
+//! Reads delimited text: comma, semicolon or tab; decimal point or comma; comment lines; a row of units.
+
+use std::path::Path;
+
+use csv::{ByteRecord, ReaderBuilder};
+
+use super::channel::Channel;
+use super::clock;
+use super::error::{Place, RecordError};
+use super::heading::nearest;
+use super::options::Options;
+use super::samples::Samples;
+use super::table::{HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
+
+/// Reads the tests of one delimited text file.
+pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
+    if bytes.is_empty() {
+        return Err(RecordError::EmptyFile { file: file.into() });
+    }
+    let (text, guessed) = decode(&bytes);
+    let read = parse(&Place::file(file), name, &text, options);
+    if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
+        // Chinese systems write GB 18030 where others write Latin-1; only the headings can tell.
+        let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
+        if !wrong {
+            if let Ok(tests) = parse(&Place::file(file), name, &text, options) {
+                return Ok(tests);
+            }
+        }
+    }
+    read
+}
+
+/// Text of a file in UTF-8 or UTF-16 with byte order mark, else read as Latin-1 (old exports, for µ and °), which is a guess.
+fn decode(bytes: &[u8]) -> (String, bool) {
+    let utf16 = |from: fn([u8; 2]) -> u16| -> String {
+        let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| from([b[0], b[1]])).collect();
+        String::from_utf16_lossy(&units)
+    };
+    match bytes {
+        [0xFF, 0xFE, ..] => return (utf16(u16::from_le_bytes), false),
+        [0xFE, 0xFF, ..] => return (utf16(u16::from_be_bytes), false),
+        _ => {}
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => (text.to_owned(), false),
+        Err(_) => (bytes.iter().map(|&b| b as char).collect(), true),
+    }
+}
+
+/// A line that is no data: empty or a comment.
+fn is_comment(line: &str) -> bool {
+    matches!(line.trim_start().bytes().next(), None | Some(b'#' | b'%')) || line.trim_start().starts_with("//")
+}
+
+/// Splits one line at a delimiter, honouring quotes.
+fn split(line: &str, delimiter: u8) -> Vec<String> {
+    let mut reader =
+        ReaderBuilder::new().has_headers(false).delimiter(delimiter).flexible(true).from_reader(line.as_bytes());
+    reader.records().next().and_then(Result::ok).map(|r| r.iter().map(str::to_string).collect()).unwrap_or_default()
+}
+
+/// Where the table of a text begins.
+struct Start {
+    /// Line of the header, or of the first row where there is none; from 0.
+    index: usize,
+    /// Where that line begins in the text.
+    offset: usize,
+    delimiter: u8,
+    header: Vec<String>,
+    /// Whether that line is the header.
+    headed: bool,
+}
+
+/// Finds the header, and with it the delimiter: the one under which it is a header. Where the user names columns by number
+/// it may be missing: then the first row of numbers begins the table.
+fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
+    let mut offset = 0;
+    let mut first_line = None;
+    let mut numbers: Option<Start> = None;
+    let by_number = options.columns.values().any(|wanted| column_number(wanted).is_some());
+    let mut above: Vec<String> = Vec::new();
+    for (index, line) in text.split_inclusive('\n').enumerate().take(HEADER_WITHIN) {
+        if !is_comment(line) {
+            first_line.get_or_insert_with(|| line.to_owned());
+            let trimmed = line.trim_end();
+            for delimiter in [b'\t', b';', b','] {
+                let header = split(trimmed, delimiter);
+                // A row of numbers is no header, even where a column that the user names by its number has a number's name there.
+                let row = header.len() > 1
+                    && header.iter().any(|c| !c.trim().is_empty())
+                    && header.iter().all(|c| number(c, delimiter != b',').is_some() || clock::seconds(c).is_some());
+                if !row && is_header(&header, options) {
+                    return (Some(Start { index, offset, delimiter, header, headed: true }), first_line);
+                }
+                if by_number && row && numbers.is_none() {
+                    let names = (1..=header.len()).map(|n| format!("column {n}")).collect();
+                    let header = if above.len() == header.len() { std::mem::take(&mut above) } else { names };
+                    numbers = Some(Start { index, offset, delimiter, header, headed: false });
+                }
+            }
+            let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|d| trimmed.bytes().filter(|b| b == d).count());
+            above = split(trimmed, delimiter.unwrap_or(b','));
+        }
+        offset += line.len();
+    }
+    (numbers, first_line)
+}
+
+/// The same text with tabs between the columns, where blanks are there: two and more, or any.
+fn with_tabs(text: &str, any: bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    for line in text.lines() {
+        let mut blanks = 0;
+        for c in line.trim().chars() {
+            if c == ' ' {
+                blanks += 1;
+                continue;
+            }
+            if blanks > usize::from(!any) {
+                out.push('\t');
+            } else if blanks == 1 {
+                out.push(' ');
+            }
+            blanks = 0;
+            out.push(c);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let text = text.trim_start_matches('\u{feff}');
+    let (found, first_line) = start(text, options);
+    let Some(first_line) = first_line else {
+        return Err(RecordError::NoData { at: at.clone() });
+    };
+    if let Some(found) = found {
+        return table(at, name, text, found, options);
+    }
+    for any in [false, true] {
+        let tabbed = with_tabs(text, any);
+        if let (Some(found), _) = start(&tabbed, options) {
+            return table(at, name, &tabbed, found, options);
+        }
+    }
+    let trimmed = first_line.trim_end();
+    let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|d| trimmed.bytes().filter(|b| b == d).count());
+    let header = split(trimmed, delimiter.unwrap_or(b','));
+    if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
+        // A heading nearly as the user wrote it: the layout says which is meant.
+        let found = Start { index: 0, offset: 0, delimiter: delimiter.unwrap_or(b','), header, headed: true };
+        return table(at, name, text, found, options);
+    }
+    Err(no_header(at, &first_line))
+}
+
+fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let Start { index: header_index, offset, delimiter, header, headed } = found;
+    let header_line = header_index + 1;
+    let decimal_comma = delimiter != b',';
+    let mut lines = text[offset..].split_inclusive('\n');
+    let header_text = if headed { lines.next().unwrap_or_default().trim_end() } else { "" };
+    let mut below = lines.filter(|line| !is_comment(line)).map(|line| split(line.trim_end(), delimiter));
+    let mut first_row = below.next().unwrap_or_default();
+    let mut units = None;
+    if headed && is_units_row(&first_row) {
+        first_row.resize(header.len(), String::new());
+        units = Some(std::mem::replace(&mut first_row, below.next().unwrap_or_default()));
+    }
+    let is_clock = |index: usize| {
+        first_row.get(index).is_some_and(|cell| number(cell, decimal_comma).is_none() && clock::seconds(cell).is_some())
+    };
+    let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, false, &is_clock)?;
+    let mut rows = Rows::new(at.clone(), name.to_string(), layout);
+
+    let mut reader = ReaderBuilder::new()
+        .has_headers(false)
+        .delimiter(delimiter)
+        .flexible(true)
+        .from_reader(&text.as_bytes()[offset..]);
+    let mut record = ByteRecord::new();
+    let mut values = vec![f64::NAN; rows.layout().columns.len()];
+    let mut to_skip = usize::from(headed) + usize::from(units.is_some());
+    let mut blocks = Blocks::new(text, header_text, delimiter);
+    let mut tests = Vec::new();
+    while reader.read_byte_record(&mut record).unwrap_or(false) {
+        let line = header_index + record.position().map_or(0, |p| p.line() as usize);
+        let first = record.get(0).unwrap_or_default().trim_ascii_start();
+        if matches!(first.first(), Some(b'#' | b'%')) || first.starts_with(b"//") {
+            continue;
+        }
+        if to_skip > 0 {
+            to_skip -= 1;
+            continue;
+        }
+        if record.iter().all(|cell| cell.trim_ascii().is_empty()) {
+            continue;
+        }
+        match blocks.look(line - 1) {
+            Block::Data => {}
+            Block::Header => continue,
+        }
+        if record.len() > header.len() && record.iter().skip(header.len()).any(|cell| !cell.trim_ascii().is_empty()) {
+            let hint = if decimal_comma { "" } else { "; decimal commas need a semicolon or tab between the columns" };
+            let (found, expected) = (record.len(), header.len());
+            return Err(RecordError::Fields { at: at.clone(), line, found, expected, hint });
+        }
+        for (value, column) in values.iter_mut().zip(&rows.layout().columns) {
+            // The text was valid UTF-8 and fields are cut at ASCII bytes, so the fields are valid too.
+            let cell = std::str::from_utf8(record.get(column.index).unwrap_or_default()).unwrap_or("?");
+            let read = if column.clock { clock::seconds(cell) } else { None };
+            *value = read.or_else(|| number(cell, decimal_comma)).ok_or_else(|| RecordError::Cell {
+                at: at.clone(),
+                line,
+                column: column.heading.clone(),
+                text: cell.trim().chars().take(40).collect(),
+                hint: if cell.contains(',') && cell.contains('.') {
+                    "; write it without thousands separators"
+                } else {
+                    ""
+                },
+            })?;
+        }
+        // Time that begins anew below a repeated header is another test.
+        let time = rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| values[i]);
+        if blocks.begins_anew(time) {
+            let layout = rows.layout().clone();
+            let name = format!("{name} {}", tests.len() + 2);
+            tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+        }
+        let test = rows
+            .layout()
+            .test
+            .map(|index| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?").to_string());
+        rows.push(line, values.iter().copied(), test.as_deref());
+    }
+    tests.push(rows);
+    let mut read = Vec::new();
+    for rows in tests {
+        read.extend(rows.finish(None)?);
+    }
+    Ok(read)
+}
+
+/// Headers that an acquisition writes again before every block of rows, as MTS stations do.
+struct Blocks {
+    /// Lines, from 0 and in order, of the text between a block of rows and the next: from the first line that is no row to
+    /// the last line before the next row.
+    headers: Vec<std::ops::Range<usize>>,
+    next: usize,
+    /// Whether the row to come is the first below a header.
+    fresh: bool,
+    last_time: Option<f64>,
+}
+
+enum Block {
+    Data,
+    Header,
+}
+
+impl Blocks {
+    fn new(text: &str, header: &str, delimiter: u8) -> Blocks {
+        let mut headers: Vec<std::ops::Range<usize>> = Vec::new();
+        let header_again = || text.lines().filter(|line| line.trim_end() == header).nth(1).is_some();
+        if !header.trim().is_empty() && header_again() {
+            // From every repetition of the header up to the row before and down to the row after.
+            let is_row = |line: &str| {
+                let cells = split_plain(line, delimiter);
+                cells.clone().next().is_some_and(|c| !c.trim().is_empty())
+                    && cells.clone().count() > 1
+                    && cells.filter(|c| !c.trim().is_empty()).all(|c| {
+                        number(c.trim().trim_matches('"'), delimiter != b',').is_some() || clock::seconds(c).is_some()
+                    })
+            };
+            let mut seen = false;
+            let mut between: Option<usize> = None;
+            let mut repeated = false;
+            // The reader counts empty lines to the record behind them.
+            let mut empty: Option<usize> = None;
+            for (index, line) in text.lines().enumerate() {
+                let is_header = line.trim_end() == header;
+                if is_header && !seen {
+                    seen = true;
+                    between = None;
+                    continue;
+                }
+                if !seen {
+                    continue;
+                }
+                if is_comment(line) {
+                    empty.get_or_insert(index);
+                    continue;
+                }
+                let begins = empty.take().unwrap_or(index);
+                if is_row(line) {
+                    if let (Some(from), true) = (between.take(), repeated) {
+                        headers.push(from..begins);
+                    }
+                    repeated = false;
+                } else {
+                    between.get_or_insert(begins);
+                    repeated |= is_header;
+                }
+            }
+        }
+        Blocks { headers, next: 0, fresh: false, last_time: None }
+    }
+
+    fn look(&mut self, line: usize) -> Block {
+        while self.headers.get(self.next).is_some_and(|range| range.end <= line) {
+            self.next += 1;
+            self.fresh = true;
+        }
+        match self.headers.get(self.next) {
+            Some(range) if range.contains(&line) => Block::Header,
+            _ => Block::Data,
+        }
+    }
+
+    fn begins_anew(&mut self, time: Option<f64>) -> bool {
+        let anew = self.fresh && matches!((time, self.last_time), (Some(now), Some(before)) if now < before);
+        self.fresh = false;
+        self.last_time = time.filter(|t| t.is_finite()).or(self.last_time);
+        anew
+    }
+}
+
+/// Cells of a line without regard to quotes: enough to tell rows from text.
+fn split_plain(line: &str, delimiter: u8) -> std::str::Split<'_, char> {
+    line.split(delimiter as char)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::unit::Unit;
+    use super::*;
+
+    fn try_read(text: &str) -> Result<Vec<Samples>, RecordError> {
+        parse(&Place::file("a.csv"), "a", text, &Options::default())
+    }
+
+    fn read(text: &str) -> Samples {
+        let mut tests = try_read(text).unwrap();
+        assert_eq!(tests.len(), 1);
+        tests.remove(0)
+    }
+
+    #[test]
+    fn delimiters_decimal_commas_comments_and_units_row_give_the_same_samples() {
+        let plain = read("time_s,displacement_mm,force_N\n0,1.5,10\n0.5,2.5,20\n");
+        assert_eq!(plain.time, [0.0, 0.5]);
+        assert_eq!(plain.displacement.as_deref(), Some([0.0015, 0.0025].as_slice()));
+        assert_eq!(plain.force, [10.0, 20.0]);
+        assert_eq!(plain.lines, [2, 3]);
+        for text in [
+            "\u{feff}Time [s];Position [mm];Load [N]\r\n0;1,5;10\r\n0,5;2,5;20\r\n",
+            "# rig 7\n% operator\n\nt_ms\tx_cm\tF_kN\n0\t0,15\t0,01\n500\t0,25\t0.02\n",
+            "Rig export of today\nTime,Displacement,Force\n(s),(mm),(N)\n0,1.5,10\n0.5,2.5,20\n",
+            "Time,Damper Displacement,Force,Comment\ns,mm,N,\n0,1.5,10,start\n# pause\n0.5,2.5,20,\n",
+            "\"Time, s\",\"Displacement, mm\",\"Force, N\",\n0,1.5,10,\n0.5,2.5,20,\n",
+        ] {
+            let other = read(text);
+            assert_eq!(
+                (&other.time, &other.displacement, &other.force),
+                (&plain.time, &plain.displacement, &plain.force)
+            );
+        }
+    }
+
+    #[test]
+    fn utf16_and_latin1_are_decoded() {
+        let text = "time_s,T [°C],x [µm],F [N]\n0,20,1,1\n";
+        let utf16: Vec<u8> = [0xFEFF].into_iter().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+        let latin1: Vec<u8> = text.chars().map(|c| c as u8).collect();
+        for bytes in [utf16, latin1, text.as_bytes().to_vec()] {
+            let samples = read(&decode(&bytes).0);
+            assert_eq!(samples.temperature.as_deref(), Some([20.0].as_slice()));
+            assert_eq!(samples.displacement.as_deref(), Some([1e-6].as_slice()));
+        }
+    }
+
+    #[test]
+    fn a_test_column_makes_one_test_per_value() {
+        let tests = try_read("test,time_s,v_m_s,F_N\nslow,0,1,2\nslow,1,1,3\nfast,0,1,4\nslow,2,1,5\n").unwrap();
+        assert_eq!(tests.iter().map(|t| t.name.as_str()).collect::<Vec<_>>(), ["slow", "fast"]);
+        assert_eq!(tests[0].force, [2.0, 3.0, 5.0]);
+        assert_eq!(tests[0].lines, [2, 3, 5]);
+        assert_eq!(tests[1].at.to_string(), "a.csv (test 'fast')");
+    }
+
+    #[test]
+    fn wrong_headers_are_refused_in_words() {
+        let message = |text: &str| try_read(text).unwrap_err().to_string();
+        let unknown = message("alpha,beta\n1,2\n");
+        assert!(unknown.contains("alpha,beta") && unknown.contains("daN") && unknown.contains("--column"), "{unknown}");
+        let two = message("time_s,x_mm,Force [N],Load Cell [kN]\n0,1,1,1\n");
+        assert!(two.contains("line 1") && two.contains("'Force [N]'") && two.contains("'Load Cell [kN]'"), "{two}");
+        let unit = message("#\ntime_s,x_mm,Force\n0,1,1\n");
+        assert!(unit.contains("line 2") && unit.contains("'Force' has no unit") && unit.contains("lbf"), "{unit}");
+        let wrong = message("time_s,x_mm,Force [tons]\n0,1,1\n");
+        assert!(wrong.contains("'tons'") && wrong.contains("kN"), "{wrong}");
+        let missing = message("time_s,x_mm,gap\n0,1,1\n");
+        assert!(missing.contains("no column for force"), "{missing}");
+        assert!(message("time_s,x_mm,force_N\n").contains("no data rows"));
+        assert!(message("").contains("no data rows"));
+    }
+
+    #[test]
+    fn bad_cells_are_named_by_line_and_column() {
+        let error = try_read("time_s,x_mm,force_N\n0,1,1\n1,oops,2\n").unwrap_err().to_string();
+        assert!(error.contains("line 3") && error.contains("'x_mm'") && error.contains("'oops'"), "{error}");
+        let error = try_read("time_s,x_mm,force_N\n0,01,1,5,10,2\n").unwrap_err().to_string();
+        assert!(error.contains("line 2") && error.contains("decimal commas"), "{error}");
+        let samples = read("time_s,x_mm,force_N\n0,1,1\n1,NaN,2\n2,,3\n3,1\n");
+        assert!(samples.displacement.unwrap()[1..3].iter().all(|v| v.is_nan()) && samples.force[3].is_nan());
+    }
+
+    /// Rows of a sine between two times, as text.
+    fn rows(from: f64, to: f64, delimiter: &str) -> String {
+        let count = ((to - from) * 100.0).round() as usize;
+        (0..count)
+            .map(|i| {
+                let t = from + 0.01 * i as f64;
+                format!("{:.5}{delimiter}{:.5}{delimiter}{t:.5}\n", 20.0 * (6.0 * t).sin(), 1.5 * (6.0 * t).cos())
+            })
+            .collect()
+    }
+
+    #[test]
+    fn acquisitions_of_mts_stations_repeat_their_header() {
+        let header = |t: f64| {
+            format!(
+                "\nData Acquisition: Cyclic\tStation Name: Damper 3\tTime:\t{t:.4}\tSec\t3/22/2004 10:11:12 AM\n\
+                 Axial Displacement\tAxial Force\tRunning Time\nmm\tkN\tSec\n"
+            )
+        };
+        let file = |starts: &[f64]| {
+            let blocks = starts.iter().map(|t| header(*t) + &rows(*t, t + 2.0, "\t"));
+            format!("MTS793|BTW|ENU|1|2|.|/|:|1|0|0|A\n{}", blocks.collect::<String>())
+        };
+        let going_on = read(&file(&[0.0, 2.0, 10.0]));
+        assert_eq!(going_on.len(), 600);
+        assert!(going_on.time.windows(2).all(|t| t[1] > t[0]));
+        assert!((going_on.displacement.as_ref().unwrap()[1] - 0.02 * 0.06_f64.sin()).abs() < 1e-7);
+        assert!((going_on.force[0] - 1500.0).abs() < 1e-9);
+        let anew = try_read(&file(&[0.0, 0.0])).unwrap();
+        assert_eq!(anew.iter().map(|t| (t.name.as_str(), t.len())).collect::<Vec<_>>(), [("a", 200), ("a 2", 200)]);
+        // A text line that is no repeated header is an error as ever.
+        let stray = file(&[0.0])
+            + "operator stopped here\toperator stopped here\toperator stopped here\n"
+            + &rows(2.0, 3.0, "\t");
+        assert!(try_read(&stray).unwrap_err().to_string().contains("operator stopped"));
+    }
+
+    #[test]
+    fn text_exports_of_dyno_software_are_read() {
+        // Blocks of remarks, then names with units in brackets; columns by blanks.
+        let shock = "SHOCK 6.3 Export\nTest: front left 12 clicks\nGas Force   180 N\n\n\
+                     Time (sec)   Stroke (mm)   Velocity (mm/sec)   Force (N)   Temperature (C)\n\
+                     0.000        1.0           10.0                200         25.1\n\
+                     0.001        1.1           11.0                210         25.1\n";
+        let samples = read(shock);
+        assert_eq!(
+            (samples.force.as_slice(), samples.time.as_slice()),
+            ([200.0, 210.0].as_slice(), [0.0, 0.001].as_slice())
+        );
+        assert_eq!(samples.velocity.unwrap(), [0.01, 0.011]);
+        // Raw volts beside every quantity.
+        let pairs = "Time (s),Displacement (V),Displacement (mm),Force (V),Force (lbf)\n0,1,2,3,100\n";
+        assert!((read(pairs).force[0] - 444.822).abs() < 1e-3);
+    }
+
+    #[test]
+    fn times_of_day_need_no_unit() {
+        for (header, rows) in [
+            ("Time,x_mm,F_N", "12:00:59.900,1,2\n12:01:00.000,2,3\n12:01:00.100,3,4\n"),
+            (
+                "Zeitstempel;Weg [mm];Kraft [N]",
+                "01.03.2024 23:59:59,9;1;2\n02.03.2024 00:00:00,0;2;3\n02.03.2024 00:00:00,1;3;4\n",
+            ),
+            (
+                "DateTime\tx_mm\tF_N",
+                "2024-03-01T23:59:59.9Z\t1\t2\n2024-03-02T00:00:00.0Z\t2\t3\n2024-03-02T00:00:00.1Z\t3\t4\n",
+            ),
+            ("Uhrzeit\tx_mm\tF_N", "23:59:59.9\t1\t2\n00:00:00.0\t2\t3\n00:00:00.1\t3\t4\n"),
+        ] {
+            let samples = read(&format!("{header}\n{rows}"));
+            for (time, wanted) in samples.time.iter().zip([0.0, 0.1, 0.2]) {
+                assert!((time - wanted).abs() < 1e-5, "{header}: {:?}", samples.time);
+            }
+        }
+        let error = try_read("Time,x_mm,F_N\n0.1,1,2\n").unwrap_err().to_string();
+        assert!(error.contains("'Time' has no unit"), "{error}");
+    }
+
+    #[test]
+    fn chinese_files_in_their_own_encoding_are_read() {
+        let (bytes, _, _) = encoding_rs::GB18030.encode("时间(s),位移(mm),阻尼力(kN)\n0,1,0.5\n");
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.csv");
+        std::fs::write(&file, &bytes).unwrap();
+        let samples = super::read(&file, "a", &Options::default()).unwrap();
+        assert_eq!(samples[0].force, [500.0]);
+    }
+
+    #[test]
+    fn columns_are_found_by_name_without_unit_and_by_number() {
+        let with = |text: &str, columns: &[(Channel, &str)]| {
+            let options = Options {
+                columns: columns.iter().map(|(c, h)| (*c, (*h).to_string())).collect(),
+                units: [
+                    (Channel::Displacement, Unit::Millimetre),
+                    (Channel::Force, Unit::Newton),
+                    (Channel::Time, Unit::Second),
+                ]
+                .into(),
+                ..Options::default()
+            };
+            parse(&Place::file("a.csv"), "a", text, &options)
+        };
+        use Channel::{Displacement, Force, Time};
+        let named = with(
+            "Abtastung [s];Signal A;Signal B\n0;1;2\n",
+            &[(Time, "abtastung"), (Displacement, "signal a"), (Force, "3")],
+        );
+        assert_eq!(named.unwrap()[0].force, [2.0]);
+        let numbers = [(Time, "1"), (Displacement, "2"), (Force, "3")];
+        for text in [
+            "0;1;2\n0,5;2;3\n",
+            "0,1,2\n0.5,2,3\n",
+            "0 1 2\n0.5 2 3\n",
+            "Messung 7\nk1;k2;k3\n0;1;2\n0,5;2;3\n",
+            "# c\n0\t1\t2\n0.5\t2\t3\n",
+        ] {
+            let read = with(text, &numbers).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert_eq!(
+                (read[0].time.as_slice(), read[0].force.as_slice()),
+                ([0.0, 0.5].as_slice(), [2.0, 3.0].as_slice()),
+                "{text}"
+            );
+        }
+        let message =
+            with("Zeit [s];Wegg;Kratf\n0;1;2\n", &[(Displacement, "Weg"), (Force, "Kraft")]).unwrap_err().to_string();
+        assert!(message.contains("Is 'Wegg' meant?"), "{message}");
+        let message = with("Zeit [s];Weg [mm];Kratf\n0;1;2\n", &[]).unwrap_err().to_string();
+        assert!(message.contains("Is 'Kratf' meant?"), "{message}");
+    }
+
+    #[test]
+    fn options_name_columns_and_units() {
+        let text = "time,Load Cell 1,Load Cell 2,x [mm],force_N\n0,1,2,3,4\n";
+        let mut options = Options {
+            units: BTreeMap::from([(Channel::Time, Unit::Millisecond), (Channel::Force, Unit::Kilonewton)]),
+            columns: BTreeMap::from([(Channel::Force, "load cell 1".to_string())]),
+            ..Options::default()
+        };
+        let samples = parse(&Place::file("a.csv"), "a", text, &options).unwrap().remove(0);
+        assert_eq!(samples.force, [1000.0]);
+        options.columns.insert(Channel::Force, "Load Cell 9".to_string());
+        let error = parse(&Place::file("a.csv"), "a", text, &options).unwrap_err().to_string();
+        assert!(error.contains("'Load Cell 9'") && error.contains("'Load Cell 2'"), "{error}");
+    }
+}

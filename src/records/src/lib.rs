@@ -1,0 +1,44 @@
+//! Rig records: reading files of every usual kind, cleaning them, and saying what was done.
+//!
+//! [`load`] is the way in. After it everything is SI, rebound (extension) and tension positive.
+
+mod campaign;
+mod channel;
+mod cleaning;
+mod clock;
+mod consistency;
+mod csv;
+mod delay;
+mod derive;
+mod error;
+#[cfg(test)]
+mod fixtures;
+pub mod glob;
+mod heading;
+mod mat;
+mod motion;
+mod noise;
+mod options;
+mod plausibility;
+pub mod profile;
+pub mod record;
+mod rpc;
+mod samples;
+mod sign;
+mod slips;
+pub mod smoothing;
+mod swapped;
+mod table;
+mod unit;
+mod xlsx;
+
+pub use campaign::{Campaign, Progress, is_record_name, load};
+pub use channel::{Channel, assignment};
+pub use delay::Delay;
+pub use error::{Place, RecordError};
+pub use motion::{MotionRecord, read_motion};
+pub use options::{Options, Positive};
+pub use profile::Profile;
+pub use record::{Noise, NoiseSource, Note, Record};
+pub use sign::SignFinding;
+pub use unit::{Dimension, Unit};

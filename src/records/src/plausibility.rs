@@ -1,0 +1,173 @@
+//! Figures that no suspension damper has: mostly a unit that was not said, or a load cell that is not connected.
+//!
+//! What is far too large is refused; what is small may be meant so and is only remarked upon.
+
+use std::collections::HashMap;
+
+use super::error::RecordError;
+use super::record::{Note, Record};
+use super::samples::range;
+
+/// Largest displacement amplitude, m; the longest suspensions travel half of it.
+const LARGEST_AMPLITUDE: f64 = 0.5;
+/// Highest speed, m/s; kerb strikes reach about 10.
+const HIGHEST_SPEED: f64 = 20.0;
+/// Largest force, N; dampers of heavy vehicles reach a third of it.
+const LARGEST_FORCE: f64 = 2e5;
+
+/// Below these figures in every test a unit is likely wrong.
+const SMALL_AMPLITUDE: f64 = 2e-4;
+const SMALL_SPEED: f64 = 6e-3;
+const SMALL_FORCE: f64 = 20.0;
+
+/// Range of the force, in standard deviations of its noise, below which it shows noise alone: white noise of a hundred
+/// thousand samples stays inside.
+const NOISE_RANGE: f64 = 10.0;
+/// Standard deviation of the force, in those of its noise, below which it shows noise alone.
+const NOISE_SPREAD: f64 = 1.1;
+
+/// Peak velocity, m/s, below which a damper stands still and need show no force.
+const STANDSTILL: f64 = 1e-4;
+
+/// Refuses a record that no damper can have given.
+pub(crate) fn refuse_absurd(record: &Record) -> Result<(), RecordError> {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let force = largest(&record.force);
+    let absurd = |what: String, advice| Err(RecordError::Absurd { record: record.source.clone(), what, advice });
+    if record.amplitude > LARGEST_AMPLITUDE {
+        return absurd(
+            format!("an amplitude of {:.4} m", record.amplitude),
+            "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated",
+        );
+    }
+    if record.peak_velocity > HIGHEST_SPEED {
+        return absurd(
+            format!("a peak velocity of {:.4} m/s", record.peak_velocity),
+            "check the units of velocity and time: --unit velocity=mm/s, --unit time=s",
+        );
+    }
+    if force > LARGEST_FORCE {
+        return absurd(format!("a force of {force:.0} N"), "if the file gives N, say so: --unit force=N");
+    }
+    Ok(())
+}
+
+/// Remarks on a campaign whose figures are all small, on tests without force, and on tests that are there twice.
+///
+/// # Errors
+/// Where most tests show no force.
+pub(crate) fn remark(records: &[Record], notes: &mut Vec<Note>) -> Result<(), RecordError> {
+    let silent: Vec<&Record> = records.iter().filter(|r| shows_noise_alone(r)).collect();
+    if let Some(first) = silent.first() {
+        let (count, all) = (silent.len(), records.len());
+        if 2 * count > all {
+            return Err(RecordError::NoForce {
+                count,
+                all,
+                record: first.source.clone(),
+                noise: first.noise.force_rms,
+            });
+        }
+        let names: Vec<&str> = silent.iter().map(|r| r.name.as_str()).collect();
+        notes.push(Note {
+            kind: "no_force",
+            text: format!(
+                "the force shows nothing but noise in {}; check the load cell, or leave these tests out",
+                names.join(", ")
+            ),
+        });
+    }
+    let most = |figure: fn(&Record) -> f64| records.iter().map(figure).fold(0.0_f64, f64::max);
+    let mut small = |figure: f64, limit: f64, text: String| {
+        if figure < limit {
+            notes.push(Note { kind: "small", text });
+        }
+    };
+    let (amplitude, speed, force) = (most(|r| r.amplitude), most(|r| r.peak_velocity), most(|r| range(&r.force)));
+    small(
+        amplitude,
+        SMALL_AMPLITUDE,
+        format!("the largest amplitude is {:.4} mm: is the unit of displacement right?", 1e3 * amplitude),
+    );
+    small(
+        speed,
+        SMALL_SPEED,
+        format!(
+            "the fastest test reaches {:.3} mm/s: are the units of time and motion right? From slow tests alone a model \
+             knows nothing of driving",
+            1e3 * speed
+        ),
+    );
+    small(force, SMALL_FORCE, format!("the force never changes by more than {force:.3} N: is its unit right?"));
+    let mut known: HashMap<String, &Record> = HashMap::with_capacity(records.len());
+    for record in records {
+        let twin = *known.entry(record.fingerprint()).or_insert(record);
+        if !std::ptr::eq(twin, record) && twin.force == record.force && twin.time == record.time {
+            notes.push(Note {
+                kind: "duplicated",
+                text: format!("{} holds the same samples as {} and counts twice", record.name, twin.name),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Whether the force of a moving damper does not stand out of its noise.
+fn shows_noise_alone(record: &Record) -> bool {
+    let noise = record.noise.force_rms;
+    let n = record.force.len() as f64;
+    let mean = record.force.iter().sum::<f64>() / n;
+    let spread = (record.force.iter().map(|f| (f - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let range = range(&record.force);
+    record.peak_velocity > STANDSTILL && noise > 0.0 && range < NOISE_RANGE * noise && spread < NOISE_SPREAD * noise
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Noise;
+
+    fn record(scale: [f64; 2]) -> Record {
+        let time: Vec<f64> = (0..200).map(|i| 0.01 * f64::from(i)).collect();
+        Record {
+            name: "a".into(),
+            source: "a.csv".into(),
+            force: time.iter().map(|t| scale[1] * (6.0 * t).sin()).collect(),
+            displacement: vec![0.0; time.len()],
+            velocity: vec![0.0; time.len()],
+            time,
+            amplitude: 0.05 * scale[0],
+            peak_velocity: 0.3 * scale[0],
+            noise: Noise { force_rms: 5.0, ..Noise::default() },
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn a_thousandfold_slip_is_refused_with_the_unit_to_give() {
+        assert!(refuse_absurd(&record([1.0, 2000.0])).is_ok());
+        let said = |scale| refuse_absurd(&record(scale)).unwrap_err().to_string();
+        assert!(said([1e3, 2000.0]).contains("a.csv") && said([1e3, 1.0]).contains("--unit displacement=mm"));
+        assert!(said([1.0, 2e6]).contains("--unit force=N"));
+        let fast = Record { amplitude: 0.05, ..record([100.0, 1.0]) };
+        assert!(refuse_absurd(&fast).unwrap_err().to_string().contains("--unit velocity=mm/s"));
+    }
+
+    #[test]
+    fn small_figures_silence_and_twins_are_told() {
+        let mut notes = Vec::new();
+        remark(&[record([1.0, 2000.0])], &mut notes).unwrap();
+        assert!(notes.is_empty());
+        let twin = Record { name: "b".into(), ..record([1e-3, 7.0]) };
+        let quiet = |r: Record| Record { noise: Noise { force_rms: 0.1, ..r.noise }, ..r };
+        remark(&[quiet(record([1e-3, 7.0])), quiet(twin)], &mut notes).unwrap();
+        let text: Vec<&str> = notes.iter().map(|n| n.text.as_str()).collect();
+        for wanted in ["0.0500 mm", "0.300 mm/s", "13.999 N", "b holds the same samples as a"] {
+            assert!(text.iter().any(|t| t.contains(wanted)), "{wanted}: {text:?}");
+        }
+        notes.clear();
+        remark(&[record([1.0, 2000.0]), record([1.0, 5.0])], &mut notes).unwrap();
+        assert!(notes[0].kind == "no_force");
+        assert!(remark(&[record([1.0, 5.0])], &mut notes).unwrap_err().to_string().contains("load cell"));
+    }
+}

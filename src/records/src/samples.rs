@@ -1,0 +1,109 @@
+//! The samples of one test as they came from the file: SI, but with the file's signs and flaws.
+
+use super::channel::Channel;
+use super::error::Place;
+use super::record::Note;
+
+/// One test before cleaning. All channels have the length of `time`; missing values are NaN.
+#[derive(Debug, Clone)]
+pub(crate) struct Samples {
+    /// File, and sheet or test within it.
+    pub at: Place,
+    /// Name of the test.
+    pub name: String,
+    /// Line (row, element) of every sample in its file, from 1.
+    pub lines: Vec<usize>,
+    pub time: Vec<f64>,
+    pub force: Vec<f64>,
+    pub displacement: Option<Vec<f64>>,
+    pub velocity: Option<Vec<f64>>,
+    pub side_force: Option<Vec<f64>>,
+    pub temperature: Option<Vec<f64>>,
+    /// Headings of the channels that are there, as the file writes them.
+    pub headings: Vec<(Channel, String)>,
+    pub notes: Vec<Note>,
+}
+
+impl Samples {
+    pub fn len(&self) -> usize {
+        self.time.len()
+    }
+
+    pub fn note(&mut self, kind: &'static str, text: String) {
+        self.notes.push(Note { kind, text });
+    }
+
+    /// What the file calls a channel.
+    pub fn heading(&self, channel: Channel) -> String {
+        let found = self.headings.iter().find(|(c, _)| *c == channel);
+        found.map_or_else(|| channel.to_string(), |(_, heading)| heading.clone())
+    }
+
+    /// A channel's values, where the record has it.
+    pub fn channel(&self, channel: Channel) -> Option<&[f64]> {
+        match channel {
+            Channel::Time => Some(&self.time),
+            Channel::Force => Some(&self.force),
+            Channel::Displacement => self.displacement.as_deref(),
+            Channel::Velocity => self.velocity.as_deref(),
+            Channel::SideForce => self.side_force.as_deref(),
+            Channel::Temperature => self.temperature.as_deref(),
+        }
+    }
+
+    /// The same, to change.
+    pub fn channel_mut(&mut self, channel: Channel) -> Option<&mut Vec<f64>> {
+        match channel {
+            Channel::Time => Some(&mut self.time),
+            Channel::Force => Some(&mut self.force),
+            Channel::Displacement => self.displacement.as_mut(),
+            Channel::Velocity => self.velocity.as_mut(),
+            Channel::SideForce => self.side_force.as_mut(),
+            Channel::Temperature => self.temperature.as_mut(),
+        }
+    }
+
+    /// Keeps the samples whose index is listed, in that order, in every channel.
+    pub fn select(&mut self, indices: &[usize]) {
+        self.lines = indices.iter().map(|&i| self.lines[i]).collect();
+        for channel in Channel::ALL {
+            if let Some(values) = self.channel_mut(channel) {
+                *values = indices.iter().map(|&i| values[i]).collect();
+            }
+        }
+    }
+
+    /// Keeps the samples for which `keep` holds.
+    pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
+        let indices: Vec<usize> = (0..self.len()).filter(|&i| keep(i)).collect();
+        if indices.len() < self.len() {
+            self.select(&indices);
+        }
+    }
+}
+
+/// The median; 0 of nothing. Reorders its argument.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    quantile(values, 0.5)
+}
+
+/// The value below which the share `q` of the values lies (nearest rank); 0 of nothing. Reorders its argument.
+pub(crate) fn quantile(values: &mut [f64], q: f64) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let rank = ((values.len() - 1) as f64 * q).round() as usize;
+    *values.select_nth_unstable_by(rank, f64::total_cmp).1
+}
+
+/// Difference of the largest and the smallest value; 0 of nothing.
+pub(crate) fn range(values: &[f64]) -> f64 {
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    (high - low).max(0.0)
+}
+
+/// Typical time from sample to sample (the median step).
+pub(crate) fn sample_time(time: &[f64]) -> f64 {
+    median(&mut time.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>())
+}

@@ -1,0 +1,495 @@
+//! Which direction the files count positive: worked out from what a passive damper can do.
+//!
+//! Two questions, answered apart. Do force and motion go together? A damper takes energy out of the rig, so force
+//! times velocity must be positive on average; if not, one of the two is reversed, which is refused. And are both
+//! counted in rebound or both in compression? Energy cannot tell. Gas pressure pushes the rod out, and most dampers
+//! resist rebound more than compression; both are evidence, weighed as odds.
+
+use serde::Serialize;
+
+use super::cleaning::{Motion, delay_motion};
+use super::delay::{self, Cause, Delay, UNCLEAR};
+use super::error::RecordError;
+use super::options::{Options, Positive};
+use super::record::Note;
+use super::samples::{median, quantile};
+
+/// What is known about the direction that the files count positive.
+#[derive(Debug, Clone, Serialize)]
+pub struct SignFinding {
+    /// Direction positive in the files (after the flips that the options ask for).
+    pub positive: Positive,
+    /// Whether the user said so; else it was worked out.
+    pub given: bool,
+    /// How sure that is: 0 a coin toss, 1 certain.
+    pub confidence: f64,
+    /// What speaks for and against, in words.
+    pub reasons: Vec<String>,
+    /// Force at standstill, tension positive, N: minus the gas force, with whatever offset the load cell has.
+    pub standstill_force: f64,
+    /// Damping force in rebound over that in compression at like speed, where it could be told; with `positive` applied.
+    pub asymmetry: Option<f64>,
+}
+
+/// Zero offset to be expected of a load cell, N; a smaller force at standstill tells nothing of gas.
+const CELL_OFFSET: f64 = 15.0;
+/// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
+const HYSTERESIS: f64 = 0.1;
+/// One test's evidence, in the file's signs.
+struct Evidence {
+    name: String,
+    /// Correlation of force and velocity over whole cycles: power over what these amplitudes could carry.
+    power: f64,
+    /// Force at standstill and its uncertainty, N.
+    standstill: Option<(f64, f64)>,
+    /// Logarithm of the force at positive over that at negative velocity.
+    asymmetry: Option<f64>,
+    peak_velocity: f64,
+}
+
+/// Works out (or takes) the direction, and turns everything rebound positive.
+///
+/// A force channel that comes late is found on the way. It is judged as if it came in time, but left as it is.
+pub(crate) fn settle(
+    motions: &mut [Motion],
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Result<(SignFinding, Option<Delay>), RecordError> {
+    let flip = |values: &mut Vec<f64>| values.iter_mut().for_each(|v| *v = -*v);
+    let (mut evidence, mut standstill) = weigh(motions);
+    let late = lateness(motions, &evidence, standstill, options, notes)?;
+    if let Some(late) = late {
+        let mut in_time = motions.to_vec();
+        in_time.iter_mut().for_each(|motion| {
+            delay_motion(motion, late.seconds);
+        });
+        (evidence, standstill) = weigh(&in_time);
+    }
+    let finding = direction(&evidence, standstill, options, notes);
+    if finding.positive == Positive::Compression {
+        for motion in motions.iter_mut() {
+            flip(&mut motion.force);
+            flip(&mut motion.displacement);
+            flip(&mut motion.velocity);
+        }
+    }
+    Ok((finding, late))
+}
+
+/// The evidence of all tests, and the campaign's force at standstill.
+fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
+    let mut evidence: Vec<Evidence> = motions.iter().map(gather).collect();
+    let standstill = standstill(&evidence);
+    for (evidence, motion) in evidence.iter_mut().zip(motions.iter()) {
+        evidence.asymmetry = asymmetry(motion, standstill.map_or(0.0, |s| s.0));
+    }
+    (evidence, standstill)
+}
+
+/// How late the force is, where that stands out; refuses tests that feed energy for another reason.
+fn lateness(
+    motions: &[Motion],
+    evidence: &[Evidence],
+    standstill: Option<(f64, f64)>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> Result<Option<Delay>, RecordError> {
+    let feeding: Vec<usize> = (0..evidence.len()).filter(|&i| evidence[i].power < -UNCLEAR).collect();
+    let told = |late: &Delay| {
+        format!(
+            "the force comes about {:.1} ms after the motion: taken so, a curve over velocity leaves {:.1} % of its variance \
+             unexplained, as recorded {:.1} %",
+            1e3 * late.seconds,
+            100.0 * late.unexplained,
+            100.0 * late.unexplained_as_recorded
+        )
+    };
+    let flag = |late: &Delay| format!("--delay {:.4}", options.delay_s + late.seconds);
+    let late = if feeding.is_empty() {
+        delay::find(motions)
+    } else {
+        match delay::cause(motions, &feeding) {
+            Cause::Delay(late) => Some(late),
+            Cause::Either(late) => {
+                let also = format!(". Or {}; then give {}", told(&late), flag(&late));
+                return Err(energy_fed(evidence, standstill, &also));
+            }
+            Cause::Sign => return Err(energy_fed(evidence, standstill, "")),
+        }
+    };
+    if let Some(late) = &late {
+        let energy = match feeding.len() {
+            0 => String::new(),
+            n => format!("; as recorded, the damper would feed energy in {n} of {} tests", evidence.len()),
+        };
+        notes.push(Note {
+            kind: "late",
+            text: format!("{}{energy}. Nothing was moved; to correct it give {}", told(late), flag(late)),
+        });
+    }
+    Ok(late)
+}
+
+fn gather(motion: &Motion) -> Evidence {
+    let span = motion.steady();
+    let (time, x, v, force) = (
+        &motion.time[span.clone()],
+        &motion.displacement[span.clone()],
+        &motion.velocity[span.clone()],
+        &motion.force[span],
+    );
+    let n = x.len() as f64;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
+    let (mx, mf) = (mean(x), mean(force));
+    // Over whole cycles springs and gas give back what they take. Elsewhere their share is taken out by a line.
+    let stiffness = if motion.cycles.is_empty() {
+        let sxx: f64 = x.iter().map(|x| (x - mx).powi(2)).sum();
+        let sxf: f64 = x.iter().zip(force).map(|(x, f)| (x - mx) * (f - mf)).sum();
+        if sxx > 0.0 { sxf / sxx } else { 0.0 }
+    } else {
+        0.0
+    };
+    let (mut power, mut ff, mut vv) = (0.0, 0.0, 0.0);
+    for i in 1..x.len() {
+        let dt = time[i] - time[i - 1];
+        let f = 0.5 * (force[i] + force[i - 1]) - mf - stiffness * (0.5 * (x[i] + x[i - 1]) - mx);
+        let w = 0.5 * (v[i] + v[i - 1]);
+        power += f * w * dt;
+        ff += f * f * dt;
+        vv += w * w * dt;
+    }
+    let power = if ff > 0.0 && vv > 0.0 { power / (ff * vv).sqrt() } else { 0.0 };
+
+    let peak_velocity = super::cleaning::robust_peak(v, &[]);
+    // Both turning points weigh alike, so that friction and hysteresis cancel.
+    let at_rest = |top: bool| -> Vec<f64> {
+        (0..x.len()).filter(|&i| v[i].abs() < 0.05 * peak_velocity && (x[i] > mx) == top).map(|i| force[i]).collect()
+    };
+    let (mut top, mut bottom) = (at_rest(true), at_rest(false));
+    let standstill = (top.len() >= 2 && bottom.len() >= 2).then(|| {
+        let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
+        (0.5 * (median(&mut top) + median(&mut bottom)), (HYSTERESIS * 0.5 * force_range).hypot(CELL_OFFSET))
+    });
+    Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, peak_velocity }
+}
+
+/// Weighted force at standstill of the campaign and its uncertainty. The uncertainties are of one kind in all tests, so
+/// they do not average out.
+fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
+    let (mut weights, mut sum, mut spread) = (0.0, 0.0, 0.0);
+    for (force, uncertainty) in evidence.iter().filter_map(|e| e.standstill) {
+        let weight = uncertainty.powi(-4);
+        weights += weight;
+        sum += weight * force;
+        spread += weight * uncertainty;
+    }
+    (weights > 0.0).then(|| (sum / weights, spread / weights))
+}
+
+/// Logarithm of the ratio of damping forces in the two directions.
+fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
+    let span = motion.steady();
+    let side = |positive: bool| -> Option<f64> {
+        let mut forces: Vec<f64> = span
+            .clone()
+            .filter(|&i| (motion.velocity[i] > 0.0) == positive)
+            .map(|i| (motion.force[i] - standstill).abs())
+            .collect();
+        (forces.len() >= 10).then(|| quantile(&mut forces, 0.95))
+    };
+    let (positive, negative) = (side(true)?, side(false)?);
+    (positive > 0.0 && negative > 0.0).then(|| (positive / negative).ln())
+}
+
+fn list(names: &[&Evidence]) -> String {
+    let mut text = names.iter().take(8).map(|e| format!("'{}'", e.name)).collect::<Vec<_>>().join(", ");
+    if names.len() > 8 {
+        text.push_str(&format!(" and {} more", names.len() - 8));
+    }
+    text
+}
+
+/// The refusal of tests that feed energy, with the likely cause.
+fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: &str) -> RecordError {
+    let feeding: Vec<&Evidence> = evidence.iter().filter(|e| e.power < -UNCLEAR).collect();
+    let dissipating: Vec<&Evidence> = evidence.iter().filter(|e| e.power > UNCLEAR).collect();
+    let tests = feeding.iter().map(|e| e.name.clone()).collect();
+    if !dissipating.is_empty() {
+        let (fewer, more, does) = if feeding.len() <= dissipating.len() {
+            (&feeding, dissipating.len(), "feed energy while the other")
+        } else {
+            (&dissipating, feeding.len(), "dissipate while the other")
+        };
+        let cause = format!(
+            "{} of {} tests {does} {more} do not: {}. These files count force or motion in another direction than the rest. Load \
+             them apart, with --flip force or --flip motion for those that feed energy, or correct the export{also}",
+            fewer.len(),
+            evidence.len(),
+            list(fewer),
+        );
+        return RecordError::FeedsEnergy { cause, tests };
+    }
+    // All feed: force and motion are counted in opposite directions. Which is which?
+    let tension =
+        standstill.filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty).map(|(force, _)| force < 0.0);
+    let culprit = match tension {
+        Some(true) => {
+            "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and \
+             velocity are counted positive in compression. Give --flip motion (or correct the export)"
+        }
+        Some(false) => {
+            "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and \
+             velocity are counted positive in rebound. Give --flip force (or correct the export)"
+        }
+        None => {
+            "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted \
+             positive, --flip motion if compression movements are (or correct the export)"
+        }
+    };
+    let powers: Vec<f64> = feeding.iter().map(|e| e.power).collect();
+    let cause = format!(
+        "in all {} tests with a clear loop force acts along the motion (correlation {:.2}), so force and motion are counted in \
+         opposite directions; {culprit}{also}",
+        feeding.len(),
+        median(&mut powers.clone()),
+    );
+    RecordError::FeedsEnergy { cause, tests }
+}
+
+fn direction(
+    evidence: &[Evidence],
+    standstill: Option<(f64, f64)>,
+    options: &Options,
+    notes: &mut Vec<Note>,
+) -> SignFinding {
+    let mut reasons = Vec::new();
+    // Log odds for rebound positive.
+    let gas = standstill.map_or(0.0, |(force, uncertainty)| (-2.0 * force / uncertainty).clamp(-6.0, 6.0));
+    match standstill {
+        Some((force, uncertainty)) => reasons.push(format!(
+            "force at standstill is {force:+.0} N ± {uncertainty:.0} N as counted in the files; gas pushes the rod out, so that \
+             {}",
+            match gas {
+                g if g > 1.0 => "speaks for tension positive (rebound)",
+                g if g < -1.0 => "speaks for push positive (compression)",
+                _ => "is too small to tell the direction",
+            }
+        )),
+        None => reasons.push("no turning points at standstill, so the gas force cannot be told".into()),
+    }
+    let fastest = evidence.iter().map(|e| e.peak_velocity).fold(0.0, f64::max);
+    let mut ratios: Vec<f64> =
+        evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
+    let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
+    // Dampers scatter: ln(rebound/compression) of 0.6 ± 0.5 gives odds of 4.8 per unit; half of that, and never more
+    // than seven to one, since some dampers are symmetric or the other way round.
+    let shape = ratio.map_or(0.0, |r| (2.5 * r).clamp(-2.0, 2.0));
+    if let Some(r) = ratio {
+        reasons.push(format!(
+            "forces at positive velocity are {:.2} times those at negative velocity in the faster tests; most dampers resist \
+             rebound more, so that {}",
+            r.exp(),
+            match shape {
+                s if s > 0.3 => "speaks for rebound positive",
+                s if s < -0.3 => "speaks for compression positive",
+                _ => "tells nothing",
+            }
+        ));
+    }
+    if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {
+        reasons.push("gas force and asymmetry contradict each other; the stronger of the two was followed".into());
+    }
+    if !evidence.iter().any(|e| e.power > UNCLEAR) {
+        reasons
+            .push("no test dissipates energy clearly, so it is not certain that force and motion go together".into());
+    }
+    let odds = gas + shape;
+    let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
+    // The probability itself: 0.5 where nothing speaks for either.
+    let sure = 1.0 / (1.0 + (-odds.abs()).exp());
+    if options.positive.is_none() && sure < 0.8 {
+        reasons.push("the evidence is weak; say which it is with --positive rebound or --positive compression".into());
+    }
+    // Tests whose own gas force says the opposite of the campaign's.
+    let odd: Vec<&Evidence> = evidence
+        .iter()
+        .filter(|e| e.standstill.is_some_and(|(f, u)| f.abs() > 4.0 * u && (f < 0.0) != (found == Positive::Rebound)))
+        .collect();
+    if !odd.is_empty() && gas.abs() > 1.0 {
+        notes.push(Note {
+            kind: "sign",
+            text: format!(
+                "the force at standstill of {} has the opposite sign of the other tests'; check whether these files \
+                           count in another direction",
+                list(&odd)
+            ),
+        });
+    }
+    let (positive, given, confidence) = match options.positive {
+        Some(positive) => {
+            if positive != found && sure > 0.9 {
+                notes.push(Note {
+                    kind: "sign",
+                    text: format!(
+                        "{} positive was given, but the data speak for the opposite: {}",
+                        word(positive),
+                        reasons.join("; ")
+                    ),
+                });
+            }
+            reasons.insert(0, format!("{} positive was given", word(positive)));
+            (positive, true, 1.0)
+        }
+        None => (found, false, sure),
+    };
+    let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
+    SignFinding {
+        positive,
+        given,
+        confidence,
+        reasons,
+        standstill_force: turn * standstill.map_or(0.0, |s| s.0),
+        asymmetry: ratio.map(|r| (turn * r).exp()),
+    }
+}
+
+fn word(positive: Positive) -> &'static str {
+    match positive {
+        Positive::Rebound => "rebound",
+        Positive::Compression => "compression",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cleaning;
+    use super::super::fixtures::SineTest;
+    use super::*;
+
+    /// Three tests of one damper, as a rig would write them that turns force and motion by these signs.
+    fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
+        campaign_read(force, motion, preload, &Options::default())
+    }
+
+    fn campaign_read(force: f64, motion: f64, preload: f64, options: &Options) -> Vec<Motion> {
+        [0.02, 0.4, 2.0]
+            .iter()
+            .enumerate()
+            .map(|(k, &frequency)| {
+                let mut samples = SineTest { frequency, preload, seed: k as u64, ..SineTest::default() }.samples();
+                samples.name = format!("test{k}");
+                samples.force.iter_mut().for_each(|f| *f *= force);
+                for channel in [&mut samples.displacement, &mut samples.velocity].into_iter().flatten() {
+                    channel.iter_mut().for_each(|x| *x *= motion);
+                }
+                cleaning::repair(samples, options).unwrap()
+            })
+            .collect()
+    }
+
+    fn settled(
+        mut motions: Vec<Motion>,
+        options: &Options,
+    ) -> Result<(SignFinding, Vec<Motion>, Vec<Note>), RecordError> {
+        let mut notes = Vec::new();
+        settle(&mut motions, options, &mut notes).map(|(finding, _)| (finding, motions, notes))
+    }
+
+    #[test]
+    fn both_conventions_end_rebound_positive_and_dissipate() {
+        let (rebound, reference, _) = settled(campaign(1.0, 1.0, -150.0), &Options::default()).unwrap();
+        assert_eq!(rebound.positive, Positive::Rebound);
+        let (compression, turned, _) = settled(campaign(-1.0, -1.0, -150.0), &Options::default()).unwrap();
+        assert_eq!(compression.positive, Positive::Compression);
+        for finding in [&rebound, &compression] {
+            assert!(finding.confidence > 0.95 && !finding.given, "{finding:?}");
+            assert!((finding.standstill_force + 150.0).abs() < 15.0, "{finding:?}");
+            assert!(finding.asymmetry.unwrap() > 1.2, "{finding:?}");
+        }
+        for (a, b) in reference.iter().zip(&turned) {
+            assert_eq!((&a.force, &a.velocity, &a.displacement), (&b.force, &b.velocity, &b.displacement));
+            let power: f64 = a.force.iter().zip(&a.velocity).map(|(f, v)| f * v).sum();
+            assert!(power > 0.0);
+        }
+    }
+
+    #[test]
+    fn a_damper_that_feeds_energy_is_refused_with_the_likely_cause() {
+        let cases = [
+            (-1.0, 1.0, "--flip force", Options { flip_force: true, ..Options::default() }, Positive::Rebound),
+            (1.0, -1.0, "--flip motion", Options { flip_motion: true, ..Options::default() }, Positive::Rebound),
+            // The other flip makes them go together too: both are then counted in compression.
+            (-1.0, 1.0, "--flip force", Options { flip_motion: true, ..Options::default() }, Positive::Compression),
+        ];
+        for (force, motion, advice, cure, positive) in cases {
+            let error = settled(campaign(force, motion, -150.0), &Options::default()).unwrap_err().to_string();
+            assert!(error.contains("feed energy") && error.contains("all 3 tests"), "{error}");
+            assert!(error.contains(&format!("Give {advice} (or")), "{error}");
+            let (finding, motions, _) = settled(campaign_read(force, motion, -150.0, &cure), &cure).unwrap();
+            assert_eq!(finding.positive, positive);
+            let reference = campaign(1.0, 1.0, -150.0);
+            assert_eq!(motions[1].force, reference[1].force);
+            assert_eq!(motions[1].velocity, reference[1].velocity);
+        }
+        let error = settled(campaign(-1.0, 1.0, 0.0), &Options::default()).unwrap_err().to_string();
+        assert!(error.contains("too small to tell"), "{error}");
+    }
+
+    #[test]
+    fn a_late_force_is_told_and_left_as_it_is() {
+        for (late, feeds) in [(0.015, false), (0.045, true)] {
+            let mut motions: Vec<Motion> = [0.5, 3.0, 9.0]
+                .iter()
+                .map(|&frequency| {
+                    let test = SineTest { frequency, amplitude: 0.1 / (1.0 + 4.0 * frequency), ..SineTest::default() };
+                    let mut samples = test.samples();
+                    let steps = (late * frequency * test.per_cycle as f64).round() as usize;
+                    samples.force.rotate_right(steps);
+                    cleaning::repair(samples, &Options::default()).unwrap()
+                })
+                .collect();
+            assert_eq!(motions.iter().map(gather).any(|e| e.power < -UNCLEAR), feeds);
+            let (before, mut notes) = (motions.clone(), Vec::new());
+            let (sign, found) = settle(&mut motions, &Options::default(), &mut notes).unwrap();
+            assert!((found.unwrap().seconds - late).abs() < 1e-3, "{found:?}");
+            assert!(sign.positive == Positive::Rebound && sign.confidence > 0.9, "{sign:?}");
+            assert_eq!(before[2].force, motions[2].force);
+            assert_eq!(before[2].velocity, motions[2].velocity);
+            let note = notes.iter().find(|n| n.kind == "late").unwrap();
+            assert!(
+                note.text.contains("--delay 0.0") && note.text.contains("would feed energy") == feeds,
+                "{}",
+                note.text
+            );
+        }
+    }
+
+    #[test]
+    fn single_tests_that_feed_energy_are_named() {
+        let mut motions = campaign(1.0, 1.0, -150.0);
+        motions[1].force.iter_mut().for_each(|f| *f = -*f);
+        match settled(motions, &Options::default()).unwrap_err() {
+            RecordError::FeedsEnergy { cause, tests } => {
+                assert_eq!(tests, ["test1"]);
+                assert!(cause.contains("'test1'") && cause.contains("1 of 3"), "{cause}");
+            }
+            other => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn what_the_user_says_counts_and_doubt_is_told() {
+        let options = Options { positive: Some(Positive::Compression), ..Options::default() };
+        let (finding, motions, notes) = settled(campaign(1.0, 1.0, -150.0), &options).unwrap();
+        assert!(finding.given && finding.confidence == 1.0);
+        assert!(notes.iter().any(|n| n.kind == "sign" && n.text.contains("speak for the opposite")));
+        assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
+
+        // No gas force: only the asymmetry is left, and that is no certainty.
+        let (weak, ..) = settled(campaign(1.0, 1.0, 0.0), &Options::default()).unwrap();
+        assert!((0.5..0.93).contains(&weak.confidence) && weak.positive == Positive::Rebound, "{weak:?}");
+        // Gas pulls the other way than the asymmetry says.
+        let (torn, ..) = settled(campaign(1.0, 1.0, 60.0), &Options::default()).unwrap();
+        assert!(torn.reasons.iter().any(|r| r.contains("contradict")), "{torn:?}");
+    }
+}

@@ -1,0 +1,186 @@
+//! Headings that stand over each other's columns: time over something that does not advance, displacement over force.
+
+use super::channel::Channel;
+use super::error::RecordError;
+use super::options::Options;
+use super::samples::{Samples, quantile, range};
+
+/// Largest range of displacement, m, that a damper rig has.
+const LONGEST: f64 = 1.0;
+/// Share of steps forward that a time column has at least.
+const FORWARD: f64 = 0.9;
+/// How much rougher than a force a displacement must be to be one; a motion is smooth, a force is not.
+const ROUGHER: f64 = 2.5;
+
+/// Refuses samples whose headings look swapped; a unit that the user gave for a channel says that it is right.
+pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
+    let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
+    let error = |a: Channel, b: Channel, evidence: String| RecordError::Swapped {
+        at: samples.at.clone(),
+        first: samples.heading(a),
+        second: samples.heading(b),
+        of_first: a,
+        of_second: b,
+        evidence,
+    };
+    if samples.len() < 20 {
+        return Ok(());
+    }
+    if !insisted(Channel::Time, Channel::Time) && forward(&samples.time) < 0.7 {
+        for other in [Channel::Force, Channel::Displacement, Channel::Velocity] {
+            let advances = samples.channel(other).is_some_and(|v| range(v) > 0.0 && forward(v) > FORWARD);
+            if advances && !insisted(Channel::Time, other) {
+                let evidence = format!(
+                    "the column read as time steps back or stands in {:.0} % of the rows, the one read as {other} never does",
+                    100.0 * (1.0 - forward(&samples.time))
+                );
+                return Err(error(Channel::Time, other, evidence));
+            }
+        }
+    }
+    let Some(x) = &samples.displacement else { return Ok(()) };
+    if insisted(Channel::Displacement, Channel::Force) {
+        return Ok(());
+    }
+    let spread = |values: &[f64]| {
+        let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+        quantile(&mut finite, 0.98) - quantile(&mut finite, 0.02)
+    };
+    let (move_range, force_range) = (spread(x), spread(&samples.force));
+    if !(move_range > 0.0 && force_range > 0.0) {
+        return Ok(());
+    }
+    let told = format!("displacement would span {:.1} mm and force {force_range:.3} N", 1e3 * move_range);
+    let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
+    // A motion of metres under a force of newtons, and the smoother of the two is called force.
+    if move_range > LONGEST && force_range < 500.0 && rougher {
+        return Err(error(
+            Channel::Displacement,
+            Channel::Force,
+            format!("{told}, and the force would be the smoother of the two"),
+        ));
+    }
+    // A damper takes energy out: the loop of force over displacement runs one way round. Swapped, it runs the other way;
+    // with both measured signs possible, only a smooth force under a rough displacement tells.
+    if let Some(v) = &samples.velocity {
+        let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
+        if by_f > 0.97 && by_x < 0.8 {
+            let evidence = format!(
+                "velocity is the derivative of the column read as force (correlation {by_f:.2}), not of the one read as \
+                 displacement ({by_x:.2})"
+            );
+            return Err(error(Channel::Displacement, Channel::Force, evidence));
+        }
+    } else if rougher && loop_area(x, &samples.force) < 0.0 {
+        let evidence = format!(
+            "the column read as displacement is {:.1} times rougher than the one read as force, and the damper would feed \
+             energy; {told}",
+            roughness(x) / roughness(&samples.force)
+        );
+        return Err(error(Channel::Displacement, Channel::Force, evidence));
+    }
+    Ok(())
+}
+
+/// Share of the steps that go forward.
+fn forward(values: &[f64]) -> f64 {
+    let steps = values.windows(2).filter(|w| w[1] > w[0]).count();
+    steps as f64 / (values.len() - 1).max(1) as f64
+}
+
+/// Root mean square of the third differences as a share of the range: steps, knees and noise.
+fn roughness(values: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> =
+        values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
+    let spread = range(values);
+    // The few largest may be outliers.
+    let count = sizes.len();
+    sizes.sort_by(f64::total_cmp);
+    sizes.truncate(count - count / 200);
+    let mean = sizes.iter().sum::<f64>() / sizes.len().max(1) as f64;
+    if spread > 0.0 { (mean.sqrt() / spread).max(1e-12) } else { 1e-12 }
+}
+
+/// Area of the loop, positive where the damper takes energy out.
+fn loop_area(x: &[f64], force: &[f64]) -> f64 {
+    let pairs = x.windows(2).zip(force.windows(2));
+    pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
+}
+
+/// Correlation of the steps of one column with another taken as its speed.
+fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
+    let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
+    // Over several samples, so that noise does not hide the motion.
+    let reach = (time.len() / 400).clamp(1, 20);
+    for i in reach..time.len().saturating_sub(reach) {
+        let step = time[i + reach] - time[i - reach];
+        let (a, b) = ((values[i + reach] - values[i - reach]) / step, speed[i]);
+        if step > 0.0 && a.is_finite() && b.is_finite() {
+            ab += a * b;
+            aa += a * a;
+            bb += b * b;
+        }
+    }
+    if aa > 0.0 && bb > 0.0 { ab / (aa * bb).sqrt() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixtures::SineTest;
+    use super::*;
+
+    fn said(change: impl Fn(&mut Samples)) -> String {
+        let mut samples = SineTest::default().samples();
+        change(&mut samples);
+        refuse(&samples, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
+    }
+
+    fn swap_with_force(samples: &mut Samples) {
+        let x = samples.displacement.as_mut().unwrap();
+        std::mem::swap(x, &mut samples.force);
+    }
+
+    #[test]
+    fn swapped_headings_are_told_with_the_evidence() {
+        assert_eq!(said(|_| ()), "");
+        assert_eq!(said(|s| s.velocity = None), "");
+        // A force or a motion counted the other way round is another matter.
+        assert_eq!(said(|s| s.force.iter_mut().for_each(|f| *f = -*f)), "");
+        assert_eq!(
+            said(|s| {
+                s.velocity = None;
+                s.force.iter_mut().for_each(|f| *f = -*f)
+            }),
+            ""
+        );
+        for without_velocity in [false, true] {
+            for scale in [1.0, 1e-3] {
+                let message = said(|s| {
+                    swap_with_force(s);
+                    // Columns under the other's heading are taken in the other's unit.
+                    s.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x *= scale);
+                    s.force.iter_mut().for_each(|f| *f *= 1e3);
+                    if without_velocity {
+                        s.velocity = None;
+                    }
+                });
+                assert!(message.contains("swapped") && message.contains("--column displacement="), "{scale} {message}");
+            }
+        }
+        let message = said(|s| {
+            let x = s.displacement.as_mut().unwrap();
+            std::mem::swap(x, &mut s.time);
+        });
+        assert!(message.contains("column read as time"), "{message}");
+    }
+
+    #[test]
+    fn a_unit_given_insists() {
+        let mut samples = SineTest::default().samples();
+        swap_with_force(&mut samples);
+        let mut options = Options::default();
+        assert!(refuse(&samples, &options).is_err());
+        options.units.insert(Channel::Displacement, "mm".parse().unwrap());
+        assert!(refuse(&samples, &options).is_ok());
+    }
+}

@@ -1,0 +1,432 @@
+//! From a header and rows of cells to the samples of the tests they hold, whatever the file format.
+
+use std::collections::HashMap;
+
+use super::channel::Channel;
+use super::clock;
+use super::error::{Place, RecordError};
+use super::heading::{Heading, HeadingUnit, heading, is_plain, nearest, nearest_to, vocabulary, without_unit};
+use super::options::Options;
+use super::record::Note;
+use super::samples::Samples;
+use super::unit::Unit;
+
+/// How many lines at the top of a file are searched for the header.
+pub(crate) const HEADER_WITHIN: usize = 60;
+
+/// Which column holds what.
+#[derive(Debug, Clone)]
+pub(crate) struct Layout {
+    pub columns: Vec<Column>,
+    pub test: Option<usize>,
+    ignored: Vec<String>,
+}
+
+/// One column that is read.
+#[derive(Debug, Clone)]
+pub(crate) struct Column {
+    pub channel: Channel,
+    pub index: usize,
+    pub unit: Unit,
+    pub heading: String,
+    /// Whether it holds times of day.
+    pub clock: bool,
+}
+
+/// Whether a line of cells can be a header: two cells are headings known here or named in the options.
+pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
+    let known = cells.iter().filter(|c| {
+        let text = c.as_ref().trim();
+        matches!(heading(text), Heading::Channel(..)) || options.columns.values().any(|wanted| names(wanted, text))
+    });
+    known.count() >= 2
+}
+
+/// Whether a line of cells below the header is a row of units: nothing but units, at least one of them.
+pub(crate) fn is_units_row<S: AsRef<str>>(cells: &[S]) -> bool {
+    let mut units = 0;
+    for cell in cells {
+        let text = cell.as_ref().trim();
+        if text.is_empty() {
+            continue;
+        }
+        if number(text, true).is_some() {
+            return false;
+        }
+        units += usize::from(text.parse::<Unit>().is_ok());
+    }
+    units > 0
+}
+
+fn same(wanted: &str, text: &str) -> bool {
+    wanted.trim().eq_ignore_ascii_case(text.trim())
+}
+
+/// Whether a name given by the user is this heading: to the letter, or but for its unit.
+fn names(wanted: &str, text: &str) -> bool {
+    same(wanted, text) || {
+        let (wanted, text) = (without_unit(wanted), without_unit(text));
+        !wanted.is_empty() && wanted == text
+    }
+}
+
+/// The number of a column, from 1, that the user gives in place of a heading.
+pub(crate) fn column_number(wanted: &str) -> Option<usize> {
+    wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)
+}
+
+/// The column that the user names: by the whole heading, by the heading without its unit, or by its number.
+fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
+    let at = |found: &dyn Fn(&str) -> bool| -> Vec<usize> { (0..header.len()).filter(|i| found(header[*i])).collect() };
+    let exact = at(&|h| same(wanted, h));
+    if let Some(first) = exact.first() {
+        return vec![*first];
+    }
+    let by_name = at(&|h| names(wanted, h));
+    if !by_name.is_empty() {
+        return by_name;
+    }
+    column_number(wanted).filter(|n| *n <= header.len()).map(|n| n - 1).into_iter().collect()
+}
+
+fn maybe(near: Option<&str>) -> String {
+    near.map_or_else(String::new, |near| format!(" Is '{near}' meant?"))
+}
+
+/// A number, also with a decimal comma where the delimiter allows one. Empty and not-a-number cells are NaN.
+pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
+    let text = text.trim();
+    if let Ok(value) = text.parse::<f64>() {
+        return Some(if value.is_finite() { value } else { f64::NAN });
+    }
+    if ["", "-", "--", "n/a", "na", "#n/a", "null", "#num!", "1.#qnan", "-1.#ind"]
+        .iter()
+        .any(|empty| text.eq_ignore_ascii_case(empty))
+    {
+        return Some(f64::NAN);
+    }
+    if decimal_comma && text.bytes().filter(|&b| b == b',').count() == 1 && !text.contains('.') {
+        return text.replace(',', ".").parse().ok().filter(|v: &f64| v.is_finite());
+    }
+    None
+}
+
+/// The error for a file without a header known here.
+pub(crate) fn no_header(at: &Place, first_line: &str) -> RecordError {
+    let mut found: String = first_line.trim().chars().filter(|c| !c.is_control()).take(120).collect();
+    if found.len() < first_line.trim().len() {
+        found.push_str(" ...");
+    }
+    RecordError::Header { at: at.clone(), found, understood: vocabulary() }
+}
+
+impl Layout {
+    /// Assigns the columns of a header to channels.
+    ///
+    /// `sample_time_given` is true where the source brings its own sample time, so that no time column is needed.
+    pub fn new<S: AsRef<str>>(
+        at: &Place,
+        line: usize,
+        header: &[S],
+        units: Option<&[S]>,
+        options: &Options,
+        sample_time_given: bool,
+    ) -> Result<Layout, RecordError> {
+        Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
+    }
+
+    /// As [`Layout::new`]; `is_clock` tells of a column whether it holds times of day, which need no unit.
+    pub fn with_clock<S: AsRef<str>>(
+        at: &Place,
+        line: usize,
+        header: &[S],
+        units: Option<&[S]>,
+        options: &Options,
+        sample_time_given: bool,
+        is_clock: &dyn Fn(usize) -> bool,
+    ) -> Result<Layout, RecordError> {
+        let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
+        let found = || {
+            /// Columns that a message lists.
+            const LISTED: usize = 40;
+            let listed = header.iter().take(LISTED).map(|h| format!("'{h}'")).collect::<Vec<_>>().join(", ");
+            let more = header.len().saturating_sub(LISTED);
+            if more > 0 { format!("{listed} and {more} more") } else { listed }
+        };
+        let headings: Vec<Heading> = header.iter().map(|h| heading(h)).collect();
+        let mut columns = Vec::new();
+        for channel in Channel::ALL {
+            if options.ignore.contains(&channel) {
+                continue;
+            }
+            let index = if let Some(wanted) = options.columns.get(&channel) {
+                match wanted_column(wanted, &header)[..] {
+                    [index] => Some(index),
+                    [] => {
+                        return Err(RecordError::NoSuchColumn {
+                            at: at.clone(),
+                            line,
+                            channel,
+                            wanted: wanted.clone(),
+                            found: found(),
+                            near: maybe(nearest(wanted, header.iter().copied())),
+                        });
+                    }
+                    [first, second, ..] => {
+                        return Err(RecordError::TwoColumns {
+                            at: at.clone(),
+                            line,
+                            channel,
+                            first: header[first].to_string(),
+                            second: header[second].to_string(),
+                        });
+                    }
+                }
+            } else {
+                let taken = |i: usize| {
+                    options
+                        .columns
+                        .iter()
+                        .any(|(other, wanted)| *other != channel && wanted_column(wanted, &header).contains(&i))
+                };
+                let mut candidates: Vec<usize> = headings
+                    .iter()
+                    .enumerate()
+                    .filter(|(i, h)| matches!(h, Heading::Channel(c, _) if *c == channel) && !taken(*i))
+                    .map(|(i, _)| i)
+                    .collect();
+                // A heading that names the quantity goes before one that names the sensor too; of a pair such as
+                // `Force (V)` and `Force (kN)` the one in a unit of the quantity is meant.
+                prefer(&mut candidates, |i| is_plain(header[i]));
+                prefer(&mut candidates, |i| {
+                    matches!(&headings[i], Heading::Channel(_, HeadingUnit::Known(u)) if u.dimension() == channel.dimension())
+                        || units.is_some_and(|u| {
+                            u[i].as_ref().parse::<Unit>().is_ok_and(|u| u.dimension() == channel.dimension())
+                        })
+                });
+                let first = candidates.first().copied();
+                if let (Some(first), Some(second)) = (first, candidates.get(1).copied()) {
+                    return Err(RecordError::TwoColumns {
+                        at: at.clone(),
+                        line,
+                        channel,
+                        first: header[first].to_string(),
+                        second: header[second].to_string(),
+                    });
+                }
+                first
+            };
+            let Some(index) = index else { continue };
+            let clock = channel == Channel::Time && is_clock(index);
+            let unit = if clock {
+                Unit::Second
+            } else {
+                unit_of(at, line, channel, header[index], &headings[index], units.map(|u| u[index..].iter()), options)?
+            };
+            columns.push(Column { channel, index, unit, heading: header[index].to_string(), clock });
+        }
+        let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
+        let missing = if !has(Channel::Time) && !sample_time_given {
+            Some(("time", Channel::Time))
+        } else if !has(Channel::Force) && !options.ignore.contains(&Channel::Force) {
+            Some(("force", Channel::Force))
+        } else if !has(Channel::Displacement) && !has(Channel::Velocity) {
+            Some(("displacement or velocity", Channel::Displacement))
+        } else {
+            None
+        };
+        if let Some((missing, example)) = missing {
+            let free: Vec<&str> =
+                (0..header.len()).filter(|i| columns.iter().all(|c| c.index != *i)).map(|i| header[i]).collect();
+            let near = maybe(nearest_to(example, &free));
+            return Err(RecordError::MissingColumn { at: at.clone(), line, missing, example, found: found(), near });
+        }
+        let test = headings.iter().position(|h| *h == Heading::Test);
+        let ignored = (0..header.len())
+            .filter(|i| !header[*i].is_empty() && Some(*i) != test && columns.iter().all(|c| c.index != *i))
+            .filter(|i| !matches!(headings[*i], Heading::SampleTime(_) | Heading::SampleRate))
+            .map(|i| header[i].to_string())
+            .take(100)
+            .collect();
+        Ok(Layout { columns, test, ignored })
+    }
+}
+
+/// Keeps those that are better, where there are several and some are.
+fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
+    if candidates.len() > 1 && candidates.iter().any(|i| better(*i)) {
+        candidates.retain(|i| better(*i));
+    }
+}
+
+fn unit_of<'a, S: AsRef<str> + 'a>(
+    at: &Place,
+    line: usize,
+    channel: Channel,
+    column: &str,
+    heading: &Heading,
+    mut units: Option<impl Iterator<Item = &'a S>>,
+    options: &Options,
+) -> Result<Unit, RecordError> {
+    let unknown = |unit: &str| RecordError::UnknownUnit {
+        at: at.clone(),
+        line,
+        column: column.to_string(),
+        unit: unit.to_string(),
+        channel,
+    };
+    if let Some(&unit) = options.units.get(&channel) {
+        return if unit.dimension() == channel.dimension() { Ok(unit) } else { Err(unknown(unit.name())) };
+    }
+    match heading {
+        Heading::Channel(_, HeadingUnit::Known(unit)) if unit.dimension() == channel.dimension() => {
+            return Ok(*unit);
+        }
+        Heading::Channel(_, HeadingUnit::Known(unit)) => return Err(unknown(unit.name())),
+        Heading::Channel(_, HeadingUnit::Unknown(text)) => return Err(unknown(text)),
+        _ => {}
+    }
+    // A column chosen by name may still carry its unit: `Load Cell 1 [kN]`.
+    let written = column.rsplit_once(['[', '(']).map(|(_, unit)| unit);
+    let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
+    let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
+    if let Some(unit) = written.and_then(parsed).or_else(|| below.and_then(parsed)) {
+        return Ok(unit);
+    }
+    if let Some(text) = below.or(written) {
+        return Err(unknown(text.trim_matches(|c| "[]()".contains(c))));
+    }
+    Err(RecordError::MissingUnit {
+        at: at.clone(),
+        line,
+        column: column.to_string(),
+        channel,
+        example: match channel {
+            Channel::Time => "s",
+            Channel::Displacement => "mm",
+            Channel::Velocity => "m/s",
+            Channel::Force | Channel::SideForce => "N",
+            Channel::Temperature => "degC",
+        },
+    })
+}
+
+/// Rows collected under one layout.
+pub(crate) struct Rows {
+    at: Place,
+    name: String,
+    layout: Layout,
+    lines: Vec<usize>,
+    values: Vec<Vec<f64>>,
+    tests: Vec<usize>,
+    names: Vec<String>,
+    by_name: HashMap<String, usize>,
+}
+
+impl Rows {
+    pub fn new(at: Place, name: String, layout: Layout) -> Self {
+        let values = vec![Vec::new(); layout.columns.len()];
+        Rows {
+            at,
+            name,
+            layout,
+            lines: Vec::new(),
+            values,
+            tests: Vec::new(),
+            names: Vec::new(),
+            by_name: HashMap::new(),
+        }
+    }
+
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// Adds a row: one value per column of the layout in the file's units, and the text of the test column.
+    pub fn push(&mut self, line: usize, values: impl Iterator<Item = f64>, test: Option<&str>) {
+        self.lines.push(line);
+        for ((column, channel), value) in self.values.iter_mut().zip(&self.layout.columns).zip(values) {
+            column.push(channel.unit.to_si(value));
+        }
+        if let Some(test) = test {
+            // Tests mostly come in blocks: look at the last one first.
+            let test = test.trim();
+            let index = match self.tests.last() {
+                Some(&last) if self.names[last] == test => last,
+                _ => *self.by_name.entry(test.to_string()).or_insert_with(|| {
+                    self.names.push(test.to_string());
+                    self.names.len() - 1
+                }),
+            };
+            self.tests.push(index);
+        }
+    }
+
+    /// The tests that the rows hold. `sample_time` stands in for a missing time column.
+    pub fn finish(mut self, sample_time: Option<f64>) -> Result<Vec<Samples>, RecordError> {
+        if self.lines.is_empty() {
+            return Err(RecordError::NoData { at: self.at });
+        }
+        let mut notes = Vec::new();
+        if !self.layout.ignored.is_empty() {
+            notes.push(Note { kind: "ignored", text: format!("columns not read: {}", self.layout.ignored.join(", ")) });
+        }
+        let converted: Vec<String> = self
+            .layout
+            .columns
+            .iter()
+            .filter(|c| c.unit.to_si(1.0) != 1.0)
+            .map(|c| format!("{} from {}", c.channel, c.unit))
+            .collect();
+        if !converted.is_empty() {
+            notes.push(Note { kind: "converted", text: format!("converted to SI: {}", converted.join(", ")) });
+        }
+        if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
+            clock::from_first(&mut self.values[index]);
+            notes.push(Note { kind: "converted", text: "time of day taken from the first row on".into() });
+        }
+        let groups: Vec<(String, Place, Option<Vec<usize>>)> = if self.layout.test.is_some() {
+            let mut members = vec![Vec::new(); self.names.len()];
+            for (row, &test) in self.tests.iter().enumerate() {
+                members[test].push(row);
+            }
+            let place = |name: &str| Place { part: Some(format!("test '{name}'")), ..self.at.clone() };
+            self.names.iter().zip(members).map(|(name, rows)| (name.clone(), place(name), Some(rows))).collect()
+        } else {
+            vec![(self.name.clone(), self.at.clone(), None)]
+        };
+        let mut columns = self.values;
+        let mut tests = Vec::with_capacity(groups.len());
+        for (name, at, rows) in groups {
+            let mut take = |channel: Channel| {
+                let index = self.layout.columns.iter().position(|c| c.channel == channel)?;
+                Some(match &rows {
+                    Some(rows) => rows.iter().map(|&r| columns[index][r]).collect::<Vec<f64>>(),
+                    None => std::mem::take(&mut columns[index]),
+                })
+            };
+            let lines: Vec<usize> = match &rows {
+                Some(rows) => rows.iter().map(|&r| self.lines[r]).collect(),
+                None => self.lines.clone(),
+            };
+            let time = take(Channel::Time).unwrap_or_else(|| {
+                let step = sample_time.unwrap_or(1.0);
+                (0..lines.len()).map(|i| i as f64 * step).collect()
+            });
+            tests.push(Samples {
+                at,
+                name,
+                lines,
+                time,
+                force: take(Channel::Force).unwrap_or_default(),
+                displacement: take(Channel::Displacement),
+                velocity: take(Channel::Velocity),
+                side_force: take(Channel::SideForce),
+                temperature: take(Channel::Temperature),
+                headings: self.layout.columns.iter().map(|c| (c.channel, c.heading.clone())).collect(),
+                notes: notes.clone(),
+            });
+        }
+        Ok(tests)
+    }
+}

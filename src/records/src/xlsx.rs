@@ -1,0 +1,368 @@
+//! Reads workbooks: every sheet with a header is a source of records.
+
+use std::io::Read as _;
+use std::path::Path;
+
+use calamine::{Data, DataRef, Reader, Xlsx, open_workbook};
+
+use super::clock;
+use super::error::{Place, RecordError};
+use super::options::Options;
+use super::samples::Samples;
+use super::table::{HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
+
+/// Largest part of a workbook when unpacked, bytes, whatever the size of the file; the strings need several times their
+/// size in memory, so they get less.
+const LARGEST_PART: u64 = 256 << 20;
+const LARGEST_STRINGS: u64 = 48 << 20;
+/// Larger workbooks may unpack to this many times their size; sheets of numbers do to less than twelve.
+const UNPACKED: u64 = 20;
+/// Columns beyond this are left unread; rigs have fewer channels.
+const COLUMNS: u32 = 1000;
+
+/// Reads the tests of all sheets of a workbook, cell by cell, so that neither sizes in its headers nor cells far out cost
+/// memory.
+pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let broken = |cause: String| RecordError::Workbook { file: file.into(), cause };
+    check_sizes(file).map_err(broken)?;
+    let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
+    let sheets = workbook.sheet_names();
+    let mut tests = Vec::new();
+    let mut first_line = None;
+    for sheet in &sheets {
+        let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
+        let mut cells = match workbook.worksheet_cells_reader(sheet) {
+            Ok(cells) => cells,
+            // Sheets of diagrams have no cells.
+            Err(calamine::XlsxError::WorksheetNotFound(_) | calamine::XlsxError::NotAWorksheet(_)) => continue,
+            Err(error) => return Err(wrong(error)),
+        };
+        let at = Place { file: file.into(), part: Some(format!("sheet '{sheet}'")) };
+        let test_name = if sheets.len() > 1 { format!("{name} {sheet}") } else { name.to_string() };
+        let mut reading = Sheet::new(at, test_name, options);
+        let mut row: Vec<Data> = Vec::new();
+        let mut row_index = 0;
+        while let Some(cell) = cells.next_cell().map_err(wrong)? {
+            let (r, c) = cell.get_position();
+            if r != row_index {
+                reading.take(row_index, &row)?;
+                row.clear();
+                row_index = r;
+            }
+            if c < COLUMNS && !matches!(cell.get_value(), DataRef::Empty) {
+                row.resize(row.len().max(c as usize + 1), Data::Empty);
+                row[c as usize] = Data::from(cell.get_value().clone());
+            }
+        }
+        reading.take(row_index, &row)?;
+        first_line = first_line.or(reading.first_line.take());
+        tests.extend(reading.finish()?);
+    }
+    if tests.is_empty() {
+        return Err(no_header(&Place::file(file), &first_line.unwrap_or_default()));
+    }
+    Ok(tests)
+}
+
+/// Unpacks every part once, into nothing, and refuses what would not fit into memory. Sizes that the archive states are not
+/// believed.
+fn check_sizes(file: &Path) -> Result<(), String> {
+    let open = std::fs::File::open(file).map_err(|e| e.to_string())?;
+    let size = open.metadata().map_err(|e| e.to_string())?.len();
+    let mut archive = zip::ZipArchive::new(std::io::BufReader::new(open)).map_err(|e| e.to_string())?;
+    let largest = LARGEST_PART.max(UNPACKED * size);
+    let mut left = largest;
+    for index in 0..archive.len() {
+        let mut part = archive.by_index(index).map_err(|e| e.to_string())?;
+        let name = part.name().map_err(|e| e.to_string())?.to_ascii_lowercase();
+        let strings = name.ends_with("sharedstrings.xml");
+        if strings {
+            // A count that the text cannot hold would be reserved in memory at once.
+            let mut start = Vec::new();
+            (&mut part).take(4096).read_to_end(&mut start).map_err(|e| e.to_string())?;
+            let start = String::from_utf8_lossy(&start).into_owned();
+            let count = start
+                .split_once("uniqueCount")
+                .and_then(|(_, rest)| rest.split(['"', '\'']).nth(1)?.trim().parse::<u64>().ok());
+            if count.is_some_and(|count| count > LARGEST_STRINGS / 8) {
+                return Err(format!("it announces {} strings, more than it can hold", count.unwrap_or(0)));
+            }
+        }
+        let limit = if strings { left.min(LARGEST_STRINGS.max(size)) } else { left };
+        let unpacked = std::io::copy(&mut part.take(limit + 1), &mut std::io::sink()).map_err(|e| e.to_string())?;
+        if unpacked > limit {
+            return Err(format!("its part {name} unpacks to more than {} MiB", limit >> 20));
+        }
+        left -= unpacked;
+    }
+    Ok(())
+}
+
+/// One sheet while its rows come in.
+struct Sheet<'a> {
+    at: Place,
+    name: String,
+    options: &'a Options,
+    first_line: Option<String>,
+    /// Rows looked at for a header.
+    searched: usize,
+    header: Option<(u32, Vec<String>)>,
+    units: Option<Vec<String>>,
+    rows: Option<Rows>,
+}
+
+impl<'a> Sheet<'a> {
+    fn new(at: Place, name: String, options: &'a Options) -> Self {
+        Sheet { at, name, options, first_line: None, searched: 0, header: None, units: None, rows: None }
+    }
+
+    /// The next row, with its index from 0.
+    fn take(&mut self, index: u32, row: &[Data]) -> Result<(), RecordError> {
+        if row.is_empty() {
+            return Ok(());
+        }
+        let text = || row.iter().map(ToString::to_string).collect::<Vec<String>>();
+        let Some((header_index, header)) = &self.header else {
+            if self.searched < HEADER_WITHIN {
+                self.searched += 1;
+                let cells = text();
+                if cells.iter().any(|c| !c.is_empty()) {
+                    self.first_line.get_or_insert_with(|| cells.join(", "));
+                }
+                if is_header(&cells, self.options) {
+                    self.header = Some((index, cells));
+                }
+            }
+            return Ok(());
+        };
+        if self.rows.is_none() {
+            if self.units.is_none() {
+                let mut cells = text();
+                if is_units_row(&cells) {
+                    cells.resize(header.len().max(cells.len()), String::new());
+                    self.units = Some(cells);
+                    return Ok(());
+                }
+            }
+            let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
+            let line = *header_index as usize + 1;
+            let units = self.units.as_deref();
+            let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
+            self.rows = Some(Rows::new(self.at.clone(), self.name.clone(), layout));
+        }
+        let Some(rows) = &mut self.rows else { return Ok(()) };
+        let line = index as usize + 1;
+        let empty = |cell: &Data| matches!(cell, Data::Empty) || cell.to_string().trim().is_empty();
+        if !rows.layout().columns.iter().any(|c| row.get(c.index).is_some_and(|cell| !empty(cell))) {
+            return Ok(());
+        }
+        let mut values = Vec::with_capacity(rows.layout().columns.len());
+        for column in &rows.layout().columns {
+            values.push(match row.get(column.index) {
+                Some(cell) if column.clock && clock_of(cell).is_some() => clock_of(cell).unwrap_or(f64::NAN),
+                Some(Data::Float(v)) if v.is_finite() => *v,
+                Some(Data::Int(v)) => *v as f64,
+                None | Some(Data::Empty | Data::Float(_) | Data::Error(_)) => f64::NAN,
+                Some(other) => number(&other.to_string(), true).ok_or_else(|| RecordError::Cell {
+                    at: self.at.clone(),
+                    line,
+                    column: column.heading.clone(),
+                    text: other.to_string().chars().take(40).collect(),
+                    hint: "; format the cells as numbers",
+                })?,
+            });
+        }
+        let test = rows.layout().test.map(|i| row.get(i).map(ToString::to_string).unwrap_or_default());
+        rows.push(line, values.into_iter(), test.as_deref());
+        Ok(())
+    }
+
+    /// The tests of the sheet; none where it has no header.
+    fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
+        match (self.rows.take(), &self.header) {
+            (Some(rows), _) => rows.finish(None),
+            (None, Some((line, header))) => {
+                // The header is judged even where no row follows.
+                Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
+                Err(RecordError::NoData { at: self.at })
+            }
+            (None, None) => Ok(Vec::new()),
+        }
+    }
+}
+
+/// A time of day, s, of a cell that holds a date or a time, or the text of one.
+fn clock_of(cell: &Data) -> Option<f64> {
+    match cell {
+        Data::DateTime(date) => Some(date.as_f64() * 86_400.0),
+        Data::DateTimeIso(text) | Data::String(text) => clock::seconds(text),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use super::*;
+
+    /// CRC-32 as zip archives use it.
+    fn crc32(data: &[u8]) -> u32 {
+        !data.iter().fold(!0_u32, |crc, &byte| {
+            (0..8).fold(crc ^ u32::from(byte), |c, _| if c & 1 == 1 { (c >> 1) ^ 0xEDB8_8320 } else { c >> 1 })
+        })
+    }
+
+    /// An archive of stored (uncompressed) files.
+    fn zip(files: &[(String, String)]) -> Vec<u8> {
+        let (mut out, mut directory) = (Vec::new(), Vec::new());
+        for (name, text) in files {
+            let offset = out.len() as u32;
+            let size = (text.len() as u32).to_le_bytes();
+            let mut common = vec![20, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+            common.extend(crc32(text.as_bytes()).to_le_bytes());
+            common.extend([size, size].concat());
+            common.extend((name.len() as u16).to_le_bytes());
+            common.extend([0, 0]);
+            out.extend(b"PK\x03\x04");
+            out.extend(&common);
+            out.extend(name.as_bytes());
+            out.extend(text.as_bytes());
+            directory.extend(b"PK\x01\x02\x14\x00");
+            directory.extend(&common);
+            directory.extend([0; 10]);
+            directory.extend(offset.to_le_bytes());
+            directory.extend(name.as_bytes());
+        }
+        let (start, size, count) = (out.len() as u32, directory.len() as u32, files.len() as u16);
+        out.extend(directory);
+        out.extend(b"PK\x05\x06\0\0\0\0");
+        out.extend([count.to_le_bytes(), count.to_le_bytes()].concat());
+        out.extend([size.to_le_bytes(), start.to_le_bytes()].concat());
+        out.extend([0, 0]);
+        out
+    }
+
+    /// A workbook; cells that are numbers are written as such, others as text.
+    fn workbook(sheets: &[(&str, &[&[&str]])]) -> Vec<u8> {
+        zip(&parts(sheets))
+    }
+
+    /// The files in it.
+    fn parts(sheets: &[(&str, &[&[&str]])]) -> Vec<(String, String)> {
+        const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+        const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
+        const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+        let mut files = vec![
+            ("[Content_Types].xml".to_string(), "<Types/>".to_string()),
+            (
+                "_rels/.rels".to_string(),
+                format!(
+                    "<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"r1\" Type=\"{OFFICE}/officeDocument\" \
+                         Target=\"xl/workbook.xml\"/></Relationships>"
+                ),
+            ),
+        ];
+        let (mut list, mut relations) = (String::new(), String::new());
+        for (k, (name, rows)) in sheets.iter().enumerate() {
+            list += &format!("<sheet name=\"{name}\" sheetId=\"{}\" r:id=\"s{k}\"/>", k + 1);
+            relations +=
+                &format!("<Relationship Id=\"s{k}\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet{k}.xml\"/>");
+            let mut data = String::new();
+            for (r, row) in rows.iter().enumerate() {
+                data += &format!("<row r=\"{}\">", r + 1);
+                for (c, cell) in row.iter().enumerate() {
+                    let at = format!("{}{}", (b'A' + c as u8) as char, r + 1);
+                    data += &match cell.parse::<f64>() {
+                        _ if cell.is_empty() => String::new(),
+                        Ok(_) => format!("<c r=\"{at}\"><v>{cell}</v></c>"),
+                        Err(_) => {
+                            format!("<c r=\"{at}\" t=\"inlineStr\"><is><t>{cell}</t></is></c>")
+                        }
+                    };
+                }
+                data += "</row>";
+            }
+            files.push((
+                format!("xl/worksheets/sheet{k}.xml"),
+                format!("<worksheet xmlns=\"{MAIN}\"><sheetData>{data}</sheetData></worksheet>"),
+            ));
+        }
+        files.push((
+            "xl/workbook.xml".to_string(),
+            format!("<workbook xmlns=\"{MAIN}\" xmlns:r=\"{OFFICE}\"><sheets>{list}</sheets></workbook>"),
+        ));
+        files.push((
+            "xl/_rels/workbook.xml.rels".to_string(),
+            format!("<Relationships xmlns=\"{RELATIONS}\">{relations}</Relationships>"),
+        ));
+        files
+    }
+
+    fn read_bytes(bytes: &[u8]) -> Result<Vec<Samples>, RecordError> {
+        let mut file = tempfile::Builder::new().suffix(".xlsx").tempfile().unwrap();
+        file.write_all(bytes).unwrap();
+        read(file.path(), "rig", &Options::default())
+    }
+
+    #[test]
+    fn every_sheet_with_a_header_is_a_source() {
+        let book = workbook(&[
+            ("Notes", &[&["measured on a sunny day"]]),
+            (
+                "slow",
+                &[
+                    &["Rig 7"],
+                    &[],
+                    &["Time", "Stroke", "Load"],
+                    &["s", "mm", "kN"],
+                    &["0", "1.5", "0.1"],
+                    &["0.5", "", "0,2"],
+                ],
+            ),
+            ("fast", &[&["t [s]", "v [m/s]", "F [N]", "Test"], &["0", "1", "2", "a"], &["1", "1", "3", "b"]]),
+        ]);
+        let tests = read_bytes(&book).unwrap();
+        assert_eq!(tests.iter().map(|t| t.name.as_str()).collect::<Vec<_>>(), ["rig slow", "a", "b"]);
+        assert_eq!(tests[0].force, [100.0, 200.0]);
+        assert_eq!(tests[0].lines, [5, 6]);
+        let x = tests[0].displacement.as_ref().unwrap();
+        assert!(x[0] == 0.0015 && x[1].is_nan());
+        assert!(tests[0].at.to_string().ends_with("(sheet 'slow')"));
+    }
+
+    #[test]
+    fn sizes_that_a_workbook_announces_cost_nothing() {
+        const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+        let rows: &[&[&str]] = &[&["time_s", "x_mm", "F_N"], &["0", "1", "2"], &["1", "2", "3"]];
+        let book = |sheet: &str, strings: Option<&str>| {
+            let mut files = parts(&[("one", rows)]);
+            for (name, text) in &mut files {
+                if name.contains("sheet0") {
+                    *text = text.replace("</sheetData>", &format!("{sheet}</sheetData>"));
+                }
+            }
+            if let Some(strings) = strings {
+                files.push(("xl/sharedStrings.xml".into(), format!("<sst xmlns=\"{MAIN}\" {strings}></sst>")));
+            }
+            read_bytes(&zip(&files))
+        };
+        // The last cell that a sheet can have.
+        let far = "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>";
+        assert_eq!(book(far, None).unwrap()[0].force, [2.0, 3.0]);
+        assert!(book("", Some("uniqueCount=\"12\"")).is_ok());
+        let message = book("", Some("count=\"1\" uniqueCount=\"4294967295\"")).unwrap_err().to_string();
+        assert!(message.contains("4294967295 strings"), "{message}");
+    }
+
+    #[test]
+    fn faults_are_named_by_sheet_and_row() {
+        let error = read_bytes(&workbook(&[("one", &[&["time_s", "x_mm", "F_N"], &["0", "zero", "1"]])]))
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("sheet 'one'") && error.contains("line 2") && error.contains("'zero'"), "{error}");
+        let error = read_bytes(&workbook(&[("one", &[&["alpha", "beta"]])])).unwrap_err().to_string();
+        assert!(error.contains("alpha, beta") && error.contains("Understood"), "{error}");
+        assert!(read_bytes(b"no workbook").unwrap_err().to_string().contains("workbook"));
+    }
+}

@@ -1,0 +1,328 @@
+//! Files that are damaged or made to harm: every one is read or refused in words, within a gibibyte of memory.
+//!
+//! A reader that asks for more ends this process with a signal, and so fails the test.
+
+use dashpot_records::{Options, Unit, load};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Address space of this process, bytes: a gibibyte for the reader, and the program itself with its threads' stacks.
+#[cfg(target_os = "linux")]
+const SPACE: u64 = (1 << 30) + (512 << 20);
+
+fn limit_memory() {
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::process::{Resource, Rlimit, setrlimit};
+        setrlimit(Resource::As, Rlimit { current: Some(SPACE), maximum: Some(SPACE) }).unwrap();
+    }
+}
+
+/// Loads a file; panics and signals are the failures, an answer of either kind is none.
+fn answer(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize, String> {
+    let file = folder.join(name);
+    std::fs::write(&file, bytes).unwrap();
+    let mut options = Options::default();
+    options.units.insert("force".parse().unwrap(), Unit::Newton);
+    let answer = load(&[file], &options, &|_| ()).map(|c| c.records.len()).map_err(|e| e.to_string());
+    if let Err(message) = &answer {
+        assert!(message.contains(name) || message.contains("in all") || message.contains("tests"), "{name}: {message}");
+    }
+    answer
+}
+
+/// Random numbers (xorshift64*; Vigna 2016).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % n.max(1)
+    }
+}
+
+/// Words that break readers: limits of number types, cells far out, quotes, terminal escapes, other scripts.
+const POISON: [&[u8]; 22] = [
+    b"4294967295",
+    b"18446744073709551615",
+    b"-1",
+    b"1e308",
+    b"-1e308",
+    b"1e-320",
+    b"nan",
+    b"inf",
+    b"\"",
+    b"'",
+    b"\0",
+    b"\n",
+    b",",
+    b";",
+    b"\t",
+    b"\x1b[31m",
+    b"XFD1048576",
+    b"\xff\xfe",
+    b"\xf0\x9f\x92\xa9",
+    b"99:99:99",
+    b"<row r=\"0\">",
+    b"&#0;",
+];
+
+fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
+    for _ in 0..=random.below(3) {
+        let at = random.below(bytes.len());
+        match random.below(6) {
+            0 if !bytes.is_empty() => bytes[at] = random.below(256) as u8,
+            1 => bytes.truncate(at),
+            2 => {
+                let word = POISON[random.below(POISON.len())];
+                bytes.splice(at..at, word.iter().copied());
+            }
+            3 => {
+                let word = POISON[random.below(POISON.len())];
+                let end = (at + word.len()).min(bytes.len());
+                bytes.splice(at..end, word.iter().copied());
+            }
+            4 => {
+                let end = (at + random.below(200)).min(bytes.len());
+                let part = bytes[at..end].to_vec();
+                let to = random.below(bytes.len());
+                bytes.splice(to..to, part);
+            }
+            _ => {
+                let end = (at + random.below(60)).min(bytes.len());
+                bytes.drain(at..end);
+            }
+        }
+    }
+}
+
+/// Time, displacement in mm and force of a damper on a sine.
+fn rows() -> Vec<[f64; 3]> {
+    (0..120)
+        .map(|i| {
+            let t = 0.01 * f64::from(i);
+            let v = 0.3 * (6.0 * t).cos();
+            [t, 50.0 * (6.0 * t).sin(), 1500.0 * v + 40.0 * (v / 0.01).tanh() + f64::from(i * i % 7)]
+        })
+        .collect()
+}
+
+fn text(delimiter: &str, header: &str) -> Vec<u8> {
+    let mut out = format!("{header}\n");
+    for row in rows() {
+        out += &row.map(|v| format!("{v:.4}")).join(delimiter);
+        out.push('\n');
+    }
+    out.into_bytes()
+}
+
+const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
+const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+
+/// The parts of a workbook of one sheet.
+fn workbook() -> Vec<(&'static str, Vec<u8>)> {
+    let strings = ["time_s", "x_mm", "F_N"];
+    let mut sheet = format!("<worksheet xmlns=\"{MAIN}\"><sheetData><row r=\"1\">");
+    for (k, column) in ["A", "B", "C"].iter().enumerate() {
+        sheet += &format!("<c r=\"{column}1\" t=\"s\"><v>{k}</v></c>");
+    }
+    sheet += "</row>";
+    for (r, row) in rows().iter().enumerate() {
+        sheet += &format!("<row r=\"{}\">", r + 2);
+        for (column, value) in ["A", "B", "C"].iter().zip(row) {
+            sheet += &format!("<c r=\"{column}{}\"><v>{value:.4}</v></c>", r + 2);
+        }
+        sheet += "</row>";
+    }
+    sheet += "</sheetData></worksheet>";
+    let shared: String = strings.iter().map(|s| format!("<si><t>{s}</t></si>")).collect();
+    vec![
+        ("[Content_Types].xml", b"<Types/>".to_vec()),
+        (
+            "_rels/.rels",
+            format!("<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"r1\" Type=\"{OFFICE}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>").into_bytes(),
+        ),
+        (
+            "xl/workbook.xml",
+            format!("<workbook xmlns=\"{MAIN}\" xmlns:r=\"{OFFICE}\"><sheets><sheet name=\"one\" sheetId=\"1\" r:id=\"s0\"/></sheets></workbook>").into_bytes(),
+        ),
+        (
+            "xl/_rels/workbook.xml.rels",
+            format!("<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"s0\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet0.xml\"/><Relationship Id=\"s1\" Type=\"{OFFICE}/sharedStrings\" Target=\"sharedStrings.xml\"/></Relationships>").into_bytes(),
+        ),
+        ("xl/sharedStrings.xml", format!("<sst xmlns=\"{MAIN}\" count=\"3\" uniqueCount=\"3\">{shared}</sst>").into_bytes()),
+        ("xl/worksheets/sheet0.xml", sheet.into_bytes()),
+    ]
+}
+
+fn zip(parts: &[(&str, Vec<u8>)]) -> Vec<u8> {
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (name, part) in parts {
+        archive.start_file(*name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(part).unwrap();
+    }
+    archive.finish().unwrap().into_inner()
+}
+
+/// One variable of a MAT file of version 5.
+fn variable(name: &str, values: &[f64]) -> Vec<u8> {
+    let element = |kind: u32, data: &[u8]| {
+        let mut out = [kind.to_le_bytes(), (data.len() as u32).to_le_bytes()].concat();
+        out.extend_from_slice(data);
+        out.resize(out.len().next_multiple_of(8), 0);
+        out
+    };
+    let mut matrix = element(6, &[6, 0, 0, 0, 0, 0, 0, 0]);
+    matrix.extend(element(5, &[(values.len() as i32).to_le_bytes(), 1_i32.to_le_bytes()].concat()));
+    matrix.extend(element(1, name.as_bytes()));
+    matrix.extend(element(9, &values.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<_>>()));
+    element(14, &matrix)
+}
+
+fn mat(variables: &[Vec<u8>], packed: bool) -> Vec<u8> {
+    let mut out = vec![b' '; 124];
+    out[..19].copy_from_slice(b"MATLAB 5.0 MAT-file");
+    out.extend([0x00, 0x01, b'I', b'M']);
+    for variable in variables {
+        if packed {
+            let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
+            packer.write_all(variable).unwrap();
+            let packed = packer.finish().unwrap();
+            out.extend(15_u32.to_le_bytes());
+            out.extend((packed.len() as u32).to_le_bytes());
+            out.extend(packed);
+        } else {
+            out.extend(variable);
+        }
+    }
+    out
+}
+
+fn variables() -> Vec<Vec<u8>> {
+    let column = |k: usize| rows().iter().map(|r| r[k]).collect::<Vec<f64>>();
+    vec![variable("time_s", &column(0)), variable("x_mm", &column(1)), variable("F_N", &column(2))]
+}
+
+fn rpc() -> Vec<u8> {
+    let entries = [
+        ("FORMAT", "BINARY_IEEE_LITTLE_END"),
+        ("NUM_HEADER_BLOCKS", "4"),
+        ("NUM_PARAMS", "14"),
+        ("FILE_TYPE", "TIME_HISTORY"),
+        ("DELTA_T", "1.0e-2"),
+        ("PTS_PER_FRAME", "120"),
+        ("CHANNELS", "2"),
+        ("PTS_PER_GROUP", "120"),
+        ("FRAMES", "1"),
+        ("DATA_TYPE", "FLOATING_POINT"),
+        ("DESC.CHAN_1", "Stroke"),
+        ("UNITS.CHAN_1", "mm"),
+        ("DESC.CHAN_2", "Force"),
+        ("UNITS.CHAN_2", "N"),
+    ];
+    let mut out = vec![0; 2048];
+    for (k, (key, value)) in entries.iter().enumerate() {
+        out[128 * k..128 * k + key.len()].copy_from_slice(key.as_bytes());
+        out[128 * k + 32..128 * k + 32 + value.len()].copy_from_slice(value.as_bytes());
+    }
+    for channel in [1, 2] {
+        out.extend(rows().iter().flat_map(|r| (r[channel] as f32).to_le_bytes()));
+    }
+    out
+}
+
+/// Sound files of every format, which the mutations start from.
+fn seeds() -> Vec<(&'static str, Vec<u8>)> {
+    let mts =
+        [b"MTS793|BTW|ENU|1|2|.|/|:|1|0|0|A\n".to_vec(), text("\t", "Time Sec\tAxial Displacement mm\tAxial Force N")]
+            .concat();
+    vec![
+        ("a.csv", text(",", "time_s,displacement_mm,force_N")),
+        ("b.txt", text("   ", "Zeit [s]   Weg [mm]   Kraft [N]")),
+        ("c.dat", [mts.clone(), mts].concat()),
+        ("d.csv", text(";", "test;t_s;x_mm;F_N").iter().copied().collect()),
+        ("e.xlsx", zip(&workbook())),
+        ("f.mat", mat(&variables(), false)),
+        ("g.mat", mat(&variables(), true)),
+        ("h.rsp", rpc()),
+    ]
+}
+
+#[test]
+fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
+    limit_memory();
+    let folder = tempfile::tempdir().unwrap();
+    let folder: &PathBuf = &folder.path().to_path_buf();
+    for (name, seed) in seeds() {
+        if name != "d.csv" {
+            assert_eq!(answer(folder, name, &seed), Ok(if name == "c.dat" { 2 } else { 1 }), "{name} itself is sound");
+        }
+    }
+    let mut random = Random(7);
+    let seeds = seeds();
+    for round in 0..3000 {
+        let (name, seed) = &seeds[round % seeds.len()];
+        let mut bytes = seed.clone();
+        if *name == "e.xlsx" && round % 3 > 0 {
+            // Damage inside the parts, which the archive's checksums do not give away.
+            let mut parts = workbook();
+            let k = random.below(parts.len());
+            mutate(&mut random, &mut parts[k].1);
+            bytes = zip(&parts);
+        } else if *name == "g.mat" && round % 3 > 0 {
+            let mut variables = variables();
+            let k = random.below(3);
+            mutate(&mut random, &mut variables[k]);
+            bytes = mat(&variables, true);
+        } else {
+            mutate(&mut random, &mut bytes);
+        }
+        let _ = answer(folder, name, &bytes);
+    }
+    bombs(folder);
+}
+
+fn bombs(folder: &Path) {
+    // A sheet that unpacks to gigabytes.
+    let mut parts = workbook();
+    let cells = "<row><c><v>1</v></c><c><v>2</v></c><c><v>3</v></c></row>".repeat(6 << 20).into_bytes();
+    let sheet = String::from_utf8(parts[5].1.clone()).unwrap();
+    let (head, tail) = sheet.split_at(sheet.find("</sheetData>").unwrap());
+    parts[5].1 = [head.as_bytes(), &cells, tail.as_bytes()].concat();
+    drop(cells);
+    let bomb = zip(&parts);
+    drop(parts);
+    assert!(bomb.len() < 10 << 20);
+    assert!(answer(folder, "bomb.xlsx", &bomb).unwrap_err().contains("unpacks to more"));
+    // Strings announced that are not there, and a cell at the end of the largest sheet.
+    let mut parts = workbook();
+    parts[4].1 = String::from_utf8(parts[4].1.clone())
+        .unwrap()
+        .replace("uniqueCount=\"3\"", "uniqueCount=\"4294967295\"")
+        .into();
+    assert!(answer(folder, "count.xlsx", &zip(&parts)).unwrap_err().contains("4294967295 strings"));
+    let mut parts = workbook();
+    let far = "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row></sheetData>";
+    parts[5].1 = String::from_utf8(parts[5].1.clone()).unwrap().replace("</sheetData>", far).into();
+    assert_eq!(answer(folder, "far.xlsx", &zip(&parts)), Ok(1));
+    // A variable that unpacks to far more than the file.
+    let zeros = variable("time_s", &vec![0.0; 8 << 20]);
+    let bomb = mat(&[zeros], true);
+    assert!(bomb.len() < 1 << 20);
+    assert!(answer(folder, "bomb.mat", &bomb).unwrap_err().contains("unpacks to more"));
+    // Hundreds of thousands of tests of one row each; of columns; rows that all repeat.
+    let names: String = (0..450_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
+    let refused = answer(folder, "names.csv", format!("test,time_s,x_mm,F_N\n{names}").as_bytes()).unwrap_err();
+    assert!(refused.contains("only 1 usable") && refused.len() < 1000, "{refused}");
+    let columns = (0..1_500_000).map(|i| format!("c{i}")).collect::<Vec<_>>().join(",");
+    let refused = answer(folder, "columns.csv", format!("time_s,F_N,{columns}\n0,1\n").as_bytes()).unwrap_err();
+    assert!(refused.contains("more") && refused.len() < 2000, "{}", refused.len());
+    let period = rows();
+    let periodic: String = (0..300_000_usize)
+        .map(|i| format!("{:.2},{:.3},{:.1}\n", 0.01 * i as f64, period[i % 105][1], period[i % 105][2]))
+        .collect();
+    let _ = answer(folder, "periodic.csv", format!("time_s,x_mm,F_N\n{periodic}").as_bytes());
+}

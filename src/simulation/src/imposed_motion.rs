@@ -1,0 +1,378 @@
+//! A motion imposed on a model: made complete, sampled anew if wanted, and run.
+
+use dashpot_core::step::step_into;
+use dashpot_core::{Input, Model, Output, State};
+use dashpot_records::MotionRecord;
+
+/// Most rows that a motion is sampled to: some gigabytes of output.
+pub const MOST_ROWS: usize = 50_000_000;
+
+/// A motion with which a model can be driven.
+#[derive(Debug, Clone)]
+pub struct ImposedMotion {
+    /// Time, s, strictly increasing.
+    pub time: Vec<f64>,
+    /// Displacement, m; where it is missing the kernel integrates the velocity.
+    pub displacement: Option<Vec<f64>>,
+    /// Velocity, m/s.
+    pub velocity: Vec<f64>,
+    /// Side force, N, where known.
+    pub side_force: Option<Vec<f64>>,
+    /// Damper temperature, °C, where known.
+    pub temperature: Option<Vec<f64>>,
+    /// Displacement at the first sample, m.
+    pub initial_position: f64,
+}
+
+/// The answer of a model to a motion at one sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Answer {
+    /// Time, s.
+    pub time: f64,
+    /// Displacement, m, extension positive.
+    pub displacement: f64,
+    /// Velocity, m/s, extension positive.
+    pub velocity: f64,
+    /// Force, N, tension positive.
+    pub force: f64,
+}
+
+/// Why a motion cannot be imposed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ImposeError {
+    /// The initial position is already in the file.
+    #[error(
+        "the motion has a displacement, which says where it starts: an initial position is for motions that give \
+         velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
+    )]
+    InitialPositionKnown,
+    /// The initial position is no number.
+    #[error("the initial position is {0} m, which is no position")]
+    InitialPosition(f64),
+    /// The step is no step.
+    #[error("the step is {0} s; it must be above zero")]
+    Step(f64),
+    /// The step does not fit into the motion.
+    #[error("the step of {step} s is longer than the motion, which lasts {duration} s")]
+    LongStep {
+        /// The step, s.
+        step: f64,
+        /// Length of the motion, s.
+        duration: f64,
+    },
+    /// The step is too short for the motion.
+    #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
+    ShortStep {
+        /// The step, s.
+        step: f64,
+        /// Length of the motion, s.
+        duration: f64,
+        /// Rows it would make.
+        rows: f64,
+    },
+    /// A channel or the force leaves the range of numbers.
+    #[error("at {0} s the {1} is no finite number any more; check the units of the motion")]
+    NotFinite(f64, &'static str),
+}
+
+impl ImposedMotion {
+    /// Completes a motion.
+    ///
+    /// Displacement and velocity: both are used as they are. Displacement alone: the velocity is the slope of the cubic
+    /// spline through it, which has a continuous acceleration (not-a-knot ends; exact for cubics, of third order in the
+    /// sample time elsewhere). Velocity alone: the kernel integrates it from `initial_position`, 0 if not given.
+    ///
+    /// # Errors
+    /// Where an initial position is given for a motion with displacement, or a slope overflows.
+    pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
+        let MotionRecord { time, displacement, velocity, side_force, temperature } = record;
+        let (initial_position, velocity) = match (&displacement, velocity) {
+            (Some(_), _) if initial_position.is_some() => return Err(ImposeError::InitialPositionKnown),
+            (Some(x), Some(v)) => (x.first().copied().unwrap_or(0.0), v),
+            (Some(x), None) => (x.first().copied().unwrap_or(0.0), spline_slopes(&time, x)),
+            (None, v) => (initial_position.unwrap_or(0.0), v.unwrap_or_default()),
+        };
+        if !initial_position.is_finite() {
+            return Err(ImposeError::InitialPosition(initial_position));
+        }
+        if let Some(row) = velocity.iter().position(|v| !v.is_finite()) {
+            return Err(ImposeError::NotFinite(time[row], "velocity"));
+        }
+        Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, initial_position })
+    }
+
+    /// The same motion at a fixed step, s, from its first time on: displacement and velocity from the cubic through
+    /// displacement and velocity of the neighbouring samples, the path that the kernel itself takes between two steps;
+    /// side force and temperature run straight.
+    ///
+    /// # Errors
+    /// Where the step is not above zero, longer than the motion, or makes too many rows.
+    pub fn resampled(&self, step: f64) -> Result<ImposedMotion, ImposeError> {
+        if !(step.is_finite() && step > 0.0) {
+            return Err(ImposeError::Step(step));
+        }
+        let n = self.time.len();
+        let (start, end) = (self.time[0], self.time[n - 1]);
+        let duration = end - start;
+        // The last sample counts although its time is rounded.
+        let steps = (duration / step * (1.0 + 1e-9)).floor();
+        if steps < 1.0 {
+            return Err(ImposeError::LongStep { step, duration });
+        }
+        if steps >= MOST_ROWS as f64 {
+            return Err(ImposeError::ShortStep { step, duration, rows: steps + 1.0 });
+        }
+        let integrated;
+        let x = match &self.displacement {
+            Some(x) => x,
+            None => {
+                integrated = self.integrated();
+                &integrated
+            }
+        };
+        let v = &self.velocity;
+        let rows = steps as usize + 1;
+        let mut out = ImposedMotion {
+            time: Vec::with_capacity(rows),
+            displacement: Some(Vec::with_capacity(rows)),
+            velocity: Vec::with_capacity(rows),
+            side_force: self.side_force.as_ref().map(|_| Vec::with_capacity(rows)),
+            temperature: self.temperature.as_ref().map(|_| Vec::with_capacity(rows)),
+            initial_position: self.initial_position,
+        };
+        let mut i = 0;
+        for k in 0..rows {
+            let t = (start + k as f64 * step).min(end);
+            while i + 2 < n && self.time[i + 1] <= t {
+                i += 1;
+            }
+            let h = self.time[i + 1] - self.time[i];
+            let s = (t - self.time[i]) / h;
+            let (x, v) = hermite([x[i], x[i + 1]], [v[i], v[i + 1]], h, s);
+            out.time.push(start + k as f64 * step);
+            out.displacement.get_or_insert_default().push(x);
+            out.velocity.push(v);
+            for (to, from) in [(&mut out.side_force, &self.side_force), (&mut out.temperature, &self.temperature)] {
+                if let (Some(to), Some(from)) = (to, from) {
+                    to.push(from[i] + s * (from[i + 1] - from[i]));
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// Displacement by the kernel's own rule: the velocity runs straight between samples.
+    fn integrated(&self) -> Vec<f64> {
+        let mut x = self.initial_position;
+        let mut displacement = vec![x];
+        for (t, v) in self.time.windows(2).zip(self.velocity.windows(2)) {
+            x += 0.5 * (t[1] - t[0]) * (v[0] + v[1]);
+            displacement.push(x);
+        }
+        displacement
+    }
+
+    /// What the kernel is given at a sample.
+    pub fn input(&self, i: usize) -> Input {
+        Input {
+            displacement: self.displacement.as_ref().map(|c| c[i]),
+            side_force: self.side_force.as_ref().map_or(0.0, |c| c[i]),
+            temperature: self.temperature.as_ref().map_or(20.0, |c| c[i]),
+            ..Input::velocity(self.velocity[i])
+        }
+    }
+
+    /// Runs the model through the motion, one step of the kernel per sample, from the state that is settled at the
+    /// first sample.
+    ///
+    /// # Errors
+    /// Where the motion is so far from any damper's that a number overflows.
+    pub fn drive(&self, model: &Model) -> Result<Vec<Answer>, ImposeError> {
+        let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
+        let mut state = model.settled(&first);
+        let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
+        let mut answers = Vec::with_capacity(self.time.len());
+        let (mut next, mut output) = (State::ZERO, Output::ZERO);
+        for (i, &time) in self.time.iter().enumerate() {
+            if i > 0 {
+                step_into(model, &state, &self.input(i), time - self.time[i - 1], &mut next, &mut output);
+                (state, force) = (next, output.force);
+            }
+            if !(state.is_finite() && force.is_finite()) {
+                return Err(ImposeError::NotFinite(time, "force"));
+            }
+            answers.push(Answer { time, displacement: state.displacement, velocity: self.velocity[i], force });
+        }
+        Ok(answers)
+    }
+}
+
+/// Value and slope at the fraction `s` of an interval of length `h`, of the cubic through values and slopes at its ends.
+fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
+    let (dx, p, q) = (x[1] - x[0], h * v[0], h * v[1]);
+    let (square, cube) = (3.0 * dx - 2.0 * p - q, p + q - 2.0 * dx);
+    (x[0] + s * (p + s * (square + s * cube)), (p + s * (2.0 * square + s * 3.0 * cube)) / h)
+}
+
+/// Slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to
+/// Splines, 1978, IV); of the parabola through three samples, of the line through two.
+fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
+    let n = t.len();
+    let h: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
+    let d: Vec<f64> = x.windows(2).zip(&h).map(|(x, h)| (x[1] - x[0]) / h).collect();
+    match n {
+        0 | 1 => return vec![0.0; n],
+        2 => return vec![d[0]; 2],
+        3 => {
+            let bend = (d[1] - d[0]) / (h[0] + h[1]);
+            return vec![d[0] - h[0] * bend, d[0] + h[0] * bend, d[1] + h[1] * bend];
+        }
+        _ => {}
+    }
+    // Tridiagonal: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. The end rows have been freed of the slope
+    // two samples away by the row next to them.
+    let (l, m) = (n - 2, n - 3);
+    let (first, last) = (h[0] + h[1], h[l] + h[m]);
+    let (mut below, mut at, mut above, mut right) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+    (at[0], above[0]) = (h[1], first);
+    right[0] = ((h[0] + 2.0 * first) * h[1] * d[0] + h[0] * h[0] * d[1]) / first;
+    for i in 1..n - 1 {
+        (below[i], at[i], above[i]) = (h[i], 2.0 * (h[i - 1] + h[i]), h[i - 1]);
+        right[i] = 3.0 * (h[i] * d[i - 1] + h[i - 1] * d[i]);
+    }
+    (below[n - 1], at[n - 1]) = (last, h[m]);
+    right[n - 1] = ((h[l] + 2.0 * last) * h[m] * d[l] + h[l] * h[l] * d[m]) / last;
+    // Elimination without exchange of rows: every pivot stays positive.
+    for i in 1..n {
+        let share = below[i] / at[i - 1];
+        at[i] -= share * above[i - 1];
+        right[i] -= share * right[i - 1];
+    }
+    let mut slopes = right;
+    slopes[n - 1] /= at[n - 1];
+    for i in (0..n - 1).rev() {
+        slopes[i] = (slopes[i] - above[i] * slopes[i + 1]) / at[i];
+    }
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::Params;
+    use proptest::prelude::*;
+    use std::f64::consts::TAU;
+
+    /// Two strokes of different speed, `n` samples in 1 s.
+    fn wave(n: usize) -> MotionRecord {
+        let time: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
+        let w = [3.0 * TAU, 11.0 * TAU];
+        let displacement = time.iter().map(|t| 0.03 * (w[0] * t).sin() + 0.002 * (w[1] * t).cos()).collect();
+        let velocity = time.iter().map(|t| 0.03 * w[0] * (w[0] * t).cos() - 0.002 * w[1] * (w[1] * t).sin()).collect();
+        MotionRecord { time, displacement: Some(displacement), velocity: Some(velocity), ..MotionRecord::default() }
+    }
+
+    fn model() -> Model {
+        Model::new(&Params::new()).unwrap()
+    }
+
+    fn forces(motion: &ImposedMotion) -> Vec<f64> {
+        motion.drive(&model()).unwrap().iter().map(|a| a.force).collect()
+    }
+
+    /// Largest difference as a share of the largest force.
+    fn apart(a: &[f64], b: &[f64]) -> f64 {
+        let peak = a.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+        a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) / peak
+    }
+
+    #[test]
+    fn every_form_of_a_motion_gives_the_same_force() {
+        let both = wave(2000);
+        let reference = forces(&ImposedMotion::new(both.clone(), None).unwrap());
+        let start = both.displacement.as_ref().unwrap()[0];
+        let displacement = ImposedMotion::new(MotionRecord { velocity: None, ..both.clone() }, None).unwrap();
+        assert!(apart(&reference, &forces(&displacement)) < 1e-4);
+        let velocity = ImposedMotion::new(MotionRecord { displacement: None, ..both }, Some(start)).unwrap();
+        assert!(apart(&reference, &forces(&velocity)) < 1e-3);
+    }
+
+    #[test]
+    fn a_finer_step_changes_little_and_its_own_step_nothing() {
+        for record in [wave(1000), MotionRecord { displacement: None, ..wave(1000) }] {
+            let motion = ImposedMotion::new(record, None).unwrap();
+            let reference = forces(&motion);
+            assert!(apart(&reference, &forces(&motion.resampled(1e-3).unwrap())) < 1e-9);
+            let fine = forces(&motion.resampled(5e-4).unwrap());
+            assert_eq!(fine.len(), 2001);
+            let at_same_times: Vec<f64> = fine.iter().step_by(2).copied().collect();
+            assert!(apart(&reference, &at_same_times) < 2e-3, "{}", apart(&reference, &at_same_times));
+        }
+    }
+
+    #[test]
+    fn side_force_and_temperature_run_straight_between_samples() {
+        let record = MotionRecord {
+            time: vec![0.0, 1.0, 3.0],
+            velocity: Some(vec![0.0; 3]),
+            side_force: Some(vec![0.0, 10.0, 50.0]),
+            temperature: Some(vec![20.0, 30.0, 20.0]),
+            ..MotionRecord::default()
+        };
+        let motion = ImposedMotion::new(record, None).unwrap().resampled(0.5).unwrap();
+        assert_eq!(motion.side_force.unwrap(), [0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0]);
+        assert_eq!(motion.temperature.unwrap(), [20.0, 25.0, 30.0, 27.5, 25.0, 22.5, 20.0]);
+    }
+
+    #[test]
+    fn what_cannot_be_imposed_is_refused() {
+        let both = wave(10);
+        assert_eq!(ImposedMotion::new(both.clone(), Some(0.0)).unwrap_err(), ImposeError::InitialPositionKnown);
+        let velocity = MotionRecord { displacement: None, ..both.clone() };
+        assert!(ImposedMotion::new(velocity, Some(f64::NAN)).is_err());
+        let motion = ImposedMotion::new(both, None).unwrap();
+        for step in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.5, 1e-12] {
+            assert!(motion.resampled(step).is_err(), "{step}");
+        }
+        assert_eq!(motion.resampled(1.0).unwrap().time, [0.0, 1.0]);
+        assert_eq!(motion.resampled(0.4).unwrap().time, [0.0, 0.4, 0.8]);
+        let absurd = MotionRecord {
+            time: vec![0.0, 1e-300],
+            displacement: Some(vec![-1e300, 1e300]),
+            ..MotionRecord::default()
+        };
+        assert!(matches!(ImposedMotion::new(absurd, None), Err(ImposeError::NotFinite(_, "velocity"))));
+    }
+
+    proptest! {
+        #[test]
+        fn the_spline_is_exact_for_cubics_at_uneven_times(
+            c in prop::array::uniform4(-1.0..1.0_f64),
+            steps in prop::collection::vec(0.01..1.0_f64, 4..30),
+        ) {
+            let mut now = 0.0;
+            let time: Vec<f64> = steps.iter().map(|h| { now += h; now / steps.len() as f64 }).collect();
+            let x: Vec<f64> = time.iter().map(|t| c[0] + t * (c[1] + t * (c[2] + t * c[3]))).collect();
+            for (t, v) in time.iter().zip(spline_slopes(&time, &x)) {
+                let exact = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
+                prop_assert!((v - exact).abs() < 1e-7, "{v} {exact}");
+            }
+        }
+
+        #[test]
+        fn the_spline_has_no_jump_of_acceleration(x in prop::collection::vec(-1.0..1.0_f64, 5..20)) {
+            let time: Vec<f64> = (0..x.len()).map(|i| 0.1 * i as f64 + 0.01 * (i % 3) as f64).collect();
+            let v = spline_slopes(&time, &x);
+            let bend = |i: usize, at_end: bool| {
+                let h = time[i + 1] - time[i];
+                let (dx, p, q) = (x[i + 1] - x[i], h * v[i], h * v[i + 1]);
+                let bends = if at_end { -6.0 * dx + 2.0 * p + 4.0 * q } else { 6.0 * dx - 4.0 * p - 2.0 * q };
+                bends / (h * h)
+            };
+            for i in 1..x.len() - 1 {
+                // Accelerations are of the order of 1 / (0.1 s)².
+                prop_assert!((bend(i - 1, true) - bend(i, false)).abs() < 1e-8);
+            }
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! Models at work: what a model does with a motion.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`prediction`] | the forces a model gives for a record |
+//! | [`imposed_motion`] | motions that a user imposes on a model |
+//! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
+//! | [`accuracy`] | error of the fixed step against a converged solution |
+
+pub mod accuracy;
+pub mod imposed_motion;
+pub mod prediction;
+pub mod vehicle;

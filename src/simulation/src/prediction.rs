@@ -1,0 +1,39 @@
+//! The forces that a model gives for the motion of a record.
+
+use dashpot_core::step::step_into;
+use dashpot_core::{Input, Model, Output, State};
+use dashpot_records::Record;
+use dashpot_records::smoothing::Motion;
+
+/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`dashpot_records::smoothing::smooth`]) from the settled state.
+pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
+    let n = record.time.len();
+    let input = |i: usize| Input {
+        displacement: Some(motion.displacement[i]),
+        velocity: motion.velocity[i],
+        side_force: record.side_force.as_ref().map_or(0.0, |c| c[i]),
+        temperature: record.temperature.as_ref().map_or(20.0, |c| c[i]),
+    };
+    let run = |start: State, range: std::ops::Range<usize>, forces: &mut Vec<f64>| {
+        let mut state = start;
+        let (mut next, mut output) = (State::ZERO, Output::ZERO);
+        for i in range {
+            step_into(model, &state, &input(i), record.time[i] - record.time[i - 1], &mut next, &mut output);
+            state = next;
+            forces.push(output.force);
+        }
+        state
+    };
+    let mut start = model.settled(&input(0));
+    // A periodic record was cut out of a running test: what the damper remembers at its start is what it remembers one
+    // cycle later.
+    if let Some(first) = record.cycles.first().filter(|c| c.start == 0 && c.end < n) {
+        let later = run(start, 1..first.end + 1, &mut Vec::new());
+        start.mass_displacement = later.mass_displacement - later.displacement + start.displacement;
+        start.mass_velocity = later.mass_velocity;
+        start.memory = later.memory;
+    }
+    let mut forces = vec![dashpot_core::evaluate::force(model, &start, &input(0)).force];
+    run(start, 1..n, &mut forces);
+    forces
+}

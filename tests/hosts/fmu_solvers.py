@@ -1,0 +1,83 @@
+"""Model exchange in FMPy's own CVODE, with its defaults, against the co-simulation of the same FMU at steps a fiftieth of the output
+interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency. With DASHPOT_FMUSIM naming the
+program fmusim, the same in it."""
+import contextlib
+import csv
+import io
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from fmpy import extract, read_model_description, simulate_fmu
+from fmu_instance import begun
+
+SECONDS = 1.0
+path, limit, tests = sys.argv[1], float(sys.argv[2]), [tuple(map(float, t.split(":"))) for t in sys.argv[3:]]
+description = read_model_description(path)
+folder = extract(path)
+reference = {v.name: v.valueReference for v in description.modelVariables}
+inputs, force = [reference["displacement"], reference["velocity"]], [reference["force"]]
+three = description.fmiVersion.startswith("3")
+fmusim = os.environ.get("DASHPOT_FMUSIM")
+
+
+def motion(amplitude, frequency, t):
+    w = 2 * math.pi * frequency
+    return [-amplitude * math.cos(w * t), amplitude * w * math.sin(w * t)]
+
+
+def right(test, interval, parts=50):
+    fmu = begun(description, folder, False, lambda u: (u.setFloat64 if three else u.setReal)(inputs, motion(*test, 0.0)))
+    get, put = (fmu.getFloat64, fmu.setFloat64) if three else (fmu.getReal, fmu.setReal)
+    forces, h = [get(force)[0]], interval / parts
+    for k in range(1, parts * round(SECONDS / interval) + 1):
+        put(inputs, motion(*test, k * h))
+        fmu.doStep((k - 1) * h, h)
+        if k % parts == 0:
+            forces.append(get(force)[0])
+    fmu.terminate()
+    fmu.freeInstance()
+    return np.array(forces)
+
+
+def signals(test):
+    t = np.arange(0.0, SECONDS + 1e-9, 1e-4)
+    rows = [(time, *motion(*test, time)) for time in t]
+    return np.array(rows, dtype=[("time", "f8"), ("displacement", "f8"), ("velocity", "f8")])
+
+
+def in_fmpy(test):
+    with contextlib.redirect_stdout(io.StringIO()):  # a warning for each input that is left alone
+        return simulate_fmu(path, fmi_type="ModelExchange", stop_time=SECONDS, input=signals(test), output=["force"])
+
+
+def in_fmusim(test):
+    with tempfile.TemporaryDirectory() as at:
+        rows = signals(test)
+        np.savetxt(f"{at}/in.csv", rows, delimiter=",", header="time,displacement,velocity", comments="", fmt="%.17g")
+        subprocess.run([fmusim, "--interface-type", "me", "--solver", "cvode", "--stop-time", str(SECONDS), "--output-interval", "1e-3",
+                        "--input-file", f"{at}/in.csv", "--output-file", f"{at}/out.csv", "--output-variable", "force", path], check=True)
+        with open(f"{at}/out.csv") as file:
+            got = [(float(r["time"]), float(r["force"])) for r in csv.DictReader(file)]
+    return np.array(got, dtype=[("time", "f8"), ("force", "f8")])
+
+
+try:
+    failed = False
+    for test in tests:
+        for name, solver in [("FMPy", in_fmpy)] + ([("fmusim", in_fmusim)] if fmusim else []):
+            got = solver(test)
+            interval = got["time"][1] - got["time"][0]
+            want = right(test, round(interval, 9))
+            peak = np.abs(want).max()
+            worst = 100 * np.abs(got["force"] - want[: len(got)]).max() / peak if len(got) == len(want) else math.inf
+            print(f"{1e3 * test[0]:g} mm {test[1]:g} Hz in {name}: {worst:.3f} % of {peak:.0f} N")
+            failed |= not worst < limit
+    if failed:
+        sys.exit(f"{path}: more than {limit} % of the largest force off")
+finally:
+    shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,114 @@
+/* How deep the stack of the caller goes in every function of the interface, by elements: each call is made on a stack of its
+ * own that was filled with a pattern. Prints one line a function: its name and the bytes; ends with 1 if any is above 16 KB. */
+#define _GNU_SOURCE
+#include "dashpot.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 1 << 20, MOST = 16384, PATTERN = 0x5a };
+
+static dashpot_params params = DASHPOT_PARAMS_INIT;
+static dashpot_model model, other;
+static const dashpot_model *models[2] = {&model, &model};
+static dashpot_state states[2], rate;
+static dashpot_input inputs[2];
+static dashpot_output outputs[2];
+static dashpot_partials partials;
+static dashpot_fault fault;
+static double force;
+static int32_t status;
+static const char text[] = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"bushing\"]\nfv_force = [-900.0, 0.0, 900.0]\n"
+                           "fv_velocity = [-1.0, 0.0, 1.0]\nbushing_slip = 1e-4\n";
+
+static void *nothing(void *unused) { return unused; }
+static void *defaults(void *unused) { status = dashpot_params_default(&params); return unused; }
+static void *set(void *unused) { status = dashpot_params_set(&params, "gas_force", 80.0); return unused; }
+static void *check(void *unused) { status = dashpot_params_check(&params, &fault); return unused; }
+static void *init(void *unused) { status = dashpot_model_init(&other, &params); return unused; }
+static void *settle(void *unused) { status = dashpot_state_init(&model, 0.01, &rate); return unused; }
+static void *one(void *unused) { status = dashpot_force(&model, &states[1], 0.3, 1e-3, &force); return unused; }
+static void *step(void *unused) { status = dashpot_step(&model, states, inputs, 1e-3, &rate, outputs); return unused; }
+static void *hold(void *unused) { status = dashpot_step(&model, states, inputs, 0.0, &rate, outputs); return unused; }
+static void *batch(void *unused) { status = dashpot_step_batch(2, models, states, inputs, 1e-3, states, outputs); return unused; }
+static void *evaluate(void *unused) { status = dashpot_evaluate(&model, states, inputs, outputs, &rate); return unused; }
+static void *jacobian(void *unused) { status = dashpot_jacobian(&model, states, inputs, &partials); return unused; }
+static void *info(void *unused) {
+  static dashpot_parameter row;
+  row.struct_size = sizeof row;
+  status = dashpot_parameter_info(3, &row);
+  return unused;
+}
+static void *read_file(void *unused) {
+  static dashpot_params file = DASHPOT_PARAMS_INIT;
+  status = dashpot_params_read(&file, text, sizeof text - 1, &fault);
+  return unused;
+}
+
+static long depth(void *(*call)(void *)) {
+  static char *stack;
+  pthread_attr_t attributes;
+  pthread_t thread;
+  long i;
+  if (!stack && posix_memalign((void **)&stack, 4096, SIZE) != 0) exit(2);
+  memset(stack, PATTERN, SIZE);
+  pthread_attr_init(&attributes);
+  if (pthread_attr_setstack(&attributes, stack, SIZE) != 0 || pthread_create(&thread, &attributes, call, NULL) != 0) exit(2);
+  pthread_join(thread, NULL);
+  for (i = 0; i < SIZE && stack[i] == PATTERN; i++) {}
+  return SIZE - i;
+}
+
+static const char *const sets[][12] = {
+    {NULL},
+    {"presliding_friction", "gas_spring", "moving_mass", "lagged_polynomial", "bump_stop", NULL},
+    {"bushing", NULL},
+    {"cavitation", "oil_compressibility", NULL},
+    {"free_play", "bushing", "oil_compressibility", "aeration", "cavitation", "position_dependent_damping",
+     "frequency_selective_damping", "valve_hysteresis", "bump_stop", NULL},
+};
+
+int main(void) {
+  static const struct {
+    const char *name;
+    void *(*call)(void *);
+  } calls[] = {
+      {"dashpot_params_default", defaults}, {"dashpot_params_set", set},   {"dashpot_params_read", read_file},
+      {"dashpot_params_check", check},      {"dashpot_model_init", init},  {"dashpot_state_init", settle},
+      {"dashpot_force", one},               {"dashpot_step", step},        {"dashpot_step, dt 0", hold},
+      {"dashpot_step_batch", batch},        {"dashpot_evaluate", evaluate}, {"dashpot_jacobian", jacobian},
+      {"dashpot_parameter_info", info},
+  };
+  long worst[sizeof calls / sizeof calls[0]] = {0}, thread, most = 0;
+  size_t k, s, i;
+  for (s = 0; s < sizeof sets / sizeof sets[0]; s++) {
+    if (dashpot_params_default(&params) != 0) return 2;
+    for (i = 0; sets[s][i]; i++)
+      if (dashpot_params_enable(&params, sets[s][i], 1) != 0) return 2;
+    dashpot_params_set(&params, "valve_form", 1.0);
+    dashpot_params_set(&params, "cavitation_onset", 0.5);
+    if (dashpot_model_init(&model, &params) != 0 || dashpot_state_init(&model, 0.0, states) != 0) return 2;
+    states[1] = states[0];
+    inputs[0] = inputs[1] = dashpot_input_motion(1e-4, 0.2);
+    /* What a thread takes before it calls anything. */
+    thread = depth(nothing);
+    for (k = 1; k < sizeof calls / sizeof calls[0]; k++) {
+      long deep;
+      status = -1;
+      deep = depth(calls[k].call) - thread;
+      if (status < 0) {
+        printf("%s answers %d\n", calls[k].name, (int)status);
+        return 2;
+      }
+      if (deep > worst[k]) worst[k] = deep;
+    }
+  }
+  worst[0] = depth(defaults) - depth(nothing);
+  for (k = 0; k < sizeof calls / sizeof calls[0]; k++) {
+    printf("%s %ld\n", calls[k].name, worst[k]);
+    if (worst[k] > most) most = worst[k];
+  }
+  return most > MOST;
+}

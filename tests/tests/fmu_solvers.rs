@@ -1,0 +1,49 @@
+//! Model exchange in a stock solver with its defaults: FMPy's CVODE sets the inputs where its steps end and holds them in between.
+//! The force must stay within 1 % of the largest all the same.
+
+use dashpot_core::elements::{COUNT, GROUPS};
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{root, succeed};
+use dashpot_tests::python::python;
+use std::process::Command;
+
+/// The damper that `dashpot demo` identifies, in its element set and its numbers that matter here: a steep dry friction and a soft
+/// series spring.
+const DEMO: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"coulomb_friction\", \"gas_preload\"]\n\
+    fv_form = \"table\"\nfv_velocity = [-1.57, -0.95, -0.57, -0.34, -0.21, -0.125, -0.0756, -0.0456, -0.0275, -0.0166, -0.01, 0, 0.01, \
+    0.0166, 0.0275, 0.0456, 0.0756, 0.125, 0.21, 0.34, 0.57, 0.95, 1.57]\nfv_force = [-1627, -1134, -854, -673, -553, -461, -381, -249, \
+    -107, -46, -14, 0, 13, 42, 109, 263, 598, 854, 1055, 1328, 1726, 2363, 3534]\nseries_stiffness = 4.15e6\ninternal_mass = 0.05\n\
+    spring_linear = 359\ncoulomb_force = 44\ncoulomb_steepness = 13208\ngas_force = 152\n";
+
+fn within_one_percent(text: &str, fmi: &str, tests: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a directory");
+    exported(folder.path(), text, fmi, false, &["--no-sources"]);
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_solvers.py")).arg(folder.path().join("damper.fmu")).arg("1").args(tests);
+    succeed(host.current_dir(folder.path()))
+}
+
+/// Corners of the rig matrix.
+const EDGES: [&str; 4] = ["0.05:0.3", "0.03:5.6", "0.005:20", "0.001:2"];
+
+#[test]
+fn the_damper_of_the_demo() {
+    for fmi in ["2", "3"] {
+        println!("FMI {fmi}\n{}", within_one_percent(DEMO, fmi, &EDGES));
+    }
+}
+
+/// Each element beside curve, series spring and what it needs.
+#[test]
+fn every_element() {
+    for (i, group) in GROUPS[..COUNT].iter().enumerate() {
+        let mut on = vec!["fv_curve", "series_compliance", "gas_preload"];
+        if !on.contains(&group.name) {
+            on.push(group.name);
+        }
+        let text = format!("format = 1\nelements = {on:?}\n");
+        // Every other one in FMI 3.0: the solver sees the same functions.
+        let fmi = if i % 2 == 0 { "2" } else { "3" };
+        println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &["0.03:5.6", "0.002:12"]));
+    }
+}

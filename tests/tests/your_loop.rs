@@ -1,0 +1,51 @@
+//! The example of the page for host authors: its three loops are the same car, and the implicit one is calm where the explicit one is not.
+
+use dashpot_tests::library::{Language, Linkage, host, root, succeed};
+use std::path::Path;
+use std::process::Command;
+
+const CALM: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\"]\ngas_force = 120\n";
+
+/// Time, position and force.
+fn run(program: &Path, model: &str, kind: &str, dt: &str) -> Vec<[f64; 3]> {
+    let file = program.with_file_name("model.toml");
+    std::fs::write(&file, model).expect("a model file");
+    let told = succeed(Command::new(program).arg(&file).args([kind, dt]));
+    told.lines()
+        .map(|line| {
+            let row: Vec<f64> = line.split(' ').map(|n| n.parse().expect("a number")).collect();
+            row.try_into().expect("three numbers")
+        })
+        .collect()
+}
+
+fn apart(a: &[[f64; 3]], b: &[[f64; 3]], column: usize) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (a[column] - b[column]).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn three_loops_are_one_car() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let source = root().join("examples/your_loop.c");
+    let program = host(source.to_str().expect("a path in UTF-8"), Language::C, Linkage::Static, &[], folder.path());
+    let fine = run(&program, CALM, "explicit", "0.00001");
+    let peak = fine.iter().map(|row| row[1].abs()).fold(0.0, f64::max);
+    let force = fine.iter().map(|row| row[2].abs()).fold(0.0, f64::max);
+    let kinds = ["explicit", "trial"].map(|kind| run(&program, CALM, kind, "0.001"));
+    assert!(apart(&kinds[0], &kinds[1], 1) > 0.0, "no step was taken back");
+    assert!(fine.len() == 200 && peak > 0.01 && force > 300.0, "{} {peak} {force}", fine.len());
+    for kind in ["explicit", "trial", "implicit"] {
+        let [coarse, half] = ["0.001", "0.0005"].map(|dt| run(&program, CALM, kind, dt));
+        let errors = [apart(&coarse, &fine, 1), apart(&half, &fine, 1)];
+        println!(
+            "{kind}: {:.3} and {:.3} mm of {:.1} mm at 1 and 0.5 ms",
+            1e3 * errors[0],
+            1e3 * errors[1],
+            1e3 * peak
+        );
+        assert!(errors[0] < 0.01 * peak, "{kind}: {errors:?} of {peak}");
+        // The host's methods are of first order: half the step, half the error. The one that tries chooses its steps itself.
+        assert!(kind == "trial" || errors[1] < 0.7 * errors[0], "{kind}: {errors:?}");
+    }
+}

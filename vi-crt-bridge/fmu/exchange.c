@@ -1,0 +1,135 @@
+/* Model exchange: the host's solver integrates the states.
+ *
+ * The internal mass is told by its deflection from the driven end. Were it told by its own displacement, then a host that holds its
+ * inputs would hold one end of the series spring while the other moves on: 3 MN/m times 0.6 m/s times 1 ms is 1800 N. */
+#include "instance.h"
+#include <math.h>
+#include <string.h>
+
+int instance_enter_event_mode(struct instance *instance)
+{
+    if (instance->data->phase != RUNNING && instance->data->phase != EVENT)
+        return instance_complain(instance, "event mode before the end of initialization or after terminate");
+    instance->data->phase = EVENT;
+    return 0;
+}
+
+int instance_enter_continuous_time(struct instance *instance)
+{
+    if (instance->data->phase != RUNNING && instance->data->phase != EVENT)
+        return instance_complain(instance, "continuous-time mode before the end of initialization or after terminate");
+    /* Inputs set in event mode belong to it, whenever they are asked for. */
+    if (instance_settle_parameters(instance) || instance_refresh(instance))
+        return -1;
+    instance->data->phase = RUNNING;
+    return 0;
+}
+
+int instance_set_time(struct instance *instance, double time)
+{
+    struct data *data = instance->data;
+
+    if (!isfinite(time))
+        return instance_complain(instance, "the time is not finite");
+    if (instance_values(data)[0] != time) {
+        instance_values(data)[0] = time;
+        data->moved = 1;
+        data->stale = 1;
+    }
+    return 0;
+}
+
+int instance_evaluate(struct instance *instance, int corner)
+{
+    struct data *data = instance->data;
+    struct part *part = &data->part[corner];
+    dashpot_state state, rate;
+    dashpot_input input;
+    int integrated = !instance_displacement_given(data, corner), k;
+    int32_t status;
+
+    instance_input_seen(instance, corner);
+    if (corner + 1 == data->corners)
+        data->moved = 0;
+    input = instance_input_now(instance, corner);
+    memset(&state, 0, sizeof state);
+    state.displacement = integrated ? part->state[TRAVEL] : input.displacement;
+    state.velocity = input.velocity;
+    state.mass_displacement = state.displacement + part->state[DEFLECTION];
+    state.mass_velocity = part->state[MASS_VELOCITY];
+    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
+        state.memory[k - FIRST_MEMORY] = part->state[k];
+    status = dashpot_evaluate(&part->corner.model, &state, &input, &part->corner.now.output, &rate);
+    if (status < 0)
+        return instance_complain(instance, "%s", dashpot_status_text(status));
+    part->status = status;
+    part->corner.now.state = state;
+    part->rate[TRAVEL] = integrated ? input.velocity : 0.0;
+    part->rate[DEFLECTION] = rate.mass_displacement - input.velocity;
+    part->rate[MASS_VELOCITY] = rate.mass_velocity;
+    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
+        part->rate[k] = rate.memory[k - FIRST_MEMORY];
+    return 0;
+}
+
+/* The states lie in the table of variables in the host's order. */
+#define EACH_STATE(instance, v)                                                                                        \
+    for (v = (instance)->contents->variable; v < (instance)->contents->variable + (instance)->contents->variables; v++) \
+        if (v->kind == STATE)
+
+int instance_states(struct instance *instance, double *states)
+{
+    const struct variable *v;
+
+    if (instance_refresh(instance))
+        return -1;
+    EACH_STATE(instance, v)
+        *states++ = instance->data->part[v->corner].state[v->index];
+    return 0;
+}
+
+int instance_set_states(struct instance *instance, const double *states)
+{
+    const struct variable *v;
+    int k;
+
+    for (k = 0; k < instance->contents->states; k++)
+        if (!isfinite(states[k]))
+            return instance_complain(instance, "a state is not finite");
+    EACH_STATE(instance, v)
+        instance->data->part[v->corner].state[v->index] = *states++;
+    instance->data->stale = 1;
+    return 0;
+}
+
+int instance_rates(struct instance *instance, double *rates)
+{
+    const struct variable *v;
+
+    if (instance_settle_parameters(instance) || instance_refresh(instance))
+        return -1;
+    EACH_STATE(instance, v)
+        *rates++ = instance->data->part[v->corner].rate[v->index];
+    return 0;
+}
+
+int instance_nominals(struct instance *instance, double *nominals)
+{
+    const struct variable *v;
+
+    EACH_STATE(instance, v)
+        *nominals++ = instance->contents->nominal[v->corner][v->index];
+    return 0;
+}
+
+/* Where the motion leaves the speeds that the curve was identified for, the status changes, which a host sees at an event alone. It
+ * also makes CVODE in FMPy and fmusim set the inputs after each step of its own, and not at communication points only. */
+int instance_indicators(struct instance *instance, double *indicators)
+{
+    int c;
+
+    for (c = 0; c < instance->data->corners; c++)
+        if (instance_get(instance, 1 + (uint32_t)(c * BLOCK + (SPEED_MARGIN - DISPLACEMENT)), REAL, &indicators[c]))
+            return -1;
+    return 0;
+}

@@ -1,0 +1,47 @@
+/* Co-simulation: the FMU steps by itself. */
+#include "instance.h"
+#include <math.h>
+
+int instance_step(struct instance *instance, double time, double dt)
+{
+    struct data *data = instance->data;
+    int c, held = 0;
+
+    if (data->phase != RUNNING)
+        return instance_complain(instance, "a step before the end of initialization or after terminate");
+    if (!(dt >= 0.0 && dt <= 1e9))
+        return instance_complain(instance, "the communication step size must be finite and not negative");
+    if (instance_settle_parameters(instance))
+        return -1;
+    for (c = 0; c < data->corners; c++) {
+        struct part *part = &data->part[c];
+        dashpot_input input = instance_input_ahead(instance, c, dt);
+
+        part->from = part->corner.now.state;
+        part->status = dashpot_corner_step(&part->corner, &input, dt);
+        held |= part->status & DASHPOT_BRIDGE_HELD;
+        /* What was given at the beginning of this step: the line through it and the next one is that of `extrapolate`. */
+        part->told.velocity = instance_input(data, c).velocity;
+        part->derivatives = 0;
+    }
+    data->dt = dt;
+    instance_values(data)[0] = time + dt;
+    data->stale = 0;
+    return held != 0;
+}
+
+int instance_set_derivative(struct instance *instance, uint32_t reference, int order, double value)
+{
+    const struct variable *v =
+        reference < instance->contents->variables ? &instance->contents->variable[reference] : NULL;
+
+    if (!v || v->kind < DISPLACEMENT || v->kind > TEMPERATURE)
+        return instance_complain(instance, "value reference %u is no input", (unsigned)reference);
+    if (order != 1)
+        return instance_complain(instance, "an input has a first derivative here, and none of order %d", order);
+    if (!isfinite(value))
+        return instance_complain(instance, "the derivative of an input must be finite");
+    instance->data->part[v->corner].derivative[v->kind - DISPLACEMENT] = value;
+    instance->data->part[v->corner].derivatives |= 1u << (v->kind - DISPLACEMENT);
+    return 0;
+}
