@@ -1,12 +1,7 @@
 //! `dashpot`: from rig records to a damper that a simulator can run.
 
-mod adams;
-mod fmu;
-mod output;
-mod plot;
+mod inputs;
 mod progress;
-mod report;
-mod runtimes;
 mod verbs;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
@@ -52,9 +47,9 @@ fn main() -> ExitCode {
         Ok(parsed) => parsed,
         Err(told) => return tell_usage(&told),
     };
-    output::set_force(cli.force);
-    output::remember_inputs(&matches);
-    if let Some(error) = output::stdout_closed() {
+    dashpot_output::set_force(cli.force);
+    dashpot_output::remember_inputs(inputs::named(&matches));
+    if let Some(error) = dashpot_output::stdout_closed() {
         eprintln!("dashpot: {error}");
         return ExitCode::from(2);
     }
@@ -88,7 +83,7 @@ fn tell_usage(told: &clap::Error) -> ExitCode {
     let printed = told.print().and_then(|()| std::io::Write::flush(&mut std::io::stdout()));
     let code = match printed {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => 2,
-        _ if output::stdout_closed().is_some() => 2,
+        _ if dashpot_output::stdout_closed().is_some() => 2,
         _ => told.exit_code(),
     };
     ExitCode::from(u8::try_from(code).unwrap_or(2))

@@ -1,6 +1,5 @@
 //! `dashpot bench`: what the step costs, and how exact it is.
 
-use super::output;
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::step::{Integration, Method, step_into};
@@ -53,7 +52,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(spin) = &args.spin {
         return spin_for(spin);
     }
-    output::check_kinds([(args.json.as_deref(), crate::output::Kind::Figures)])?;
+    dashpot_output::check_kinds([(args.json.as_deref(), dashpot_output::Kind::Figures)])?;
     let tests: Vec<Sine> = Matrix::default()
         .points()
         .iter()
@@ -102,12 +101,15 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     drop(progress);
     let json = args.json.as_deref();
-    output::say(json, &table(&rows))?;
+    dashpot_output::say(json, &table(&rows))?;
     if !counted {
-        output::say(json, "instructions need valgrind, which is not installed (Debian: apt-get install valgrind)")?;
+        dashpot_output::say(
+            json,
+            "instructions need valgrind, which is not installed (Debian: apt-get install valgrind)",
+        )?;
     }
     if let Some(path) = json {
-        output::json(path, &rows)?;
+        dashpot_output::json(path, &rows)?;
     }
     Ok(())
 }

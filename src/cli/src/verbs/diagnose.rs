@@ -1,19 +1,18 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
 use super::data::{DataArgs, matches, sign_in_words};
-use super::output;
-use crate::output::{FolderLock, Kind};
 use crate::progress::Progress;
-use crate::report::ParameterRow;
-use crate::report::diagnosis::{DiagnosisReport, headline};
-use crate::report::numbers::{digits, share, with_interval, with_unit};
 use anyhow::bail;
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
 use dashpot_identification::Standing;
 use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
+use dashpot_report::ParameterRow;
+use dashpot_report::diagnosis::{DiagnosisReport, headline};
+use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use std::path::{Path, PathBuf};
 
 /// Find where a model and the records of its damper disagree, name the missing effect, and add it
@@ -162,14 +161,14 @@ fn parameter_rows(found: &Diagnosis) -> Vec<ParameterRow> {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let (json, out) = (args.json.as_deref(), args.output.as_deref());
-    let on_stdout = [out, json].into_iter().flatten().filter(|p| output::is_stdout(p)).count();
+    let on_stdout = [out, json].into_iter().flatten().filter(|p| dashpot_output::is_stdout(p)).count();
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    if args.report.as_deref().is_some_and(output::is_stdout) {
+    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
         bail!("--report needs a file name: standard output takes findings (--json -) or the model (-o -)");
     }
-    output::check_kinds([(out, Kind::Model), (json, Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     let model = model_file::read(&args.model)?;
     let campaign = args.data.load()?;
@@ -177,17 +176,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
-    let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
+    let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&sign_in_words(&campaign.sign))?;
     say(&told(&diagnosed.found).join("\n"))?;
     if let Some(path) = out {
-        output::write(path, &diagnosed.model(&model, &campaign))?;
-        if !output::is_stdout(path) {
+        dashpot_output::write(path, &diagnosed.model(&model, &campaign))?;
+        if !dashpot_output::is_stdout(path) {
             say(&format!("model: {}", path.display()))?;
         }
     }
     if let Some(path) = json {
-        output::json(path, &diagnosed.found)?;
+        dashpot_output::json(path, &diagnosed.found)?;
     }
     if let Some(path) = &args.report {
         diagnosed.report(&args.model, &args.data, &campaign, |report| report.write(path))?;

@@ -1,14 +1,13 @@
 //! `dashpot fit`: records in, model file out.
 
 use super::data::{DataArgs, is_said_first, matches, sign_in_words};
-use super::output;
-use crate::output::Kind;
 use crate::progress::Progress;
 use anyhow::bail;
 use clap::ValueEnum;
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
+use dashpot_output::Kind;
 use dashpot_records::{Campaign, Record, SignFinding};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -103,7 +102,7 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     let progress = Progress::new("fitting");
     let found = fit(records, options, |stage| progress.say(stage.done, stage.text))?;
     drop(progress);
-    output::write(output, &model_file::write(&found))?;
+    dashpot_output::write(output, &model_file::write(&found))?;
     Ok(found)
 }
 
@@ -173,8 +172,8 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     let found = Literature::fit(name, &observation::of_records(&records))?;
     drop(progress);
     let tests: Vec<String> = records.iter().map(|r| r.name.clone()).collect();
-    output::write(&args.output, &file::write(&found, &tests))?;
-    let say = |text: &str| output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
+    dashpot_output::write(&args.output, &file::write(&found, &tests))?;
+    let say = |text: &str| dashpot_output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
     tell_of_records(campaign, &say)?;
     say(&format!(
         "{} tests fitted; {name} in {}, which only dashpot validate --against reads",
@@ -182,7 +181,7 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
         args.output.display()
     ))?;
     if let Some(path) = args.json.as_deref() {
-        output::json(
+        dashpot_output::json(
             path,
             &LiteratureJson { model: &args.output, tests: &tests, numbers: &found, sign: &campaign.sign },
         )?;
@@ -193,11 +192,12 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let json = args.json.as_deref();
-    let on_stdout = [Some(args.output.as_path()), json].into_iter().flatten().filter(|p| output::is_stdout(p)).count();
+    let on_stdout =
+        [Some(args.output.as_path()), json].into_iter().flatten().filter(|p| dashpot_output::is_stdout(p)).count();
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    output::check_kinds([(Some(args.output.as_path()), Kind::Model), (json, Kind::Figures)])?;
+    dashpot_output::check_kinds([(Some(args.output.as_path()), Kind::Model), (json, Kind::Figures)])?;
     let becomes = args.model.becomes();
     if args.elements.is_some() && !matches!(becomes, Becomes::Kernel(Family::Thesis)) {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
@@ -211,7 +211,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         elements: args.elements.clone(),
     };
     let found = identify(&kept(&campaign, &args.hold_out)?, &options, &args.output)?;
-    let say = |text: &str| output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
+    let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     tell_of_records(&campaign, &say)?;
     for choice in &found.choices {
         say(&format!("{}: {} — {}", choice.of, choice.chosen, choice.why))?;
@@ -231,7 +231,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     say(&format!("{} tests fitted; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
-        output::json(
+        dashpot_output::json(
             path,
             &Json {
                 model: &args.output,

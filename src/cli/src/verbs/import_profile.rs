@@ -1,8 +1,8 @@
 //! `dashpot import-profile`: what is known about records, written beside them.
 
 use super::data::{DataArgs, sign_in_words};
-use crate::output::{self, Kind};
 use anyhow::bail;
+use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
 use std::path::PathBuf;
 
@@ -30,7 +30,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("the records lie in {} folders; write one profile for each", folders.len());
     };
     let path = args.output.clone().unwrap_or_else(|| folder.join(profile::FILE));
-    output::check_kinds([(Some(path.as_path()), Kind::Profile)])?;
+    dashpot_output::check_kinds([(Some(path.as_path()), Kind::Profile)])?;
     let campaign = args.data.load()?;
     let mut options = args.data.options()?;
     if let Some(earlier) = Profile::of(folder)? {
@@ -38,11 +38,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         options.exclude.sort();
         options.exclude.dedup();
     }
-    output::write(&path, Profile::from_options(&options).text())?;
+    dashpot_output::write(&path, Profile::from_options(&options).text())?;
     let to = Some(path.as_path());
-    output::say(to, &sign_in_words(&campaign.sign))?;
+    dashpot_output::say(to, &sign_in_words(&campaign.sign))?;
     for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
-        output::say(to, &format!("note: {}", note.text))?;
+        dashpot_output::say(to, &format!("note: {}", note.text))?;
     }
-    output::say(to, &format!("{} tests can be read so; said in {}", campaign.records.len(), path.display()))
+    dashpot_output::say(to, &format!("{} tests can be read so; said in {}", campaign.records.len(), path.display()))
 }

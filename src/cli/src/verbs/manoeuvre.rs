@@ -1,17 +1,16 @@
 //! `dashpot manoeuvre`: what the model changes in a vehicle.
 
 use super::data::DataArgs;
-use super::output;
 use super::validate::prepared;
-use crate::output::Kind;
-use crate::plot::axes::{Axis, Plane, Series};
-use crate::plot::of_test::{FORCE, FV_ONLY, MODEL, VELOCITY};
-use crate::plot::palette::Role;
-use crate::report::blocks::{Block, Column, Figure, Section, Table};
-use crate::report::{self, numbers};
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_output::Kind;
+use dashpot_report::blocks::{Block, Column, Figure, Section, Table};
+use dashpot_report::numbers;
+use dashpot_report::plot::axes::{Axis, Plane, Series};
+use dashpot_report::plot::of_test::{FORCE, FV_ONLY, MODEL, VELOCITY};
+use dashpot_report::plot::palette::Role;
 use dashpot_simulation::vehicle::{CORNERS, Car, Manoeuvre, Run, SLOW, Sample, run as drive};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -89,10 +88,10 @@ struct Covered {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    if args.report.as_deref().is_some_and(output::is_stdout) {
+    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
         bail!("--report needs a file name: standard output takes figures alone (--json -)");
     }
-    output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
     let Some((_, manoeuvre)) = Manoeuvre::ALL.into_iter().find(|(name, _)| *name == args.name) else {
         bail!("there is no manoeuvre {}", args.name);
     };
@@ -105,21 +104,21 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let covered = args.tests.as_ref().map(|path| covered(path)).transpose()?;
     let figures = figures(args, &with_model, &with_curve, covered.as_ref());
     let json = args.json.as_deref();
-    output::say(json, &table(&figures))?;
+    dashpot_output::say(json, &table(&figures))?;
     if let Some(note) = coupling_note(&with_model, &car) {
-        output::say(json, &note)?;
+        dashpot_output::say(json, &note)?;
     }
     if let Some(path) = json {
-        output::json(path, &figures)?;
+        dashpot_output::json(path, &figures)?;
     }
     if let Some(path) = &args.report {
-        let page = report::render_sections(
+        let page = dashpot_report::render_sections(
             &format!("Manoeuvre {}", args.name),
             &format!("Model {} against its FV curve, {} s steps", args.model.display(), args.step),
             &sections(&figures, &with_model, &with_curve, covered.as_ref()),
         );
-        output::write(path, &page)?;
-        output::say(json, &format!("report: {}", path.display()))?;
+        dashpot_output::write(path, &page)?;
+        dashpot_output::say(json, &format!("report: {}", path.display()))?;
     }
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! `dashpot matrix`: the rig's test matrix as CSV.
 
-use super::output;
 use dashpot_rig::{Matrix, MatrixOptions};
 use std::path::PathBuf;
 
@@ -41,6 +40,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         options.frequency_limit_hz = limit;
     }
     let matrix = Matrix::thesis(&options)?;
-    output::check([args.output.as_path()])?;
-    output::write(&args.output, &matrix.to_csv())
+    dashpot_output::check([args.output.as_path()])?;
+    dashpot_output::write(&args.output, &matrix.to_csv())
 }

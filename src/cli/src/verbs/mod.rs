@@ -13,5 +13,3 @@ pub mod matrix;
 pub mod rig;
 pub mod simulate;
 pub mod validate;
-
-use crate::output;

@@ -1,8 +1,8 @@
 //! `dashpot rig`: a campaign measured on the virtual rig.
 
-use crate::output::FolderLock;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
+use dashpot_output::FolderLock;
 use dashpot_proving::case::Case;
 use dashpot_rig::{Campaign, EFFECTS, HiddenCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
 use std::path::PathBuf;
@@ -112,7 +112,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         outcome.campaign.records.len()
     };
     drop(progress);
-    super::output::say(None, &format!("{tests} tests in {}", args.output.display()))
+    dashpot_output::say(None, &format!("{tests} tests in {}", args.output.display()))
 }
 
 /// Names with the strengths that make the severities asked for.

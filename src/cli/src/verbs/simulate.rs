@@ -1,7 +1,6 @@
 //! `dashpot simulate`: the force for any motion.
 
 use super::data::ColumnArgs;
-use super::output;
 use super::validate::prepared;
 use crate::progress::Progress;
 use dashpot_core::Model;
@@ -44,7 +43,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    output::check([args.output.as_path()])?;
+    dashpot_output::check([args.output.as_path()])?;
     let file = model_file::read(&args.model)?;
     let model = prepared(&file.params)?;
     let record = read_motion(&args.motion, &args.columns.options()?)?;
@@ -56,12 +55,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     progress.set(0.2);
     let answers = motion.drive(&model)?;
     drop(progress);
-    output::write(&args.output, &csv(&answers))?;
+    dashpot_output::write(&args.output, &csv(&answers))?;
     // Remarks go where the rows do not.
     if let Some(remark) = beyond(&model, &answers) {
-        output::say(Some(&args.output), &format!("note: {remark}"))?;
+        dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
-    output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
+    dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
 }
 
 /// Numbers are written so that they read back to the bit.

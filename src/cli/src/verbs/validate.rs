@@ -1,11 +1,7 @@
 //! `dashpot validate`: a model against records, beside the FV curve.
 
 use super::data::{DataArgs, sign_in_words};
-use super::output;
-use crate::output::{FolderLock, Kind};
 use crate::progress::Progress;
-use crate::report::against::{self, Rival};
-use crate::report::{self, Block, ParameterRow, ReportInput};
 use anyhow::{Context as _, anyhow, bail};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
@@ -14,8 +10,11 @@ use dashpot_identification::literature::{Literature, LiteratureError, MODELS, fi
 use dashpot_identification::model_file::{self, Interval, ModelFile};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_identification::{Family, FitOptions, fit};
+use dashpot_output::{FolderLock, Kind};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Campaign, Record};
+use dashpot_report::against::{self, Rival};
+use dashpot_report::{Block, ParameterRow, ReportInput};
 use dashpot_simulation::prediction::predict;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -48,10 +47,10 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    if args.report.as_deref().is_some_and(output::is_stdout) {
+    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
         bail!("--report needs a file name: standard output takes figures alone (--json -)");
     }
-    output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     names_of_rivals(&args.against)?;
     let model = model_file::read(&args.model)?;
@@ -59,7 +58,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let compared = compare(&model, &campaign)?;
     let mut validation = validate(&compared)?;
     let json = args.json.as_deref();
-    output::say(json, &table(&validation))?;
+    dashpot_output::say(json, &table(&validation))?;
     let mut rivals = Vec::new();
     if !args.against.is_empty() {
         let found = identify_rivals(&args.against, &model, &campaign, json)?;
@@ -72,7 +71,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             validation.against.push(against);
             rivals.push(Rival { name, forces });
         }
-        output::say(json, &against_table(&validation.against))?;
+        dashpot_output::say(json, &against_table(&validation.against))?;
     }
     let curve = prepared(&model.params)?;
     let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
@@ -84,10 +83,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             fast.len(),
             campaign.records.len()
         );
-        output::say(json, &text)?;
+        dashpot_output::say(json, &text)?;
     }
     if let Some(path) = json {
-        output::json(path, &validation)?;
+        dashpot_output::json(path, &validation)?;
     }
     if args.report.is_some() || args.svg.is_some() {
         let progress = Progress::new("drawing");
@@ -95,12 +94,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let mut input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation);
         input.extra.extend(against::section(&validation, &compared, &rivals));
         if let Some(path) = &args.report {
-            report::write_atomic(&input, path)?;
-            output::say(json, &format!("report: {}", path.display()))?;
+            dashpot_report::write_atomic(&input, path)?;
+            dashpot_output::say(json, &format!("report: {}", path.display()))?;
         }
         if let Some(folder) = &args.svg {
-            let written = report::svgs(&input, folder)?;
-            output::say(json, &format!("{} figures in {}", written.len(), folder.display()))?;
+            let written = dashpot_report::svgs(&input, folder)?;
+            dashpot_output::say(json, &format!("{} figures in {}", written.len(), folder.display()))?;
         }
     }
     Ok(())
@@ -141,7 +140,7 @@ fn identify_rivals(
             );
         }
         used = campaign.records.iter().collect();
-        output::say(
+        dashpot_output::say(
             json,
             "note: the model file names no tests; the models compared with are fitted to all tests given",
         )?;

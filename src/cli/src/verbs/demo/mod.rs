@@ -3,12 +3,11 @@
 mod riddle;
 
 use super::data::DataArgs;
-use super::{fit, output, validate};
-use crate::output::FolderLock;
+use super::{fit, validate};
 use crate::progress::Progress;
-use crate::report;
 use dashpot_identification::FitOptions;
 use dashpot_identification::{model_file, validation};
+use dashpot_output::FolderLock;
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
@@ -33,7 +32,7 @@ const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    let say = |text: &str| output::say(None, text);
+    let say = |text: &str| dashpot_output::say(None, text);
     let records = args.output.join("records");
     let _held = FolderLock::take(&args.output)?;
     say("1. A virtual rig measures a virtual damper over the thesis's test matrix.")?;
@@ -60,7 +59,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let report_path = args.output.join("report.html");
     let named = data.named();
     let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation);
-    report::write_atomic(&input, &report_path)?;
+    dashpot_report::write_atomic(&input, &report_path)?;
     say(&format!("   report: {}\n", report_path.display()))?;
     let diagnosis_path = riddle::tell(&args.output, args.seed)?;
     say(&format!("\nOpen the reports in a browser:\n  {}\n  {}", absolute(&report_path), absolute(&diagnosis_path)))

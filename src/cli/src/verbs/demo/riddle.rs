@@ -1,14 +1,14 @@
 //! The second half of the demo: a damper with an effect hidden in it is measured, identified without it and diagnosed.
 
 use super::super::data::DataArgs;
-use super::super::{diagnose, fit, output};
+use super::super::{diagnose, fit};
 use crate::progress::Progress;
-use crate::report::diagnosis::picture;
-use crate::report::replace_file;
 use anyhow::Context as _;
 use dashpot_diagnosis::Options as DiagnosisOptions;
 use dashpot_identification::FitOptions;
 use dashpot_identification::model_file;
+use dashpot_report::diagnosis::picture;
+use dashpot_report::replace_file;
 use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
 /// Tells the story and leaves everything in a folder; returns the path of the report.
 pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
-    let say = |text: &str| output::say(None, text);
+    let say = |text: &str| dashpot_output::say(None, text);
     let folder = folder.join("riddle");
     let in_folder = |name: &str| folder.join(name);
     let records = in_folder("records");
@@ -49,8 +49,8 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
     let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
     say(&diagnose::told(&diagnosed.found).join("\n"))?;
-    output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
-    output::json(&in_folder("diagnosis.json"), &diagnosed.found)?;
+    dashpot_output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
+    dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.found)?;
     let report_path = in_folder("diagnosis.html");
     diagnosed.report(&model_path, &data, &campaign, |report| report.write(&report_path))?;
     if let Some(svg) = picture(&diagnosed.found) {

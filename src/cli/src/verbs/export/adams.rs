@@ -1,12 +1,11 @@
 //! `dashpot export adams`: a run folder for Adams.
 
-use crate::adams::folder;
-use crate::report::replace_file;
-use crate::runtimes;
-use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::{Context as _, bail};
+use dashpot_hosts::adams::folder;
+use dashpot_hosts::runtimes;
 use dashpot_identification::model_file;
+use dashpot_report::replace_file;
 use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
@@ -53,15 +52,15 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         put(file.name, (note + &file.text).as_bytes())?;
     }
     if let Some(reason) = no_native {
-        output::say(None, &format!("note: no native.adm, because {reason}"))?;
+        dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
     }
     for (name, content) in &libraries {
         put(name, content)?;
     }
     if libraries.is_empty() {
-        output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
+        dashpot_output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
     }
-    output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
+    dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
 }
 
 /// How to come by a library.

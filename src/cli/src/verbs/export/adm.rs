@@ -1,8 +1,7 @@
 //! `dashpot export adm`: dampers of a compiled Adams Car model replaced by the routine.
 
-use crate::adams::patch::{self, Damper};
-use crate::verbs::output;
 use anyhow::Context as _;
+use dashpot_hosts::adams::patch::{self, Damper};
 use std::path::PathBuf;
 
 /// Replace dampers in a compiled Adams Car model by the model, leaving every other byte alone
@@ -41,7 +40,7 @@ fn damper(text: &str) -> Result<Damper, String> {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    output::check([args.output.as_path()])?;
+    dashpot_output::check([args.output.as_path()])?;
     let named = || args.input.display().to_string();
     let adm = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
     let mut dampers = args.dampers.clone();
@@ -49,7 +48,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         damper.model_file.clone_from(&args.model_file);
     }
     let patched = patch::patch(&adm, &dampers, args.replace_preload).with_context(named)?;
-    output::write(&args.output, patched.model)?;
-    output::say(Some(&args.output), &format!("{} dampers replaced in {}", dampers.len(), args.output.display()))?;
-    patched.notes.iter().try_for_each(|note| output::say(Some(&args.output), &format!("  note: {note}")))
+    dashpot_output::write(&args.output, patched.model)?;
+    dashpot_output::say(
+        Some(&args.output),
+        &format!("{} dampers replaced in {}", dampers.len(), args.output.display()),
+    )?;
+    patched.notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
 }

@@ -1,11 +1,10 @@
 //! `dashpot export dpr`: the FV curve as an Adams Car property file.
 
-use crate::adams::property::{self, Curve, Form, Properties};
-use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::bail;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::{Model, Params};
+use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
 use dashpot_identification::model_file;
 use std::path::PathBuf;
 
@@ -27,7 +26,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    output::check([args.output.as_path()])?;
+    dashpot_output::check([args.output.as_path()])?;
     let file = model_file::read(&args.model)?;
     if !file.params.is_on("fv_curve") {
         bail!("{}: the element fv_curve is off, so there is no curve to export", args.model.display());
@@ -48,16 +47,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         "Written by dashpot {} from {} (check sum {:08x}). Rebound and tension are positive.",
         env!("CARGO_PKG_VERSION"),
         if named.is_ascii() { named } else { "a model file".into() },
-        crate::fmu::check_sum(&std::fs::read(&args.model)?)
+        dashpot_hosts::fmu::check_sum(&std::fs::read(&args.model)?)
     )];
     if !left_out.is_empty() {
         notes.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
     }
     let points = curve.velocities.len();
     let text = property::write(&Properties { curve, straight: false, gas_force, notes }, form);
-    output::write(&args.output, &text)?;
+    dashpot_output::write(&args.output, &text)?;
     let more = if left_out.is_empty() { String::new() } else { format!("; left out: {}", left_out.join(", ")) };
-    output::say(Some(&args.output), &format!("{points} points in {}{more}", args.output.display()))
+    dashpot_output::say(Some(&args.output), &format!("{points} points in {}{more}", args.output.display()))
 }
 
 /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.

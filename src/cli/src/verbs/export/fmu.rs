@@ -1,12 +1,12 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
-use super::super::{output, validate};
-use crate::fmu::{self, Binary, Scales, Version};
-use crate::report::replace_file;
-use crate::runtimes;
+use super::super::validate;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
+use dashpot_hosts::fmu::{self, Binary, Scales, Version};
+use dashpot_hosts::runtimes;
 use dashpot_identification::model_file;
+use dashpot_report::replace_file;
 use std::path::{Path, PathBuf};
 
 /// A functional mock-up unit: co-simulation and model exchange in one file
@@ -58,10 +58,10 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    if output::is_stdout(&args.output) {
+    if dashpot_output::is_stdout(&args.output) {
         bail!("-o needs a file name: an FMU is a zip archive");
     }
-    output::check([args.output.as_path()])?;
+    dashpot_output::check([args.output.as_path()])?;
     let models: Vec<Params> = args
         .models
         .iter()
@@ -121,7 +121,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
     let platforms = made.platforms.join(", ");
-    output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))
+    dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))
 }
 
 /// A binary for another platform, from PLATFORM=FILE.

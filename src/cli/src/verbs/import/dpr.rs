@@ -1,10 +1,9 @@
 //! `dashpot import dpr`: a model from an Adams Car property file, TeimOrbit or XML.
 
-use crate::adams::property;
-use crate::verbs::output;
 use crate::verbs::validate::prepared;
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
+use dashpot_hosts::adams::property;
 use dashpot_identification::model_file;
 use std::path::PathBuf;
 
@@ -22,7 +21,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    output::check([args.output.as_path()])?;
+    dashpot_output::check([args.output.as_path()])?;
     let named = || args.input.display().to_string();
     let bytes = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
     let read = property::read(&bytes).with_context(named)?;
@@ -52,18 +51,18 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &read.notes {
         text += &format!("# Left out: {}.\n", note.escape_debug());
     }
-    output::write(&args.output, &(text + "\n" + &flat))?;
+    dashpot_output::write(&args.output, &(text + "\n" + &flat))?;
     let beside = if read.gas_force == 0.0 {
         "friction, gas and series stiffness are off".to_owned()
     } else {
         format!("a gas force of {} N; friction and series stiffness are off", read.gas_force)
     };
-    output::say(
+    dashpot_output::say(
         Some(&args.output),
         &format!("{} points in {}; {beside}", curve.velocities.len(), args.output.display()),
     )?;
     for note in &read.notes {
-        output::say(Some(&args.output), &format!("  left out: {note}"))?;
+        dashpot_output::say(Some(&args.output), &format!("  left out: {note}"))?;
     }
     Ok(())
 }

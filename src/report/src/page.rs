@@ -1,9 +1,9 @@
 //! Sections as one HTML page: all markup, style and script of the report.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
-use crate::output::GENERATOR;
 use crate::plot::palette;
 use crate::plot::svg::escape;
+use dashpot_output::GENERATOR;
 use std::fmt::Write as _;
 
 /// The whole document.

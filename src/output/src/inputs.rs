@@ -1,36 +1,14 @@
 //! The files and folders that a run reads: no output may take their place.
 
-use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// Options that name an output, in every verb.
-const OUTPUTS: [&str; 4] = ["output", "json", "report", "svg"];
-
 static INPUTS: OnceLock<Vec<PathBuf>> = OnceLock::new();
 
-/// Remembers every existing file or folder that the command line names outside the output options, whatever the verb.
-pub fn remember(matches: &ArgMatches) {
-    let mut found = Vec::new();
-    gather(matches, &mut found);
+/// Remembers every existing file or folder that a run was given to read.
+pub fn remember(paths: impl IntoIterator<Item = PathBuf>) {
     // Said once, at the start of the program.
-    let _ = INPUTS.set(found);
-}
-
-fn gather(matches: &ArgMatches, found: &mut Vec<PathBuf>) {
-    for id in matches.ids().filter(|id| !OUTPUTS.contains(&id.as_str())) {
-        // A group of options has values of no one type.
-        let Ok(Some(values)) = matches.try_get_raw(id.as_str()) else { continue };
-        for value in values {
-            let whole = PathBuf::from(value);
-            // `--binary win64=file` and the like.
-            let behind = value.to_str().and_then(|v| v.split_once('=')).map(|(_, file)| PathBuf::from(file));
-            found.extend([Some(whole), behind].into_iter().flatten().filter_map(|p| std::fs::canonicalize(p).ok()));
-        }
-    }
-    if let Some((_, below)) = matches.subcommand() {
-        gather(below, found);
-    }
+    let _ = INPUTS.set(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()).collect());
 }
 
 /// Whether an existing file is read by this run: named itself, or a record in a folder that is named.

@@ -17,10 +17,11 @@ mod hysteresis;
 pub mod numbers;
 mod page;
 mod parameters;
+pub mod plot;
 mod summary;
 
-pub use crate::output::replace_file;
 pub use blocks::{Block, Section};
+pub use dashpot_output::replace_file;
 pub use parameters::ParameterRow;
 
 use anyhow::Context as _;

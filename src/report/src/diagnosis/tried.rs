@@ -1,7 +1,7 @@
 //! Everything that was tried: nothing is named behind the reader's back.
 
-use crate::report::blocks::{Block, Column, Section, Table};
-use crate::report::numbers::{digits, share};
+use crate::blocks::{Block, Column, Section, Table};
+use crate::numbers::{digits, share};
 use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.

@@ -1,8 +1,8 @@
 //! Where model and records disagree before anything is added.
 
+use crate::blocks::{Block, Column, Figure, Section, Table};
+use crate::numbers::{beside, digits};
 use crate::plot::{residual, residual_map};
-use crate::report::blocks::{Block, Column, Figure, Section, Table};
-use crate::report::numbers::{beside, digits};
 use dashpot_diagnosis::{Diagnosis, Region};
 
 /// Regions, maps and curves.

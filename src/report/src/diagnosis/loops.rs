@@ -1,8 +1,8 @@
 //! Loops of the tests with the largest disagreement, fitted and left out.
 
+use crate::blocks::{Block, Figure, Section};
+use crate::numbers::{digits, share};
 use crate::plot::before_after;
-use crate::report::blocks::{Block, Figure, Section};
-use crate::report::numbers::{digits, share};
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
 /// Tests shown of each kind.

@@ -1,7 +1,7 @@
 //! What was added, with its numbers, and why not something else.
 
-use crate::report::blocks::{Block, Column, Section, Table};
-use crate::report::numbers::{share, with_interval, with_unit};
+use crate::blocks::{Block, Column, Section, Table};
+use crate::numbers::{share, with_interval, with_unit};
 use dashpot_diagnosis::{Diagnosis, Finding, Rival, Verdict};
 
 /// The findings, and the suspects of what got no name; `None` where nothing is missing.

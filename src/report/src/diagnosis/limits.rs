@@ -1,7 +1,7 @@
 //! What these records cannot show, the tests that would tell more, and remarks.
 
-use crate::report::blocks::{Block, Column, Section, Table};
-use crate::report::numbers::{digits, milli};
+use crate::blocks::{Block, Column, Section, Table};
+use crate::numbers::{digits, milli};
 use dashpot_diagnosis::Diagnosis;
 
 /// The last words.

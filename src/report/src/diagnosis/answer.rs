@@ -1,9 +1,9 @@
 //! The verdict in a sentence, and the error of every test before and after.
 
+use crate::blocks::{Block, Column, Figure, Section, Table};
+use crate::numbers::{digits, percent, share};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
-use crate::report::blocks::{Block, Column, Figure, Section, Table};
-use crate::report::numbers::{digits, percent, share};
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 
 /// The first section.

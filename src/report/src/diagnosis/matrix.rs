@@ -1,8 +1,8 @@
 //! Errors by amplitude and peak velocity, before and after.
 
+use crate::blocks::{Block, Figure, Section};
+use crate::errors;
 use crate::plot::overview;
-use crate::report::blocks::{Block, Figure, Section};
-use crate::report::errors;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 use dashpot_identification::validation::{Compared, Validation, validate};
 use dashpot_records::Record;

@@ -1,0 +1,29 @@
+//! The files and folders that the command line names for reading, whatever the verb.
+
+use clap::ArgMatches;
+use std::path::PathBuf;
+
+/// Options that name an output, in every verb.
+const OUTPUTS: [&str; 4] = ["output", "json", "report", "svg"];
+
+/// Every value given outside the output options that may be a file or a folder.
+pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    gather(matches, &mut found);
+    found
+}
+
+fn gather(matches: &ArgMatches, found: &mut Vec<PathBuf>) {
+    for id in matches.ids().filter(|id| !OUTPUTS.contains(&id.as_str())) {
+        // A group of options has values of no one type.
+        let Ok(Some(values)) = matches.try_get_raw(id.as_str()) else { continue };
+        for value in values {
+            found.push(PathBuf::from(value));
+            // `--binary win64=file` and the like.
+            found.extend(value.to_str().and_then(|v| v.split_once('=')).map(|(_, file)| PathBuf::from(file)));
+        }
+    }
+    if let Some((_, below)) = matches.subcommand() {
+        gather(below, found);
+    }
+}
