@@ -1,25 +1,23 @@
-//! Bounded, weighted, robust least squares: Levenberg–Marquardt on the segments of a fit.
-//!
-//! Marquardt's scaling (SIAM J. Appl. Math. 11, 1963) on the unknowns that are not held at a bound, Huber's loss by
-//! reweighting (Ann. Math. Stat. 35, 1964). Segments are summed in their order, so the result does not depend on the
-//! number of threads.
+//! A model identified from segments: what is weighed in a fit, and what is known of the solution.
 
 use super::priors::in_search;
 use super::segment::Segment;
 use super::sensitivity::{Accuracy, Run};
+use super::smooth_curve::SmoothCurve;
+use super::solve::{self, Bounds, Loss, Options, Prior, Residuals, Slopes};
 use super::unknowns::Unknowns;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 /// Weighted residual beyond which a sample counts linearly, not squared.
-const HUBER: f64 = 3.0;
+const HUBER: Loss = Loss::Huber(3.0);
 
 /// How hard to try.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
     /// Most accepted or refused steps.
     pub steps: usize,
-    /// Relative fall of the cost at which a fit has ended.
+    /// Share of the cost that may be left to gain.
     pub tolerance: f64,
     /// How exactly the model is integrated.
     pub accuracy: Accuracy,
@@ -37,174 +35,130 @@ impl Effort {
 pub struct Solution {
     /// The unknowns.
     pub theta: Vec<f64>,
-    /// Half the sum of the losses.
+    /// Half the sum of the losses, with what leaving the usual costs.
     pub cost: f64,
     /// Whether it ended by itself.
     pub converged: bool,
 }
 
-/// Cost and normal equations at one point.
-struct Normal {
-    cost: f64,
-    hessian: DMatrix<f64>,
-    gradient: DVector<f64>,
+/// The segments of a fit: a block is a segment; one more is what is usual of the shape of the FV curve.
+struct Problem<'a> {
+    segments: &'a [&'a Segment],
+    unknowns: &'a Unknowns,
+    accuracy: Accuracy,
+    shape: SmoothCurve,
+    /// Root of the weight of what is usual.
+    held: f64,
 }
 
-/// Loss of one weighted residual and the weight it leaves on its square.
-fn huber(r: f64) -> (f64, f64) {
-    let size = r.abs();
-    if size <= HUBER { (0.5 * r * r, 1.0) } else { (HUBER * (size - 0.5 * HUBER), HUBER / size) }
+/// The model at one point, and where that is.
+struct At {
+    run: Run,
+    theta: Vec<f64>,
 }
 
-fn cost_of(segment: &Segment, forces: &[f64]) -> f64 {
-    let scale = 1.0 / segment.scale;
-    (segment.from..segment.force.len()).map(|i| huber((forces[i] - segment.force[i]) * scale).0).sum()
+fn residuals(segment: &Segment, forces: &[f64]) -> Vec<f64> {
+    (segment.from..segment.force.len()).map(|i| (forces[i] - segment.force[i]) / segment.scale).collect()
 }
 
-/// What leaving the usual costs, half the sum of squares, with its slope and curvature over each unknown.
-fn prior(unknowns: &Unknowns, theta: &[f64]) -> (f64, Vec<(f64, f64)>) {
-    let mut cost = 0.0;
-    let each = unknowns.list.iter().zip(theta).map(|(unknown, value)| match in_search(unknown) {
-        Some((mean, deviation)) => {
-            let off = (value - mean) / deviation;
-            cost += 0.5 * off * off;
-            (off / deviation, 1.0 / (deviation * deviation))
-        }
-        None => (0.0, 0.0),
-    });
-    let each = each.collect();
-    (cost, each)
-}
+impl Residuals for Problem<'_> {
+    type At = At;
 
-/// Cost of a parameter vector; infinite where it makes no model or no finite force.
-fn cost(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy, held: f64) -> f64 {
-    let Some(run) = Run::new(unknowns, theta, accuracy) else { return f64::INFINITY };
-    let costs: Vec<f64> = segments.par_iter().map(|s| cost_of(s, &run.forces(s))).collect();
-    let sum: f64 = costs.iter().sum::<f64>() + held * prior(unknowns, theta).0;
-    if sum.is_finite() { sum } else { f64::INFINITY }
-}
+    fn at(&self, theta: &[f64]) -> Option<At> {
+        Some(At { run: Run::new(self.unknowns, theta, self.accuracy)?, theta: theta.to_vec() })
+    }
 
-fn normal(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy, held: f64) -> Option<Normal> {
-    let run = Run::new(unknowns, theta, accuracy)?;
-    let n = theta.len();
-    let parts: Vec<Normal> = segments
-        .par_iter()
-        .map(|segment| {
-            let (forces, rows) = run.jacobian(segment, unknowns, theta);
-            let scale = 1.0 / segment.scale;
-            let count = segment.force.len() - segment.from;
-            let mut weighted = DMatrix::zeros(n, count);
-            let mut residual = DVector::zeros(count);
-            for k in 0..count {
-                let i = segment.from + k;
-                let r = (forces[i] - segment.force[i]) * scale;
-                let w = huber(r).1.sqrt();
-                residual[k] = r * w;
-                weighted.set_column(k, &(rows.column(i) * (scale * w)));
-            }
-            Normal {
-                cost: cost_of(segment, &forces),
-                hessian: &weighted * weighted.transpose(),
-                gradient: &weighted * residual,
-            }
+    fn blocks(&self) -> usize {
+        self.segments.len() + 1
+    }
+
+    fn is_measured(&self, block: usize) -> bool {
+        block < self.segments.len()
+    }
+
+    fn residuals(&self, block: usize, at: &At) -> Option<Vec<f64>> {
+        Some(match self.segments.get(block) {
+            Some(segment) => residuals(segment, &at.run.forces(segment)),
+            None => self.shape.rows(&at.theta).into_iter().map(|r| self.held * r).collect(),
         })
-        .collect();
-    let mut sum = Normal { cost: 0.0, hessian: DMatrix::zeros(n, n), gradient: DVector::zeros(n) };
-    for part in &parts {
-        sum.cost += part.cost;
-        sum.hessian += &part.hessian;
-        sum.gradient += &part.gradient;
     }
-    let (cost, each) = prior(unknowns, theta);
-    sum.cost += held * cost;
-    for (i, (slope, curvature)) in each.into_iter().enumerate() {
-        sum.gradient[i] += held * slope;
-        sum.hessian[(i, i)] += held * curvature;
+
+    fn jacobian(&self, block: usize, at: &At) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        let Some(segment) = self.segments.get(block) else {
+            return Some((self.residuals(block, at)?, self.shape.jacobian(&at.theta) * self.held));
+        };
+        let (forces, rows) = at.run.jacobian(segment, self.unknowns, &at.theta);
+        let scored = rows.columns(segment.from, segment.force.len() - segment.from);
+        Some((residuals(segment, &forces), scored.transpose() / segment.scale))
     }
-    sum.cost.is_finite().then_some(sum)
 }
 
-/// Independent samples of a test where what is left of it is no noise: the error of a model's form is alike all through a test.
-const SAMPLES_OF_FORM: f64 = 2.0;
-
-/// How much more what is usual weighs than beside samples that are all independent: once where noise is all that is left at the start, and
-/// up to as many times as there are samples to an independent one where it is form.
-fn held(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> f64 {
-    let count: usize = segments.iter().map(|s| s.force.len() - s.from).sum();
-    let per_test = count as f64 / segments.len().max(1) as f64;
-    let mean_square = 2.0 * cost(segments, unknowns, theta, accuracy, 0.0) / count.max(1) as f64;
-    let of_form = if mean_square.is_finite() { (1.0 - 1.0 / mean_square.max(1.0)).max(0.0) } else { 0.0 };
-    let independent = (per_test / SAMPLES_OF_FORM).max(1.0);
-    (1.0 - of_form) + of_form * independent * mean_square.clamp(1.0, MOST_FORM)
+/// How much more what is usual weighs than beside samples that are all independent and miss by noise alone: by how many samples stand
+/// for an independent one in what is left, which the error of a model's form makes alike all through a test, and by its mean square.
+fn held<'a>(residuals: impl Iterator<Item = &'a [f64]>) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for residual in residuals {
+        sum += residual.iter().map(|r| r * r).sum::<f64>().min(MOST_FORM * residual.len() as f64)
+            * correlation_factor(residual);
+        count += residual.len() as f64;
+    }
+    if count > 0.0 && f64::is_finite(sum) { (sum / count).max(1.0) } else { 1.0 }
 }
 
 /// Mean square, in units of what is allowed, beyond which a misfit says no more: the start was bad, not the form.
 const MOST_FORM: f64 = 30.0;
+/// Damping of the first step: a start is near where the fit before it ended.
+const DAMPING: f64 = 1e-3;
+/// Times that the weight of what is usual is looked at again, from where the fit before ended, and the factor within which it has settled.
+const AGAIN: usize = 2;
+const SETTLED: f64 = 1.5;
 
 /// Minimises from `start`.
 pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: Effort) -> Solution {
     let (low, high) = unknowns.bounds();
-    let n = start.len();
-    let mut theta: Vec<f64> = (0..n).map(|i| start[i].clamp(low[i], high[i])).collect();
-    let mut best = Solution { cost: f64::INFINITY, theta: theta.clone(), converged: false };
-    let held = held(segments, unknowns, &theta, effort.accuracy);
-    let Some(mut at) = normal(segments, unknowns, &theta, effort.accuracy, held) else { return best };
-    best.cost = at.cost;
-    let mut damping = 1e-3;
-    for _ in 0..effort.steps {
-        let free: Vec<usize> = (0..n)
-            .filter(|i| {
-                let held =
-                    (theta[*i] <= low[*i] && at.gradient[*i] > 0.0) || (theta[*i] >= high[*i] && at.gradient[*i] < 0.0);
-                !held && at.hessian[(*i, *i)] > 0.0
-            })
-            .collect();
-        if free.is_empty() {
-            best.converged = true;
+    let bounds = Bounds { low, high };
+    let usual: Vec<Option<(f64, f64)>> = unknowns.list.iter().map(in_search).collect();
+    let mut problem =
+        Problem { segments, unknowns, accuracy: effort.accuracy, shape: SmoothCurve::new(unknowns), held: 1.0 };
+    let at_start = |problem: &Problem| -> Option<Vec<Vec<f64>>> {
+        let at = problem.at(start)?;
+        (0..segments.len()).into_par_iter().map(|block| problem.residuals(block, &at)).collect()
+    };
+    let lost = Solution { theta: start.to_vec(), cost: f64::INFINITY, converged: false };
+    let Some(first) = at_start(&problem) else { return lost };
+    let mut weight = held(first.iter().map(Vec::as_slice));
+    let mut from = start.to_vec();
+    let mut found = None;
+    for _ in 0..=AGAIN {
+        problem.held = weight.sqrt();
+        let spread = |(mean, spread)| Prior { mean, spread: spread / problem.held };
+        let options = Options {
+            steps: effort.steps,
+            tolerance: effort.tolerance,
+            loss: HUBER,
+            priors: usual.iter().map(|u| u.map(spread)).collect(),
+            slopes: Slopes::Fresh,
+            damping: DAMPING,
+            quiet: 1,
+        };
+        let ended = solve::solve(&problem, &from, &bounds, &options);
+        let after = held(ended.rows.iter().take(segments.len()).map(|rows| rows.residual.as_slice()));
+        from.clone_from(&ended.x);
+        let settled = after.max(weight) < SETTLED * after.min(weight);
+        weight = after;
+        found = Some(ended);
+        if settled {
             break;
         }
-        let diagonal: Vec<f64> = free.iter().map(|i| at.hessian[(*i, *i)]).collect();
-        let matrix = DMatrix::from_fn(free.len(), free.len(), |a, b| {
-            let scaled = at.hessian[(free[a], free[b])] / (diagonal[a] * diagonal[b]).sqrt();
-            if a == b { 1.0 + damping } else { scaled }
-        });
-        let right = DVector::from_fn(free.len(), |a, _| -at.gradient[free[a]] / diagonal[a].sqrt());
-        let Some(step) = matrix.cholesky().map(|c| c.solve(&right)) else {
-            damping *= 10.0;
-            continue;
-        };
-        let mut tried = theta.clone();
-        for (a, i) in free.iter().enumerate() {
-            tried[*i] = (theta[*i] + step[a] / diagonal[a].sqrt()).clamp(low[*i], high[*i]);
-        }
-        let tried_cost = cost(segments, unknowns, &tried, effort.accuracy, held);
-        if tried_cost < at.cost {
-            let fall = (at.cost - tried_cost) / at.cost.max(1e-300);
-            theta = tried;
-            damping = (damping * 0.2).max(1e-12);
-            best = Solution { theta: theta.clone(), cost: tried_cost, converged: fall < effort.tolerance };
-            if best.converged {
-                break;
-            }
-            match normal(segments, unknowns, &theta, effort.accuracy, held) {
-                Some(next) => at = next,
-                None => break,
-            }
-        } else {
-            // A step that no longer changes anything has arrived.
-            let small = free.iter().all(|i| (tried[*i] - theta[*i]).abs() <= 1e-9 * (theta[*i].abs() + 1e-6));
-            if small || damping > 1e8 {
-                best.converged = true;
-                break;
-            }
-            damping *= 5.0;
-        }
     }
-    // Costs of different fits are compared without what is usual, whose weight differs.
-    if best.cost.is_finite() {
-        best.cost = cost(segments, unknowns, &best.theta, effort.accuracy, 1.0);
-    }
-    best
+    let Some(found) = found.filter(|found| found.cost.is_finite()) else { return lost };
+    // Costs of different fits are compared without what is usual weighing more, since that differs.
+    let off = |(u, t): (&Option<(f64, f64)>, &f64)| u.map_or(0.0, |(mean, spread)| 0.5 * ((t - mean) / spread).powi(2));
+    let unusual: f64 = usual.iter().zip(&found.x).map(off).sum::<f64>()
+        + problem.shape.rows(&found.x).iter().map(|r| 0.5 * r * r).sum::<f64>();
+    let fitted = |rows: &solve::Rows| rows.residual.iter().map(|r| HUBER.of(*r).0).sum::<f64>();
+    let cost = found.rows.iter().take(segments.len()).map(fitted).sum::<f64>() + unusual;
+    Solution { theta: found.x, cost, converged: found.converged }
 }
 
 /// Share of the full information that stays when a test is left out which alone determines a parameter: without it

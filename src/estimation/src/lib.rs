@@ -28,5 +28,6 @@ pub mod refit;
 pub mod samples;
 pub mod segment;
 pub mod sensitivity;
+pub mod smooth_curve;
 pub mod solve;
 pub mod unknowns;

@@ -1,19 +1,21 @@
-//! Bounded, robust, nonlinear least squares for any residuals: one Levenberg–Marquardt for the whole project.
+//! Bounded, robust, nonlinear least squares for any residuals: the one Levenberg–Marquardt of the project.
 //!
 //! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which follows
 //!   the ratio of the fall to the fall predicted (IMM-REP-1999-05, 1999).
-//! - A step follows the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna,
+//! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna,
 //!   arXiv:1201.5885, 2012): narrow curved valleys, the rule where friction meets a steep curve, are walked in tens of steps
 //!   instead of thousands.
-//! - Linear systems are solved by orthogonal factors, never by squared (normal) equations: half the digits would go there.
-//!   Blocks are reduced to their triangular factors one by one and stacked in their order, so a result does not depend
-//!   on the number of threads.
+//! - Where a Jacobian costs many runs and only a ranking is wanted, it is kept up by Broyden's rank-one update (Math. Comp. 19,
+//!   1965) instead of being taken anew.
+//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order, so a result does
+//!   not depend on the number of threads.
 //! - Bounds by projection: a number at a bound whose gradient points outwards is held for that step.
 //! - Huber's loss by reweighting (Ann. Math. Stat. 35, 1964); Gaussian priors as further rows.
 //! - A fit has ended where the share of the cost that a full linear step could still take away is below the tolerance
 //!   (the relative offset of Bates & Watts, Technometrics 23, 1981), not where one damped step happened to be short.
 
 mod differences;
+mod reduce;
 // Its tables of data stay tables.
 #[cfg(test)]
 #[rustfmt::skip]
@@ -21,20 +23,32 @@ mod nist;
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
+use reduce::reduce;
 
 /// Something to be made small: weighted residuals (model less measurement over its error) in one or more blocks.
 pub trait Residuals: Sync {
+    /// What is prepared once for all blocks at one point: a model, say, or the numbers themselves.
+    type At: Sync;
+
+    /// Prepares it; `None` where the numbers make no model.
+    fn at(&self, x: &[f64]) -> Option<Self::At>;
+
     /// Number of blocks: one a test, so that tests are computed side by side.
     fn blocks(&self) -> usize {
         1
     }
 
-    /// Weighted residuals of one block; `None` where the numbers make no model.
-    fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>>;
+    /// Whether a block is measured and may hold wild samples; the loss of one that is not is half its squares.
+    fn is_measured(&self, _block: usize) -> bool {
+        true
+    }
 
-    /// Residuals of one block and their exact derivatives, one column a number; `None` where there are none: central
-    /// differences are taken then.
-    fn jacobian(&self, _block: usize, _x: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    /// Weighted residuals of one block; `None` where the numbers make no model.
+    fn residuals(&self, block: usize, at: &Self::At) -> Option<Vec<f64>>;
+
+    /// Residuals of one block and their derivatives, one column a number; `None` where it brings none: central differences are
+    /// taken then.
+    fn jacobian(&self, _block: usize, _at: &Self::At) -> Option<(Vec<f64>, DMatrix<f64>)> {
         None
     }
 }
@@ -52,6 +66,10 @@ impl Bounds {
     /// No bound on any of `n` numbers.
     pub fn none(n: usize) -> Self {
         Self { low: vec![f64::NEG_INFINITY; n], high: vec![f64::INFINITY; n] }
+    }
+
+    fn inside(&self, x: &[f64]) -> Vec<f64> {
+        x.iter().enumerate().map(|(i, x)| x.clamp(self.low[i], self.high[i])).collect()
     }
 }
 
@@ -75,12 +93,23 @@ pub enum Loss {
 
 impl Loss {
     /// Cost of one residual, and the weight that stays on its square.
-    fn of(self, r: f64) -> (f64, f64) {
+    pub fn of(self, r: f64) -> (f64, f64) {
         match self {
             Loss::Huber(knee) if r.abs() > knee => (knee * (r.abs() - 0.5 * knee), knee / r.abs()),
             _ => (0.5 * r * r, 1.0),
         }
     }
+}
+
+/// Where the derivatives of a step come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slopes {
+    /// Taken anew after every step, and steps follow the curvature.
+    Bent,
+    /// Taken anew after every step.
+    Fresh,
+    /// Taken once and kept up by what every step shows.
+    Kept,
 }
 
 /// How a solution is looked for.
@@ -94,12 +123,36 @@ pub struct Options {
     pub loss: Loss,
     /// What is known of the numbers: empty, or one entry a number.
     pub priors: Vec<Option<Prior>>,
+    /// Derivatives.
+    pub slopes: Slopes,
+    /// Damping of the first step, of columns scaled to length 1: 1 from a start that is anybody's guess, little from a good one.
+    pub damping: f64,
+    /// Accepted steps, one after the other, that gain less than the tolerance before a search gives up on the rest: in
+    /// directions that the data leave open the linear step promises gains that never come.
+    pub quiet: usize,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { steps: 200, tolerance: 1e-8, loss: Loss::Squares, priors: Vec::new() }
+        Self {
+            steps: 200,
+            tolerance: 1e-8,
+            loss: Loss::Squares,
+            priors: Vec::new(),
+            slopes: Slopes::Bent,
+            damping: 1.0,
+            quiet: 4,
+        }
     }
+}
+
+/// Residuals and derivatives of one block as the problem gives them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rows {
+    /// Residuals.
+    pub residual: DVector<f64>,
+    /// Their derivatives.
+    pub jacobian: DMatrix<f64>,
 }
 
 /// Where a search ended.
@@ -113,44 +166,16 @@ pub struct Solution {
     pub converged: bool,
     /// Steps tried.
     pub steps: usize,
+    /// Residuals there, by block, with the last derivatives known: those of the last step but one, or kept up.
+    pub rows: Vec<Rows>,
 }
 
-/// Residuals and derivatives at one point, reduced to as many rows as there are numbers.
+/// A linear problem of as many rows as there are numbers, that stands for all rows at one point.
 struct Linear {
-    cost: f64,
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
     /// Weighted residuals in the same rotated rows.
     right: DVector<f64>,
-    /// The rows before they were rotated, by block.
-    blocks: Vec<Rows>,
-}
-
-/// One block at one point.
-struct Rows {
-    /// Loss of its residuals.
-    cost: f64,
-    /// Roots of the weights that the loss leaves.
-    weights: Vec<f64>,
-    /// Weighted derivatives.
-    jacobian: DMatrix<f64>,
-    /// Weighted residuals.
-    right: DVector<f64>,
-}
-
-/// One block with its triangular factor and its rotated residuals.
-type Reduced = (Rows, DMatrix<f64>, DVector<f64>);
-
-/// Rotates rows of Jacobian and residual until no more rows are left than numbers.
-fn reduce(jacobian: DMatrix<f64>, residual: DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
-    let n = jacobian.ncols();
-    if jacobian.nrows() <= n {
-        return (jacobian, residual);
-    }
-    let qr = jacobian.qr();
-    let mut right = residual;
-    qr.q_tr_mul(&mut right);
-    (qr.r(), right.rows(0, n).into_owned())
 }
 
 /// What a search works on.
@@ -167,56 +192,82 @@ impl<R: Residuals> Search<'_, R> {
         self.options.priors.iter().enumerate().filter_map(row).collect()
     }
 
-    fn prior_cost(&self, x: &[f64]) -> f64 {
-        self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum()
+    fn loss(&self, block: usize) -> Loss {
+        if self.problem.is_measured(block) { self.options.loss } else { Loss::Squares }
     }
 
-    /// Infinite where the numbers make no model or no finite residual.
-    fn cost(&self, x: &[f64]) -> f64 {
-        let costs: Vec<f64> = (0..self.problem.blocks())
-            .into_par_iter()
-            .map(|block| match self.problem.residuals(block, x) {
-                Some(residuals) => residuals.iter().map(|r| self.options.loss.of(*r).0).sum(),
-                None => f64::INFINITY,
-            })
-            .collect();
-        let sum = costs.iter().sum::<f64>() + self.prior_cost(x);
+    /// Cost of residuals; infinite where one is not finite.
+    fn cost<'r>(&self, x: &[f64], residuals: impl IntoIterator<Item = &'r DVector<f64>>) -> f64 {
+        let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
+        let of = |(block, residual): (usize, &DVector<f64>)| {
+            let loss = self.loss(block);
+            residual.iter().map(|r| loss.of(*r).0).sum::<f64>()
+        };
+        let each = residuals.into_iter().enumerate().map(of);
+        let sum = each.sum::<f64>() + priors;
         if sum.is_finite() { sum } else { f64::INFINITY }
     }
 
-    fn linear(&self, x: &[f64]) -> Option<Linear> {
+    fn residuals(&self, at: &R::At) -> Option<Vec<DVector<f64>>> {
+        let of = |block| self.problem.residuals(block, at).map(DVector::from_vec);
+        let all: Vec<Option<_>> = (0..self.problem.blocks()).into_par_iter().map(of).collect();
+        all.into_iter().collect()
+    }
+
+    /// What is known at the start.
+    fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
+        let at = self.problem.at(x)?;
+        match jacobian {
+            Some(known) => {
+                let join = |(residual, jacobian)| Rows { residual, jacobian };
+                Some(self.residuals(&at)?.into_iter().zip(known).map(join).collect())
+            }
+            None => self.rows(&at, x),
+        }
+    }
+
+    /// Residuals and derivatives; `None` where one is missing or not finite.
+    fn rows(&self, at: &R::At, x: &[f64]) -> Option<Vec<Rows>> {
+        let of = |block| {
+            let (residual, jacobian) = match self.problem.jacobian(block, at) {
+                Some(exact) => exact,
+                None => differences::central(self.problem, block, x, self.bounds)?,
+            };
+            let finite = residual.iter().chain(jacobian.iter()).all(|v| v.is_finite());
+            finite.then(|| Rows { residual: DVector::from_vec(residual), jacobian })
+        };
+        let all: Vec<Option<_>> = (0..self.problem.blocks()).into_par_iter().map(of).collect();
+        all.into_iter().collect()
+    }
+
+    /// Roots of the weights that the loss leaves of a block's rows; `None` where all are 1.
+    fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
+        let loss @ Loss::Huber(_) = self.loss(block) else { return None };
+        let roots = residual.map(|r| loss.of(r).1.sqrt());
+        roots.iter().any(|w| *w < 1.0).then_some(roots)
+    }
+
+    fn linear(&self, x: &[f64], rows: &[Rows]) -> Linear {
         let n = x.len();
-        let parts: Vec<Option<Reduced>> = (0..self.problem.blocks())
-            .into_par_iter()
-            .map(|block| {
-                let (residuals, mut jacobian) = match self.problem.jacobian(block, x) {
-                    Some(exact) => exact,
-                    None => differences::central(self.problem, block, x, self.bounds)?,
-                };
-                let mut right = DVector::from_vec(residuals);
-                let mut cost = 0.0;
-                let mut weights = vec![1.0; right.len()];
-                for i in 0..right.len() {
-                    let (loss, weight) = self.options.loss.of(right[i]);
-                    cost += loss;
-                    if weight < 1.0 {
-                        weights[i] = weight.sqrt();
-                        right[i] *= weights[i];
-                        jacobian.row_mut(i).scale_mut(weights[i]);
+        let parts: Vec<(DMatrix<f64>, DVector<f64>)> = rows
+            .par_iter()
+            .enumerate()
+            .map(|(place, block)| match self.weights(place, &block.residual) {
+                None => reduce(&block.jacobian, &block.residual),
+                Some(weights) => {
+                    let mut jacobian = block.jacobian.clone();
+                    for mut column in jacobian.column_iter_mut() {
+                        column.component_mul_assign(&weights);
                     }
+                    reduce(&jacobian, &block.residual.component_mul(&weights))
                 }
-                let finite = right.iter().chain(jacobian.iter()).all(|v| v.is_finite());
-                let (factor, rotated) = if finite { reduce(jacobian.clone(), right.clone()) } else { return None };
-                Some((Rows { cost, weights, jacobian, right }, factor, rotated))
             })
             .collect();
-        let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         let priors = self.prior_rows(x);
-        let rows = parts.iter().map(|p| p.1.nrows()).sum::<usize>() + priors.len();
-        let (mut factor, mut right) = (DMatrix::zeros(rows, n), DVector::zeros(rows));
-        let (mut row, mut cost) = (0, self.prior_cost(x));
-        for (block, part, residual) in &parts {
-            cost += block.cost;
+        let count = parts.iter().map(|p| p.0.nrows()).sum::<usize>() + priors.len();
+        let (mut factor, mut right) = (DMatrix::zeros(count, n), DVector::zeros(count));
+        let mut row = 0;
+        for (part, residual) in &parts {
             factor.view_mut((row, 0), part.shape()).copy_from(part);
             right.rows_mut(row, part.nrows()).copy_from(residual);
             row += part.nrows();
@@ -226,40 +277,37 @@ impl<R: Residuals> Search<'_, R> {
             right[row] = residual;
             row += 1;
         }
-        let (factor, right) = reduce(factor, right);
-        let blocks = parts.into_iter().map(|p| p.0).collect();
-        cost.is_finite().then_some(Linear { cost, factor, right, blocks })
+        let (factor, right) = reduce(&factor, &right);
+        Linear { factor, right }
     }
 
     /// Gradient of half the residuals' curvature along a step, from one more evaluation on the way; `None` where that
     /// makes no model.
-    fn bend(&self, x: &[f64], at: &Linear, step: &DVector<f64>) -> Option<DVector<f64>> {
+    fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();
-        let inside = (0..x.len()).all(|i| probe[i] >= self.bounds.low[i] && probe[i] <= self.bounds.high[i]);
-        if !inside {
+        if self.bounds.inside(&probe) != probe {
             return None;
         }
-        let parts: Vec<Option<DVector<f64>>> = at
-            .blocks
+        let ahead = self.residuals(&self.problem.at(&probe)?)?;
+        let parts: Vec<DVector<f64>> = rows
             .par_iter()
+            .zip(&ahead)
             .enumerate()
-            .map(|(block, rows)| {
-                let ahead = self.problem.residuals(block, &probe)?;
-                let straight = &rows.jacobian * step;
-                let bend = DVector::from_fn(ahead.len(), |i, _| {
-                    ((ahead[i] * rows.weights[i] - rows.right[i]) / PROBE - straight[i]) / PROBE
-                });
-                Some(rows.jacobian.tr_mul(&bend))
+            .map(|(place, (block, ahead))| {
+                let straight = &block.jacobian * step;
+                let mut bend = ((ahead - &block.residual) / PROBE - straight) / PROBE;
+                if let Some(weights) = self.weights(place, &block.residual) {
+                    bend.component_mul_assign(&weights);
+                    bend.component_mul_assign(&weights);
+                }
+                block.jacobian.tr_mul(&bend)
             })
             .collect();
-        let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         let sum = parts.into_iter().reduce(|a, b| a + b)?;
         sum.iter().all(|v| v.is_finite()).then_some(sum)
     }
 }
 
-/// Damping at the start, of columns scaled to length 1.
-const FIRST_DAMPING: f64 = 1.0;
 /// What is left of the length of a column after a step that shortened it. 1 would be Moré's (Lect. Notes Math. 630, 1978), 0
 /// Marquardt's.
 const FADE: f64 = 0.5;
@@ -271,144 +319,209 @@ const PROBE: f64 = 0.1;
 const MOST_BEND: f64 = 0.5;
 /// Share of the cost that no longer shows in its sum.
 const ROUNDING: f64 = 1e-15;
-/// Accepted steps, one after the other, that gain less than the tolerance before a search gives up on the rest: in
-/// directions that the data leave open the linear step promises gains that never come.
-const QUIET: usize = 4;
 
 /// Minimises from `start`, which is moved inside the bounds first.
-pub fn solve(problem: &impl Residuals, start: &[f64], bounds: &Bounds, options: &Options) -> Solution {
+pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options: &Options) -> Solution {
+    solve_knowing(problem, start, None, bounds, options)
+}
+
+/// The same where the derivatives at the start are known, block by block.
+pub fn solve_knowing<R: Residuals>(
+    problem: &R,
+    start: &[f64],
+    jacobian: Option<Vec<DMatrix<f64>>>,
+    bounds: &Bounds,
+    options: &Options,
+) -> Solution {
     let search = Search { problem, bounds, options };
     let n = start.len();
-    let mut x: Vec<f64> = (0..n).map(|i| start[i].clamp(bounds.low[i], bounds.high[i])).collect();
-    let mut end = Solution { x: x.clone(), cost: f64::INFINITY, converged: false, steps: 0 };
-    let Some(mut at) = search.linear(&x) else { return end };
-    end.cost = at.cost;
-    let (mut damping, mut growth, mut quiet) = (FIRST_DAMPING, 2.0, 0);
-    let (mut arrived, mut first) = (false, true);
+    let mut x = bounds.inside(start);
+    let mut end = Solution { x: x.clone(), cost: f64::INFINITY, converged: false, steps: 0, rows: Vec::new() };
+    let Some(mut rows) = search.first_rows(&x, jacobian) else { return end };
+    let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
+    let mut linear = search.linear(&x, &rows);
+    let (mut damping, mut growth, mut quiet) = (options.damping, 2.0, 0);
+    // Whether a step was accepted since the lengths of the columns were last looked at, and any at all.
+    let (mut moved_on, mut first) = (true, true);
     // Where a number stops mattering its column fades, and a step measured by the column alone would leave for the flat far
     // away; columns therefore fade slowly.
     let mut lengths = vec![0.0f64; n];
-    while end.steps < options.steps {
-        let gradient = at.factor.tr_mul(&at.right);
-        for (length, column) in lengths.iter_mut().zip(at.factor.column_iter()) {
-            *length = (FADE * *length).max(column.norm());
+    while end.steps < options.steps && cost.is_finite() {
+        if std::mem::take(&mut moved_on) {
+            for (length, column) in lengths.iter_mut().zip(linear.factor.column_iter()) {
+                *length = (FADE * *length).max(column.norm());
+            }
         }
-        let free: Vec<usize> = (0..n)
+        let system = System::new(&linear, &x, bounds, &lengths);
+        let arrived = system.left <= options.tolerance * cost;
+        if arrived {
+            end.converged = true;
+            // A last full step is free of charge where it helps: the criterion speaks of where it started from.
+            damping = LEAST_DAMPING;
+        }
+        if system.free.is_empty() {
+            end.converged = true;
+            break;
+        }
+        end.steps += 1;
+        let (step, triangle) = system.step(damping);
+        let inside = |to: &DVector<f64>| bounds.inside(&x.iter().zip(to).map(|(x, to)| x + to).collect::<Vec<_>>());
+        let mut tried = inside(&step);
+        let straight = DVector::from_fn(n, |i, _| tried[i] - x[i]);
+        let length = |v: &[f64]| v.iter().zip(&lengths).map(|(v, l)| (v * l).powi(2)).sum::<f64>().sqrt();
+        if first && !arrived {
+            let reach = length(&x);
+            if reach > 0.0 && length(straight.as_slice()) > reach {
+                damping *= 4.0;
+                continue;
+            }
+            first = false;
+        }
+        let bend = (options.slopes == Slopes::Bent).then(|| search.bend(&x, &rows, &step)).flatten();
+        if let Some(correction) = bend.and_then(|bend| system.against(&bend, &triangle)) {
+            if length(correction.as_slice()) <= MOST_BEND * length(step.as_slice()) {
+                tried = inside(&(&step + correction));
+            }
+        }
+        let predicted =
+            0.5 * (linear.right.norm_squared() - (&linear.right + &linear.factor * &straight).norm_squared());
+        let there = problem.at(&tried).and_then(|at| search.residuals(&at).map(|residuals| (at, residuals)));
+        let tried_cost = there.as_ref().map_or(f64::INFINITY, |(_, residuals)| search.cost(&tried, residuals));
+        if let (Slopes::Kept, Some((_, residuals))) = (options.slopes, &there) {
+            let moved = DVector::from_fn(n, |i, _| tried[i] - x[i]);
+            keep_up(&mut rows, residuals, &moved, &lengths);
+        }
+        match there.filter(|_| tried_cost < cost) {
+            Some((at, residuals)) => {
+                let ratio = if predicted > 0.0 { (cost - tried_cost) / predicted } else { 0.0 };
+                damping = (damping * (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(FASTEST, 2.0)).max(LEAST_DAMPING);
+                growth = 2.0;
+                quiet = if cost - tried_cost <= options.tolerance * cost { quiet + 1 } else { 0 };
+                (x, cost, moved_on) = (tried, tried_cost, true);
+                for (rows, residual) in rows.iter_mut().zip(residuals) {
+                    rows.residual = residual;
+                }
+                if arrived || cost == 0.0 || quiet >= options.quiet {
+                    end.converged = true;
+                    break;
+                }
+                if options.slopes != Slopes::Kept {
+                    match search.rows(&at, &x) {
+                        Some(fresh) => rows = fresh,
+                        None => break,
+                    }
+                }
+                linear = search.linear(&x, &rows);
+            }
+            None => {
+                let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
+                let nothing = predicted.abs() <= ROUNDING * cost || straight.norm() <= ROUNDING * size(&x);
+                if arrived || nothing {
+                    // Nothing that arithmetic could still show.
+                    end.converged = true;
+                    break;
+                }
+                damping = (damping * growth).max(LEAST_DAMPING);
+                growth *= 2.0;
+                if options.slopes == Slopes::Kept {
+                    // What the refused step showed is in the derivatives now.
+                    linear = search.linear(&x, &rows);
+                }
+            }
+        }
+    }
+    (end.x, end.cost, end.rows) = (x, cost, rows);
+    end
+}
+
+/// Factor by which the damping falls at most after a step that did what was predicted of it.
+const FASTEST: f64 = 1.0 / 3.0;
+
+/// The linear problem in the numbers that no bound holds, of columns scaled to length 1.
+struct System<'a> {
+    right: &'a DVector<f64>,
+    free: Vec<usize>,
+    scaled: DMatrix<f64>,
+    lengths: &'a [f64],
+    /// What a full linear step would take off the cost.
+    left: f64,
+}
+
+impl<'a> System<'a> {
+    fn new(linear: &'a Linear, x: &[f64], bounds: &Bounds, lengths: &'a [f64]) -> Self {
+        let gradient = linear.factor.tr_mul(&linear.right);
+        let free: Vec<usize> = (0..x.len())
             .filter(|i| {
                 let outwards =
                     (x[*i] <= bounds.low[*i] && gradient[*i] > 0.0) || (x[*i] >= bounds.high[*i] && gradient[*i] < 0.0);
                 !outwards && lengths[*i] > 0.0
             })
             .collect();
-        let k = free.len();
-        let rows = at.factor.nrows();
-        let scaled = DMatrix::from_fn(rows, k, |r, c| at.factor[(r, free[c])] / lengths[free[c]]);
-        let left = {
-            let qr = scaled.clone().qr();
-            let mut rotated = at.right.clone();
-            qr.q_tr_mul(&mut rotated);
-            0.5 * rotated.rows(0, k.min(rows)).norm_squared()
-        };
-        if k == 0 || left <= options.tolerance * at.cost {
-            end.converged = true;
-            // A last full step is free of charge where it helps: the criterion speaks of where it started from.
-            arrived = true;
-            if k == 0 {
-                break;
-            }
-            damping = LEAST_DAMPING;
+        let (rows, k) = (linear.factor.nrows(), free.len());
+        let scaled = DMatrix::from_fn(rows, k, |r, c| linear.factor[(r, free[c])] / lengths[free[c]]);
+        let mut rotated = linear.right.clone();
+        scaled.clone().qr().q_tr_mul(&mut rotated);
+        let left = 0.5 * rotated.rows(0, k.min(rows)).norm_squared();
+        Self { right: &linear.right, free, scaled, lengths, left }
+    }
+
+    /// In all numbers, from one in the free ones.
+    fn spread(&self, step: &DVector<f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.lengths.len());
+        for (c, i) in self.free.iter().enumerate() {
+            all[*i] = step[c] / self.lengths[*i];
         }
-        // Steps from the same point with more and more damping, until one falls.
-        let accepted = loop {
-            if end.steps >= options.steps {
-                break None;
+        all
+    }
+
+    /// The damped step, with the triangular factor that it was solved by.
+    fn step(&self, damping: f64) -> (DVector<f64>, DMatrix<f64>) {
+        let (rows, k) = self.scaled.shape();
+        let stacked = DMatrix::from_fn(rows + k, k, |r, c| {
+            if r < rows {
+                self.scaled[(r, c)]
+            } else if r - rows == c {
+                damping.sqrt()
+            } else {
+                0.0
             }
-            end.steps += 1;
-            let stacked = DMatrix::from_fn(rows + k, k, |r, c| {
-                if r < rows {
-                    scaled[(r, c)]
-                } else if r - rows == c {
-                    damping.sqrt()
-                } else {
-                    0.0
-                }
-            });
-            let qr = stacked.qr();
-            let mut right = DVector::zeros(rows + k);
-            right.rows_mut(0, rows).copy_from(&-&at.right);
-            qr.q_tr_mul(&mut right);
-            let triangle = qr.r();
-            let solved = triangle.solve_upper_triangular(&right.rows(0, k).into_owned());
-            let spread = |step: &DVector<f64>| {
-                let mut all = DVector::zeros(n);
-                for (c, i) in free.iter().enumerate() {
-                    all[*i] = step[c] / lengths[*i];
-                }
-                all
-            };
-            let step = solved.as_ref().map_or_else(|| DVector::zeros(n), spread);
-            let inside = |to: &DVector<f64>| -> Vec<f64> {
-                (0..n).map(|i| (x[i] + to[i]).clamp(bounds.low[i], bounds.high[i])).collect()
-            };
-            let mut tried = inside(&step);
-            let moved = DVector::from_fn(n, |i, _| tried[i] - x[i]);
-            let length = |v: &[f64]| v.iter().zip(&lengths).map(|(v, l)| (v * l).powi(2)).sum::<f64>().sqrt();
-            if first {
-                let reach = length(&x);
-                if reach > 0.0 && length(moved.as_slice()) > reach {
-                    damping *= 4.0;
-                    continue;
-                }
-                first = false;
-            }
-            if let Some(bend) = search.bend(&x, &at, &step) {
-                let scaled_bend = DVector::from_fn(k, |c, _| -bend[free[c]] / lengths[free[c]]);
-                let correction = triangle
-                    .tr_solve_upper_triangular(&scaled_bend)
-                    .and_then(|half| triangle.solve_upper_triangular(&half))
-                    .map(|c| spread(&c));
-                if let Some(correction) = correction {
-                    if length(correction.as_slice()) <= MOST_BEND * length(step.as_slice()) {
-                        tried = inside(&(&step + correction));
-                    }
-                }
-            }
-            let predicted = 0.5 * (at.right.norm_squared() - (&at.right + &at.factor * &moved).norm_squared());
-            let cost = search.cost(&tried);
-            if cost < at.cost {
-                let ratio = if predicted > 0.0 { (at.cost - cost) / predicted } else { 0.0 };
-                damping = (damping * (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1.0 / 3.0, 2.0)).max(LEAST_DAMPING);
-                growth = 2.0;
-                break Some((tried, cost));
-            }
-            let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
-            if arrived || predicted.abs() <= ROUNDING * at.cost || moved.norm() <= ROUNDING * size(&x) {
-                // Nothing that arithmetic could still show.
-                end.converged = true;
-                break None;
-            }
-            damping = (damping * growth).max(LEAST_DAMPING);
-            growth *= 2.0;
-        };
-        let Some((tried, cost)) = accepted else { break };
-        quiet = if at.cost - cost <= options.tolerance * at.cost { quiet + 1 } else { 0 };
-        x = tried;
-        (end.x, end.cost) = (x.clone(), cost);
-        if arrived || cost == 0.0 || quiet >= QUIET {
-            end.converged = true;
-            break;
-        }
-        match search.linear(&x) {
-            Some(next) => at = next,
-            None => break,
+        });
+        let qr = stacked.qr();
+        let mut right = DVector::zeros(rows + k);
+        right.rows_mut(0, rows).copy_from(&-self.right);
+        qr.q_tr_mul(&mut right);
+        let triangle = qr.r();
+        let solved = triangle.solve_upper_triangular(&right.rows(0, k).into_owned());
+        (solved.map_or_else(|| DVector::zeros(self.lengths.len()), |step| self.spread(&step)), triangle)
+    }
+
+    /// The correction that takes a gradient away.
+    fn against(&self, gradient: &DVector<f64>, triangle: &DMatrix<f64>) -> Option<DVector<f64>> {
+        let scaled = DVector::from_fn(self.free.len(), |c, _| -gradient[self.free[c]] / self.lengths[self.free[c]]);
+        let half = triangle.tr_solve_upper_triangular(&scaled)?;
+        triangle.solve_upper_triangular(&half).map(|c| self.spread(&c))
+    }
+}
+
+/// Broyden's update: the derivatives agree with what a step has just shown. The change is the smallest where every number is
+/// measured by what it does to the residuals.
+fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, lengths: &[f64]) {
+    let shares = DVector::from_fn(moved.len(), |i, _| moved[i] * lengths[i] * lengths[i]);
+    let size = shares.dot(moved);
+    if size <= 0.0 {
+        return;
+    }
+    for (block, there) in rows.iter_mut().zip(there) {
+        let missed = there - &block.residual - &block.jacobian * moved;
+        if missed.iter().all(|v| v.is_finite()) {
+            block.jacobian.ger(1.0 / size, &missed, &shares, 1.0);
         }
     }
-    end
 }
 
 /// Minimises from every start and keeps the lowest cost, the first of equals. `None` without starts.
-pub fn solve_from(
-    problem: &impl Residuals,
+pub fn solve_from<R: Residuals>(
+    problem: &R,
     starts: &[Vec<f64>],
     bounds: &Bounds,
     options: &Options,
@@ -425,7 +538,11 @@ mod tests {
     struct Of<F>(F);
 
     impl<F: Fn(&[f64]) -> Vec<f64> + Sync> Residuals for Of<F> {
-        fn residuals(&self, _: usize, x: &[f64]) -> Option<Vec<f64>> {
+        type At = Vec<f64>;
+        fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+            Some(x.to_vec())
+        }
+        fn residuals(&self, _: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
             Some((self.0)(x))
         }
     }
@@ -520,8 +637,12 @@ mod tests {
     fn numbers_that_make_no_model_are_walked_around_and_a_hopeless_start_is_told() {
         struct Root;
         impl Residuals for Root {
-            fn residuals(&self, _: usize, x: &[f64]) -> Option<Vec<f64>> {
-                (x[0] > 0.0).then(|| vec![x[0].ln() - 1.0])
+            type At = f64;
+            fn at(&self, x: &[f64]) -> Option<f64> {
+                (x[0] > 0.0).then_some(x[0])
+            }
+            fn residuals(&self, _: usize, x: &f64) -> Option<Vec<f64>> {
+                Some(vec![x.ln() - 1.0])
             }
         }
         near(&solve(&Root, &[20.0], &Bounds::none(1), &Options::default()).x, &[1f64.exp()], 1e-7);
@@ -533,10 +654,14 @@ mod tests {
     fn many_blocks_and_one_block_give_the_same() {
         struct Blocks(usize);
         impl Residuals for Blocks {
+            type At = Vec<f64>;
+            fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+                Some(x.to_vec())
+            }
             fn blocks(&self) -> usize {
                 self.0
             }
-            fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>> {
+            fn residuals(&self, block: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
                 let of = |i: usize| {
                     let t = i as f64 / 10.0;
                     x[0] * (-x[1] * t).exp() - 3.0 * (-0.7 * t).exp() - 0.01 * (9.0 * t).sin()
@@ -547,5 +672,21 @@ mod tests {
         let of = |blocks| solve(&Blocks(blocks), &[1.0, 1.0], &Bounds::none(2), &Options::default()).x;
         near(&of(1), &of(7), 1e-9);
         assert_eq!(of(7), of(7));
+    }
+
+    #[test]
+    fn derivatives_kept_up_lead_where_fresh_ones_do_and_may_start_from_wrong_ones() {
+        let curve = Of(|x: &[f64]| {
+            (0..30).map(|i| f64::from(i) / 10.0).map(|t| x[0] * (-x[1] * t).exp() - 3.0 * (-0.7 * t).exp()).collect()
+        });
+        let kept = Options { slopes: Slopes::Kept, damping: 1e-3, steps: 60, ..Options::default() };
+        let found = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &kept);
+        near(&found.x, &[3.0, 0.7], 1e-4);
+        // Derivatives of another point, a tenth off.
+        let wrong = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &Options { steps: 0, ..kept.clone() });
+        let known = vec![1.1 * &wrong.rows[0].jacobian];
+        let found = solve_knowing(&curve, &[2.0, 1.0], Some(known), &Bounds::none(2), &kept);
+        near(&found.x, &[3.0, 0.7], 1e-4);
+        assert!(found.rows[0].residual.norm() < 1e-3);
     }
 }

@@ -9,9 +9,11 @@ mod lead_in;
 mod noise;
 pub mod road;
 mod thin;
+mod whole;
 
 pub use lead_in::as_long_as_remembered;
 pub use thin::Thin;
+pub use whole::segments;
 
 use crate::segment::Segment;
 use dashpot_core::Input;
@@ -76,11 +78,13 @@ impl Test {
 
 /// Makes the tests of all records, in their order.
 pub fn tests(records: &[&Record]) -> Vec<Test> {
-    let of_each: Vec<Vec<Test>> = records.par_iter().enumerate().map(|(place, r)| of_record(place, r)).collect();
+    let of_each: Vec<Vec<Test>> =
+        records.par_iter().enumerate().map(|(place, r)| of_record(place, r, MOST_STRETCHES)).collect();
     of_each.into_iter().flatten().collect()
 }
 
-fn of_record(place: usize, record: &Record) -> Vec<Test> {
+/// At most so many stretches of a record.
+fn of_record(place: usize, record: &Record, most: usize) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();
     if cycles == 0 {
@@ -88,7 +92,7 @@ fn of_record(place: usize, record: &Record) -> Vec<Test> {
     }
     let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
     let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];
-    let stretches = if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, MOST_STRETCHES) } else { 1 };
+    let stretches = if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, most) } else { 1 };
     (0..stretches)
         .map(|k| {
             let range = k * cycles / stretches..(k + 1) * cycles / stretches;

@@ -13,7 +13,7 @@ const STEP: f64 = 2e-3;
 const MOST: usize = 40_000;
 
 /// Samples of a record that become one step of the model.
-pub fn stride(record: &Record) -> usize {
+fn stride(record: &Record) -> usize {
     let n = record.time.len();
     let step = (record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64;
     ((STEP / step.max(1e-9)) as usize).max(n.div_ceil(MOST)).max(1)

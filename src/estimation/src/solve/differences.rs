@@ -9,8 +9,14 @@ const STEP: f64 = 6e-6;
 const SMALLEST: f64 = 1e-3;
 
 /// Residuals of one block and central differences of them; one-sided where a bound or a hole in the model is in the way.
-pub fn central(problem: &impl Residuals, block: usize, x: &[f64], bounds: &Bounds) -> Option<(Vec<f64>, DMatrix<f64>)> {
-    let middle = problem.residuals(block, x)?;
+pub fn central<R: Residuals>(
+    problem: &R,
+    block: usize,
+    x: &[f64],
+    bounds: &Bounds,
+) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    let residuals = |x: &[f64]| problem.residuals(block, &problem.at(x)?);
+    let middle = residuals(x)?;
     let mut jacobian = DMatrix::zeros(middle.len(), x.len());
     for i in 0..x.len() {
         let h = STEP * x[i].abs().max(SMALLEST);
@@ -18,7 +24,7 @@ pub fn central(problem: &impl Residuals, block: usize, x: &[f64], bounds: &Bound
             let mut near = x.to_vec();
             near[i] = moved;
             let inside = moved >= bounds.low[i] && moved <= bounds.high[i];
-            inside.then(|| problem.residuals(block, &near)).flatten().filter(|r| r.iter().all(|v| v.is_finite()))
+            inside.then(|| residuals(&near)).flatten().filter(|r| r.iter().all(|v| v.is_finite()))
         };
         let (up, down) = (at(x[i] + h), at(x[i] - h));
         let width = (x[i] + h) - (x[i] - h);

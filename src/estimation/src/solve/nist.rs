@@ -17,7 +17,13 @@ struct Problem {
 }
 
 impl Residuals for Problem {
-    fn residuals(&self, _: usize, b: &[f64]) -> Option<Vec<f64>> {
+    type At = Vec<f64>;
+
+    fn at(&self, b: &[f64]) -> Option<Vec<f64>> {
+        Some(b.to_vec())
+    }
+
+    fn residuals(&self, _: usize, b: &Vec<f64>) -> Option<Vec<f64>> {
         Some(self.data.iter().map(|(y, x)| (self.model)(b, *x) - y).collect())
     }
 }

@@ -158,7 +158,13 @@ impl Problem<'_> {
 }
 
 impl Residuals for Problem<'_> {
-    fn residuals(&self, _: usize, x: &[f64]) -> Option<Vec<f64>> {
+    type At = Vec<f64>;
+
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        Some(x.to_vec())
+    }
+
+    fn residuals(&self, _: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
         let (force, gas) = self.curve(x);
         let curve = Curve::new(self.velocity, &force, Interpolation::MonotoneCubic).ok()?;
         Some(self.bins.iter().map(|b| b.weight.sqrt() * (curve.at(b.velocity).value - gas - b.force)).collect())

@@ -98,7 +98,7 @@ const RIDGE: f64 = 1e-10;
 
 /// The least squares of every model of the literature.
 pub fn options() -> Options {
-    Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), priors: Vec::new() }
+    Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), ..Options::default() }
 }
 
 struct Problem<'a, L> {
@@ -116,13 +116,19 @@ impl<L: Law> Problem<'_, L> {
 }
 
 impl<L: Law> Residuals for Problem<'_, L> {
+    type At = L;
+
+    fn at(&self, x: &[f64]) -> Option<L> {
+        Some(self.law(x))
+    }
+
     fn blocks(&self) -> usize {
         self.tests.len()
     }
 
-    fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals(&self, block: usize, law: &L) -> Option<Vec<f64>> {
         let test = &self.tests[block];
-        let forces = self.law(x).forces(&test.motion);
+        let forces = law.forces(&test.motion);
         Some((test.from..test.force.len()).map(|i| (forces[i] - test.force[i]) / test.scale).collect())
     }
 }
@@ -185,8 +191,9 @@ pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L
         .par_iter()
         .map(|start| {
             let inner = with_linear(&problem, start);
+            let law = problem.law(&inner);
             let squares: f64 =
-                (0..tests.len()).filter_map(|block| problem.residuals(block, &inner)).flatten().map(|r| r * r).sum();
+                (0..tests.len()).filter_map(|block| problem.residuals(block, &law)).flatten().map(|r| r * r).sum();
             (if squares.is_finite() { squares } else { f64::INFINITY }, inner)
         })
         .collect();

@@ -79,17 +79,23 @@ fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
 }
 
 impl Residuals for Problem<'_> {
+    type At = Vec<f64>;
+
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        Some(x.to_vec())
+    }
+
     fn blocks(&self) -> usize {
         self.tests.len()
     }
 
-    fn residuals(&self, block: usize, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals(&self, block: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
         let test = &self.tests[block];
         let residual = |(u, f): &([f64; 3], f64)| (self.output * output(x, u, None) - f) / test.scale;
         Some(self.samples[block].iter().map(residual).collect())
     }
 
-    fn jacobian(&self, block: usize, x: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    fn jacobian(&self, block: usize, x: &Vec<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
         let test = &self.tests[block];
         let mut jacobian = DMatrix::zeros(self.samples[block].len(), SIZE);
         let mut residuals = Vec::new();

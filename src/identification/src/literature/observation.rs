@@ -76,7 +76,7 @@ pub(super) fn range(values: &[f64]) -> (f64, f64) {
 
 /// The tests of a fit, from records.
 pub fn of_records(records: &[&Record]) -> Vec<Observation> {
-    observations(&dashpot_estimation::segment::segments(records))
+    observations(&dashpot_estimation::samples::segments(records))
 }
 
 /// The tests of a fit.

@@ -1,0 +1,84 @@
+//! As many rows as there are numbers, that say the same as all rows of a linear least-squares problem.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Smallest share of a column that stands out from the columns before it at which squared (normal) equations keep enough digits:
+/// they lose twice as many as this has, of sixteen.
+const APART: f64 = 1e-4;
+
+/// Triangular factor of the rows, and the residuals turned with them.
+///
+/// The factor is Cholesky's of the squared equations, which a product of matrices makes several times faster than reflections do.
+/// Where columns nearly depend on each other that would lose half the digits, and Householder's orthogonal factors are taken.
+pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
+    let n = jacobian.ncols();
+    if jacobian.nrows() <= n {
+        return (jacobian.clone(), residual.clone());
+    }
+    if let Some(squared) = by_squares(jacobian, residual) {
+        return squared;
+    }
+    let qr = jacobian.clone().qr();
+    let mut right = residual.clone();
+    qr.q_tr_mul(&mut right);
+    (qr.r(), right.rows(0, n).into_owned())
+}
+
+/// `None` where columns are not far enough apart.
+fn by_squares(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
+    let n = jacobian.ncols();
+    // A product of matrices is computed in blocks; `tr_mul` goes by columns and takes several times as long.
+    let squares = jacobian.transpose() * jacobian;
+    let lengths = DVector::from_fn(n, |i, _| squares[(i, i)].sqrt());
+    if lengths.iter().any(|l| !(*l > 0.0)) {
+        return None;
+    }
+    let scaled = DMatrix::from_fn(n, n, |r, c| squares[(r, c)] / (lengths[r] * lengths[c]));
+    let lower = scaled.cholesky()?.unpack();
+    if lower.diagonal().iter().any(|d| *d < APART) {
+        return None;
+    }
+    let turned = jacobian.tr_mul(residual).component_div(&lengths);
+    let right = lower.solve_lower_triangular(&turned)?;
+    let mut factor = lower.transpose();
+    for (mut column, length) in factor.column_iter_mut().zip(&lengths) {
+        column *= *length;
+    }
+    Some((factor, right))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(near: f64) -> (DMatrix<f64>, DVector<f64>) {
+        let t = |i: usize| i as f64 / 40.0;
+        let jacobian = DMatrix::from_fn(40, 3, |i, c| match c {
+            0 => 1e3,
+            1 => 1e-2 * t(i),
+            _ => 1e-2 * t(i) + near * (9.0 * t(i)).sin(),
+        });
+        (jacobian, DVector::from_fn(40, |i, _| (3.0 * t(i)).cos()))
+    }
+
+    /// The solution and what the squares fall by are the same as of all rows, whichever way was taken.
+    #[test]
+    fn the_reduced_rows_have_the_solution_of_all_rows() {
+        for (near, squared) in [(1e-2, true), (1e-7, false), (0.0, false)] {
+            let (jacobian, residual) = rows(near);
+            assert_eq!(by_squares(&jacobian, &residual).is_some(), squared, "{near}");
+            let (factor, right) = reduce(&jacobian, &residual);
+            assert_eq!(factor.nrows(), 3);
+            let slope = jacobian.tr_mul(&residual);
+            let reduced = factor.tr_mul(&right);
+            for k in 0..3 {
+                assert!((slope[k] - reduced[k]).abs() < 1e-9 * jacobian.column(k).norm(), "{near} {k}");
+            }
+            let (all, few) = (jacobian.tr_mul(&jacobian), factor.tr_mul(&factor));
+            for (k, (a, b)) in all.iter().zip(few.iter()).enumerate() {
+                let size = jacobian.column(k / 3).norm() * jacobian.column(k % 3).norm();
+                assert!((a - b).abs() < 1e-12 * size, "{near} {k}");
+            }
+        }
+    }
+}
