@@ -1,18 +1,22 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
 use super::data::{DataArgs, matches, sign_in_words};
+use super::groups::{self, Answers, Group};
+use super::whole_records;
 use crate::progress::Progress;
-use anyhow::bail;
+use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
 use dashpot_identification::Standing;
 use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_identification::validation::Deviation;
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
 use dashpot_report::ParameterRow;
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Find where a model and the records of its damper disagree, name the missing effect, and add it
@@ -21,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// has seen; where two effects explain the records as well, or none does, the answer says so.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json"
+    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json\n  dashpot diagnose damper.toml fleet/ --group folders --reference good/ --report fleet.html"
 )]
 pub struct Args {
     /// Model file
@@ -54,6 +58,10 @@ pub struct Args {
     /// changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one
     #[arg(long, value_name = "GOOD")]
     reference: Vec<PathBuf>,
+    /// Many dampers or settings at once, each compared with the reference, or with the first where none is given. The word folders: every
+    /// folder in DATA is one. Or a pattern of the tests' names with {} where the group stands, such as '*_c{}_*'
+    #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out"])]
+    group: Option<String>,
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
@@ -93,6 +101,46 @@ pub struct Diagnosed {
     pub found: Diagnosis,
     /// Which records no refit saw.
     pub left_out: Vec<bool>,
+    /// What `dashpot validate` says of the models in it.
+    pub over_whole_records: OverWholeRecords,
+}
+
+/// Errors over every sample of every record, as `dashpot validate` measures them.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct OverWholeRecords {
+    /// The model as it came.
+    pub as_it_came: Deviation,
+    /// The same model, refitted.
+    pub refitted: Deviation,
+    /// With the findings that belong to the damper; what is of the rig is in no model.
+    pub improved: Deviation,
+}
+
+impl OverWholeRecords {
+    fn of(model: &Params, found: &Diagnosis, records: &[&Record]) -> anyhow::Result<OverWholeRecords> {
+        let of = |params: &Params| whole_records::deviation(params, records);
+        Ok(OverWholeRecords { as_it_came: of(model)?, refitted: of(&found.base)?, improved: of(&found.improved)? })
+    }
+
+    /// In a sentence.
+    pub fn told(&self) -> String {
+        let of = whole_records::in_words;
+        format!(
+            "Over every sample of all records, as dashpot validate measures: {} as the model came, {} refitted, {} improved. The figures \
+             above are of mean cycles, in which noise is averaged out.",
+            of(&self.as_it_came),
+            of(&self.refitted),
+            of(&self.improved)
+        )
+    }
+}
+
+/// The findings as JSON, with the errors over whole records.
+#[derive(Serialize)]
+pub struct Json<'a> {
+    #[serde(flatten)]
+    found: &'a Diagnosis,
+    over_whole_records: OverWholeRecords,
 }
 
 /// Diagnoses a model against a campaign.
@@ -105,10 +153,23 @@ pub fn examine(
     let records: Vec<&Record> = campaign.records.iter().collect();
     let progress = Progress::new("diagnosing");
     let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
-    Ok(Diagnosed { found, left_out })
+    let over_whole_records = OverWholeRecords::of(&model.params, &found, &records)?;
+    Ok(Diagnosed { found, left_out, over_whole_records })
 }
 
 impl Diagnosed {
+    /// As JSON.
+    pub fn json(&self) -> Json<'_> {
+        Json { found: &self.found, over_whole_records: self.over_whole_records }
+    }
+
+    /// In lines.
+    pub fn told(&self) -> Vec<String> {
+        let mut lines = told(&self.found);
+        lines.push(self.over_whole_records.told());
+        lines
+    }
+
     /// The improved model as the text of a model file.
     pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
         let records: Vec<&Record> = campaign.records.iter().collect();
@@ -126,12 +187,14 @@ impl Diagnosed {
         let records: Vec<&Record> = campaign.records.iter().collect();
         let mut reading = vec![sign_in_words(&campaign.sign)];
         reading.extend(campaign.notes.iter().map(|n| n.text.clone()));
+        let over_whole_records = self.over_whole_records.told();
         write(&DiagnosisReport {
             model_file: model.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
             data: data.named(),
             found: &self.found,
             records: &records,
             reading,
+            over_whole_records,
             parameters: parameter_rows(&self.found),
         })
     }
@@ -171,6 +234,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     let model = model_file::read(&args.model)?;
+    if let Some(by) = &args.group {
+        return of_groups(args, &model, by);
+    }
     let campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
     let reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
@@ -178,7 +244,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&sign_in_words(&campaign.sign))?;
-    say(&told(&diagnosed.found).join("\n"))?;
+    say(&diagnosed.told().join("\n"))?;
     if let Some(path) = out {
         dashpot_output::write(path, &diagnosed.model(&model, &campaign))?;
         if !dashpot_output::is_stdout(path) {
@@ -186,7 +252,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     if let Some(path) = json {
-        dashpot_output::json(path, &diagnosed.found)?;
+        dashpot_output::json(path, &diagnosed.json())?;
     }
     if let Some(path) = &args.report {
         diagnosed.report(&args.model, &args.data, &campaign, |report| report.write(path))?;
@@ -195,6 +261,45 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(folder) = &args.svg {
         let written = diagnosed.report(&args.model, &args.data, &campaign, |report| report.write_svgs(folder))?;
         say(&format!("{} figures in {}", written.len(), folder.display()))?;
+    }
+    Ok(())
+}
+
+/// Diagnoses every group against the reference.
+fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
+    let (mut groups, left_aside) = groups::split(&args.data, by)?;
+    let (reference, name) = if args.reference.is_empty() {
+        if groups.len() < 2 {
+            bail!("--group {by:?} finds one group, {}; give --reference to compare it with", groups[0].name);
+        }
+        let first = groups.remove(0);
+        (first.records, first.name)
+    } else {
+        let name = args.reference.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
+        (args.data.load_like(&args.reference)?.records, name)
+    };
+    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
+    let progress = Progress::new("diagnosing");
+    let count = groups.len() as f64;
+    let one = |(k, Group { name, records }): (usize, Group)| {
+        let all: Vec<&Record> = records.iter().collect();
+        let left = choose_held_out(&all, args.seed);
+        let told = |done: f64, text: &str| progress.say((k as f64 + done) / count, &format!("{name}: {text}"));
+        let diagnosis =
+            diagnose(&all, &left, &model.params, &options, &told).with_context(|| format!("group {name}"))?;
+        Ok(groups::Answer { group: name.clone(), tests: all.len(), diagnosis })
+    };
+    let answered: anyhow::Result<Vec<groups::Answer>> = groups.into_iter().enumerate().map(one).collect();
+    drop(progress);
+    let answers = Answers { reference: name, left_aside, groups: answered? };
+    let json = args.json.as_deref();
+    dashpot_output::say(json, &answers.told().join("\n"))?;
+    if let Some(path) = json {
+        dashpot_output::json(path, &answers)?;
+    }
+    if let Some(path) = &args.report {
+        dashpot_output::write(path, answers.page(&args.model))?;
+        dashpot_output::say(json, &format!("report: {}", path.display()))?;
     }
     Ok(())
 }

@@ -1,11 +1,13 @@
 //! `dashpot fit`: records in, model file out.
 
 use super::data::{DataArgs, is_said_first, matches, sign_in_words};
+use super::whole_records;
 use crate::progress::Progress;
 use anyhow::bail;
 use clap::ValueEnum;
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
+use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
 use dashpot_output::Kind;
 use dashpot_records::{Campaign, Record, SignFinding};
@@ -94,6 +96,8 @@ struct Json<'a> {
     choices: &'a [Choice],
     notes: &'a [String],
     misfit: f64,
+    /// Errors over every sample of the fitted tests, as `dashpot validate` measures them.
+    over_whole_records: Deviation,
     sign: &'a SignFinding,
 }
 
@@ -229,7 +233,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &found.notes {
         say(&format!("note: {note}"))?;
     }
-    say(&format!("{} tests fitted; model in {}", found.tests.len(), args.output.display()))?;
+    let over_whole_records = whole_records::deviation(&found.params, &kept(&campaign, &args.hold_out)?)?;
+    let error = whole_records::in_words(&over_whole_records);
+    say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
         dashpot_output::json(
             path,
@@ -240,6 +246,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 choices: &found.choices,
                 notes: &found.notes,
                 misfit: found.misfit,
+                over_whole_records,
                 sign: &campaign.sign,
             },
         )?;

@@ -20,7 +20,7 @@ mod tried;
 
 pub use answer::{headline, picture};
 
-use super::{ParameterRow, Section, page, parameters, write_figures, write_page};
+use super::{Block, ParameterRow, Section, page, parameters, write_figures, write_page};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
 use std::path::{Path, PathBuf};
@@ -38,6 +38,8 @@ pub struct DiagnosisReport<'a> {
     pub records: &'a [&'a Record],
     /// Remarks on reading: the sign that was worked out, what cleaning noticed.
     pub reading: Vec<String>,
+    /// What `dashpot validate` says of the models in it, in a sentence.
+    pub over_whole_records: String,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
 }
@@ -68,6 +70,7 @@ impl DiagnosisReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let found = self.found;
         let mut sections = vec![answer::section(found), places::section(found)];
+        sections[0].blocks.push(Block::Paragraph(self.over_whole_records.clone()));
         sections.extend(findings::section(found));
         sections.extend(loops::section(found));
         sections.extend(matrix::section(found, self.records));

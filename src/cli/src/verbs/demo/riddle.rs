@@ -48,9 +48,9 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;
     let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
     let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
-    say(&diagnose::told(&diagnosed.found).join("\n"))?;
+    say(&diagnosed.told().join("\n"))?;
     dashpot_output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
-    dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.found)?;
+    dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;
     let report_path = in_folder("diagnosis.html");
     diagnosed.report(&model_path, &data, &campaign, |report| report.write(&report_path))?;
     if let Some(svg) = picture(&diagnosed.found) {

@@ -1,0 +1,226 @@
+//! Many dampers, or one at many settings, each against the same reference: `dashpot diagnose --group`.
+
+use super::data::DataArgs;
+use anyhow::bail;
+use dashpot_diagnosis::{Change, Diagnosis, Finding};
+use dashpot_records::Record;
+use dashpot_records::glob::matches as glob_matches;
+use dashpot_report::blocks::{Block, Column, Section, Table};
+use dashpot_report::numbers::{share, with_interval, with_unit};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The records of one damper or setting.
+#[derive(Debug)]
+pub struct Group {
+    /// Its name: that of the folder, or what the pattern found in the names of its tests.
+    pub name: String,
+    /// Its records.
+    pub records: Vec<Record>,
+}
+
+/// What stands for the name of the group in a pattern.
+const PLACE: &str = "{}";
+
+/// Splits the data: by the folders in it, or by a part of the tests' names.
+///
+/// # Errors
+/// A pattern without `{}`, data without folders, fewer than two groups, records that cannot be read.
+pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<(Vec<Group>, Vec<String>)> {
+    let (mut groups, left) = match by {
+        "folders" => (by_folders(data)?, Vec::new()),
+        _ if by.matches(PLACE).count() == 1 => by_name(data, by)?,
+        _ => bail!(
+            "--group takes the word folders, or a pattern of the tests' names with {PLACE} once where the group stands and * for \
+             anything, such as '*_c{PLACE}_*'; it is {by:?}"
+        ),
+    };
+    // Pressures, clicks and serial numbers in the order of the number.
+    let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
+    if groups.iter().all(|g| number(g).is_some()) {
+        groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));
+    }
+    Ok((groups, left))
+}
+
+fn by_folders(data: &DataArgs) -> anyhow::Result<Vec<Group>> {
+    let mut folders: Vec<PathBuf> = Vec::new();
+    for path in &data.data {
+        let within = std::fs::read_dir(path).map_err(|e| anyhow::anyhow!("{}: {e}", path.display()))?;
+        folders.extend(within.filter_map(|entry| entry.ok().map(|e| e.path())).filter(|p| p.is_dir()));
+    }
+    folders.sort();
+    if folders.is_empty() {
+        bail!("--group folders: there is no folder in {}; put the records of each damper into one", data.named());
+    }
+    let group = |folder: &PathBuf| {
+        let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        Ok(Group { name, records: data.load_like(std::slice::from_ref(folder))?.records })
+    };
+    folders.iter().map(group).collect()
+}
+
+fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<(Vec<Group>, Vec<String>)> {
+    let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
+    let mut left = Vec::new();
+    for record in data.load()?.records {
+        match found(pattern, &record.name) {
+            Some(name) => groups.entry(name.to_owned()).or_default().push(record),
+            None => left.push(record.name),
+        }
+    }
+    if groups.is_empty() {
+        bail!("--group {pattern:?} matches no test; the first is called {:?}", left.first().map_or("", String::as_str));
+    }
+    Ok((groups.into_iter().map(|(name, records)| Group { name, records }).collect(), left))
+}
+
+/// The shortest part of a name that stands where the pattern has `{}`, the first of equals.
+fn found<'a>(pattern: &str, name: &'a str) -> Option<&'a str> {
+    let (before, after) = pattern.split_once(PLACE)?;
+    let places: Vec<usize> = name.char_indices().map(|(i, _)| i).chain([name.len()]).collect();
+    let spans = places.iter().enumerate().flat_map(|(k, a)| places[k + 1..].iter().map(move |b| (*a, *b)));
+    spans
+        .filter(|(a, b)| glob_matches(before, &name[..*a]) && glob_matches(after, &name[*b..]))
+        .min_by_key(|(a, b)| (b - a, *a))
+        .map(|(a, b)| &name[a..b])
+}
+
+/// The answer for one group.
+#[derive(Debug, Serialize)]
+pub struct Answer {
+    /// Its name.
+    pub group: String,
+    /// Number of tests.
+    pub tests: usize,
+    /// The diagnosis against the reference.
+    pub diagnosis: Diagnosis,
+}
+
+/// The answers for all groups. Its JSON form is what `dashpot diagnose --group` writes.
+#[derive(Debug, Serialize)]
+pub struct Answers {
+    /// What they were compared with.
+    pub reference: String,
+    /// Tests that belong to no group.
+    pub left_aside: Vec<String>,
+    /// Every group but the reference.
+    pub groups: Vec<Answer>,
+}
+
+fn finding(finding: &Finding) -> String {
+    format!("{} ({} sure)", finding.effect, share(finding.confidence))
+}
+
+fn change(change: &Change) -> String {
+    let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+    format!("{value} (95 %: {interval})")
+}
+
+impl Answers {
+    /// One line a group, and the numbers that changed in any of them.
+    pub fn told(&self) -> Vec<String> {
+        let mut lines = vec![format!("Compared with {}:", self.reference)];
+        for answer in &self.groups {
+            let names: Vec<String> = answer.diagnosis.findings.iter().map(finding).collect();
+            let names = if names.is_empty() { answer.diagnosis.summary.clone() } else { names.join(", ") };
+            lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
+            for one in &answer.diagnosis.changed {
+                let before = with_unit(one.reference, one.unit);
+                lines.push(format!("    {:<30} {before:>16} -> {}", one.parameter, change(one)));
+            }
+        }
+        if !self.left_aside.is_empty() {
+            lines.push(format!(
+                "note: {} tests belong to no group: {}",
+                self.left_aside.len(),
+                self.left_aside.join(", ")
+            ));
+        }
+        lines
+    }
+
+    /// The report for people, one HTML page.
+    pub fn page(&self, model: &Path) -> String {
+        let mut numbers: BTreeMap<&str, (f64, &str)> = BTreeMap::new();
+        for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
+            numbers.entry(one.parameter).or_insert((one.reference, one.unit));
+        }
+        let of_group = |answer: &Answer| {
+            let names: Vec<String> = answer.diagnosis.findings.iter().map(finding).collect();
+            let rms = |value: f64| dashpot_report::numbers::digits(value, 3);
+            vec![
+                answer.group.clone(),
+                answer.tests.to_string(),
+                answer.diagnosis.summary.clone(),
+                names.join(", "),
+                rms(answer.diagnosis.before.rmse_n),
+                rms(answer.diagnosis.after.rmse_n),
+                rms(answer.diagnosis.before.noise_n),
+            ]
+        };
+        let groups = Table {
+            caption: "Every group beside the reference. N rms over the mean cycles of the tests, the model refitted: before a name is \
+                      added, after, and what noise makes of it."
+                .to_owned(),
+            columns: vec![
+                Column::words("group"),
+                Column::figures("tests"),
+                Column::words("answer"),
+                Column::words("named"),
+                Column::figures("before N"),
+                Column::figures("after N"),
+                Column::figures("noise N"),
+            ],
+            rows: self.groups.iter().map(of_group).collect(),
+            sortable: true,
+        };
+        let mut sections = vec![Section::new("groups", "What changed in which group", vec![Block::Table(groups)])];
+        let mut rows = Vec::new();
+        for (name, (reference, unit)) in &numbers {
+            rows.push(vec![(*name).to_owned(), self.reference.clone(), with_unit(*reference, unit)]);
+            for answer in &self.groups {
+                let there = answer.diagnosis.changed.iter().find(|c| c.parameter == *name);
+                let cell = there.map_or_else(|| "no change beyond the intervals".to_owned(), change);
+                rows.push(vec![(*name).to_owned(), answer.group.clone(), cell]);
+            }
+        }
+        if !rows.is_empty() {
+            let table = Table {
+                caption: "Numbers of the model that differ from the reference in at least one group by more than both leave open."
+                    .to_owned(),
+                columns: vec![Column::words("number"), Column::words("group"), Column::words("value")],
+                rows,
+                sortable: true,
+            };
+            sections.push(Section::new("numbers", "Numbers that changed", vec![Block::Table(table)]));
+        }
+        if !self.left_aside.is_empty() {
+            let text = format!("Tests that belong to no group: {}.", self.left_aside.join(", "));
+            sections.push(Section::new("aside", "Left aside", vec![Block::Warning(text)]));
+        }
+        let subtitle = format!("Model {} against each group; reference: {}", model.display(), self.reference);
+        dashpot_report::render_sections("What changed between dampers", &subtitle, &sections)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_group_is_what_stands_at_its_place_in_the_name() {
+        for (pattern, name, group) in [
+            ("*_c{}_*", "a25mm_c12_v0131", Some("12")),
+            ("sn{}", "sn0041", Some("0041")),
+            ("{}bar*", "20bar_a05", Some("20")),
+            ("*_p{}", "a_p5_p7", Some("7")),
+            ("*_c{}_*", "a25mm_v0131", None),
+            ("sn{}", "sn", None),
+            ("größe{}_*", "größe3_ä", Some("3")),
+        ] {
+            assert_eq!(found(pattern, name), group, "{pattern} {name}");
+        }
+    }
+}
