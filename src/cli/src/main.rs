@@ -28,6 +28,7 @@ struct Cli {
 enum Verb {
     Fit(verbs::fit::Args),
     Validate(verbs::validate::Args),
+    Check(verbs::check::Args),
     Diagnose(verbs::diagnose::Args),
     Simulate(verbs::simulate::Args),
     Matrix(verbs::matrix::Args),
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
     let done = match cli.verb {
         Verb::Fit(args) => verbs::fit::run(&args),
         Verb::Validate(args) => verbs::validate::run(&args),
+        Verb::Check(args) => verbs::check::run(&args),
         Verb::Diagnose(args) => verbs::diagnose::run(&args),
         Verb::Simulate(args) => verbs::simulate::run(&args),
         Verb::Matrix(args) => verbs::matrix::run(&args),

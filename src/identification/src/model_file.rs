@@ -271,6 +271,19 @@ pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
     out
 }
 
+/// A model file of a damper that no fit stands behind any more, with remarks at its head.
+pub fn plain(params: &Params, remarks: &[String]) -> String {
+    let mut out = String::from("# A damper for dashpot. SI units; extension (rebound) and tension positive.\n");
+    for line in remarks.iter().flat_map(|remark| remark.lines()) {
+        let _ = writeln!(out, "# {line}");
+    }
+    out.push('\n');
+    out + &flat(params, |row| {
+        let p = row.parameter;
+        if p.unit == "-" { p.meaning.to_owned() } else { format!("{}; {}", p.unit, p.meaning) }
+    })
+}
+
 /// A model file for a fit.
 pub fn write(fit: &Fit) -> String {
     let of = |name: &str| fit.estimates.iter().filter(move |e| e.name == name).collect::<Vec<&Estimate>>();

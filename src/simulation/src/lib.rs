@@ -8,6 +8,7 @@
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
+pub mod chatter;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod vehicle;

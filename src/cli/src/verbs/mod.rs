@@ -1,12 +1,14 @@
 //! The verbs of the command, one file each.
 
 pub mod bench;
+pub mod check;
 mod data;
 pub mod demo;
 pub mod diagnose;
 pub mod export;
 pub mod fit;
 mod groups;
+mod host_step;
 pub mod import;
 pub mod import_profile;
 pub mod manoeuvre;

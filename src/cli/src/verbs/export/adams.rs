@@ -1,5 +1,6 @@
 //! `dashpot export adams`: a run folder for Adams.
 
+use crate::verbs::host_step::HostArgs;
 use crate::verbs::validate::prepared;
 use anyhow::{Context as _, bail};
 use dashpot_hosts::adams::folder;
@@ -25,6 +26,8 @@ pub struct Args {
     /// The library to hand out; if not given, those that this command holds (Linux and Windows), or the one beside it
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    #[command(flatten)]
+    host: HostArgs,
 }
 
 const LIBRARY: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
@@ -34,10 +37,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !(args.length > 0.0 && args.length < 1e5) {
         bail!("--length {} cannot be; give the distance of the damper's markers in mm", args.length);
     }
-    let params = model_file::read(&args.model)?.params;
+    let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
+    let params = ready.params;
     let model = prepared(&params)?;
     let libraries = libraries(args.library.as_deref())?;
-    let text = std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?;
+    let text = match ready.softened {
+        Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),
+        None => std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?,
+    };
     std::fs::create_dir_all(&args.output).with_context(|| format!("making the folder {}", args.output.display()))?;
     let put = |name: &str, bytes: &[u8]| {
         let path = args.output.join(name);
@@ -59,6 +66,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     if libraries.is_empty() {
         dashpot_output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
+    }
+    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
+    for note in ready.notes() {
+        dashpot_output::say(None, &format!("note: {note}"))?;
     }
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
 }

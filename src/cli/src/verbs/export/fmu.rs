@@ -1,5 +1,6 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
+use super::super::host_step::HostArgs;
 use super::super::validate;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
@@ -54,6 +55,8 @@ pub struct Args {
     /// The binary for one more platform, such as darwin64, compiled from this FMU's own sources
     #[arg(long, value_name = "PLATFORM=FILE")]
     binary: Vec<String>,
+    #[command(flatten)]
+    host: HostArgs,
 }
 
 /// Runs the verb.
@@ -62,15 +65,15 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("-o needs a file name: an FMU is a zip archive");
     }
     dashpot_output::check([args.output.as_path()])?;
-    let models: Vec<Params> = args
-        .models
-        .iter()
-        .map(|path| {
-            let file = model_file::read(path)?;
-            validate::prepared(&file.params).with_context(|| path.display().to_string())?;
-            Ok(file.params)
-        })
-        .collect::<anyhow::Result<_>>()?;
+    let mut notes = Vec::new();
+    let mut models: Vec<Params> = Vec::new();
+    for path in &args.models {
+        let file = model_file::read(path)?;
+        validate::prepared(&file.params).with_context(|| path.display().to_string())?;
+        let ready = args.host.ready(&file.params)?;
+        notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
+        models.push(ready.params);
+    }
     let corners: Vec<Params> = match (&models[..], args.four) {
         ([one], false) => vec![*one],
         ([one], true) => vec![*one; 4],
@@ -121,7 +124,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
     let platforms = made.platforms.join(", ");
-    dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))
+    dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))?;
+    notes.iter().try_for_each(|note| dashpot_output::say(None, note))
 }
 
 /// A binary for another platform, from PLATFORM=FILE.

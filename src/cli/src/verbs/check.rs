@@ -1,0 +1,73 @@
+//! `dashpot check`: whether a damper chatters in a host, which element makes it, and what to do.
+
+use super::host_step::HostArgs;
+use anyhow::bail;
+use dashpot_identification::model_file;
+use dashpot_output::Kind;
+use dashpot_simulation::chatter::{GROWS, RINGS};
+use serde_json::json;
+use std::path::PathBuf;
+
+/// See whether a damper chatters in a host that holds its force over a step
+///
+/// Real-time hosts compute the force once a step and hold it: a damper that is too steep for the mass that it moves then swings from step to
+/// step. Told are the gain c·h/m, the element that makes it and the longest step that is quiet; --for-step writes a damper that does not.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml"
+)]
+pub struct Args {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    #[command(flatten)]
+    host: HostArgs,
+    /// Where to write the damper made ready by --for-step
+    #[arg(short, long, value_name = "MODEL", requires = "for_step")]
+    output: Option<PathBuf>,
+    /// Figures as JSON; - for standard output
+    #[arg(long, value_name = "F")]
+    json: Option<PathBuf>,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let (json, out) = (args.json.as_deref(), args.output.as_deref());
+    let on_stdout = [out, json].into_iter().flatten().find(|p| dashpot_output::is_stdout(p));
+    if out.is_some_and(dashpot_output::is_stdout) && json.is_some_and(dashpot_output::is_stdout) {
+        bail!("standard output takes one result: give -o or --json a file");
+    }
+    dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
+    let file = model_file::read(&args.model)?;
+    let ready = args.host.ready(&file.params)?;
+    for line in ready.told() {
+        dashpot_output::say(on_stdout, &line)?;
+    }
+    if let Some(path) = out {
+        if ready.softened.is_none() {
+            dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
+        }
+        dashpot_output::write(path, model_file::plain(&ready.params, &ready.told()))?;
+    }
+    if let Some(path) = json {
+        let chatter = &ready.chatter;
+        let value = json!({
+            "host_step_s": ready.host.step,
+            "wheel_mass_kg": ready.host.mass,
+            "gain": chatter.gain,
+            "chatters": chatter.gain >= RINGS,
+            "swings": chatter.gain >= GROWS,
+            "velocity_m_s": chatter.velocity,
+            "damping_n_s_m": chatter.by_velocity,
+            "stiffness_n_m": chatter.by_displacement,
+            "quiet_step_s": chatter.quiet_step,
+            "element": chatter.element.map(|e| e.0),
+            "gain_without_it": chatter.element.map(|e| e.1),
+            "replaced": ready.softened.as_ref().map(|s| s.replaced),
+            "rms_error_n": ready.softened.as_ref().map(|s| s.rms_error),
+            "largest_error_n": ready.softened.as_ref().map(|s| s.largest_error),
+        });
+        dashpot_output::json(path, &value)?;
+    }
+    Ok(())
+}
