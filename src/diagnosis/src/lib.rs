@@ -381,6 +381,7 @@ impl Answer<'_> {
                 path: card.map_or("", |c| c.path),
                 family: card.map_or("", |c| c.family),
                 confidence: self.confidence[place],
+                rule: [found.probability(added, SUSPECTED), found.probability(added, SURE)],
                 family_confidence: {
                     let of = |samples| tree::of_family(&tree::tree(round, samples), effect);
                     calibration::confidence(of(SUSPECTED), of(SURE), self.reference.is_some())

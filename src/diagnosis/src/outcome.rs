@@ -85,6 +85,9 @@ pub struct Finding {
     pub family: &'static str,
     /// Probability that the name is right: of names given so, that many are.
     pub confidence: f64,
+    /// What the rule of evidence says before it is calibrated: its probability with each test counted as two independent samples, and as
+    /// one.
+    pub rule: [f64; 2],
     /// Probability that the family is right.
     pub family_confidence: f64,
     /// Share of the disagreement that it explains, in mean squares beyond the noise: what opens again without it.

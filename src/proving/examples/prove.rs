@@ -1,17 +1,24 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 //!
+//! In place of the seed stands `split=calibrate`, `split=check` or `split=locked="what for"` (see [`dashpot_proving::split`]).
 //! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have; `alone` one case after the other, as a user
 //! would wait for them. `whole` starts a case by name from a fit with all elements.
 
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
-use dashpot_proving::{outcome, score};
+use dashpot_proving::{outcome, score, split};
 use rayon::prelude::*;
 
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let what = args.first().map_or("short", String::as_str);
-    let seed: u64 = args.get(1).and_then(|s| s.parse().ok()).unwrap_or(1000);
+    let seed: u64 = match split::first_seed(&args) {
+        Ok(first) => first.or_else(|| args.get(1).and_then(|s| s.parse().ok())).unwrap_or(1000),
+        Err(error) => {
+            eprintln!("{error}");
+            return;
+        }
+    };
     let mut entries: Vec<Entry> = match what {
         "full" => suite(Size::FULL, seed),
         "medium" => suite(Size::MEDIUM, seed),

@@ -1,9 +1,11 @@
 //! Runs the second laboratory's cases: `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference]
-//! [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it.
+//! [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it. In place of the
+//! first seed stands `split=calibrate`, `split=check`, or `split=locked="what for"`, which opens seeds that nobody has seen and retires them.
 
 use dashpot_proving::laboratory::{run, suite};
 use dashpot_proving::outcome::Outcome;
 use dashpot_proving::score;
+use dashpot_proving::split::first_seed;
 
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -11,7 +13,14 @@ fn main() {
     let with_reference = args.iter().any(|a| a == "reference");
     let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
     let mut outcomes: Vec<Outcome> = Vec::new();
-    for (block, case) in suite(number(0, 1), number(1, 1000)) {
+    let first = match first_seed(&args) {
+        Ok(first) => first.unwrap_or_else(|| number(1, 1000)),
+        Err(error) => {
+            eprintln!("{error}");
+            return;
+        }
+    };
+    for (block, case) in suite(number(0, 1), first) {
         let hidden = case.effects.first().map_or("nothing", |(name, _)| name.as_str());
         if only.is_some_and(|names| !names.split(',').any(|name| name == hidden)) {
             continue;

@@ -11,13 +11,17 @@
 //! | [`severity`] | the strength that makes a severity |
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
 //! | [`suite`] | the cases of the benchmark |
+//! | [`split`] | which seeds a figure may come from, and the ledger of those that were opened |
+//! | [`calibrate`] | what the probabilities of the rule are worth, from cases whose truth is known |
 //! | [`score`] | the table of figures and the confusion matrix |
 
+pub mod calibrate;
 pub mod case;
 pub mod laboratory;
 pub mod outcome;
 pub mod score;
 pub mod severity;
+pub mod split;
 pub mod suite;
 
 /// Why a case cannot be run.

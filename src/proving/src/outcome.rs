@@ -22,6 +22,10 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// Names given, with their confidences, in order.
     pub named: Vec<(String, f64)>,
+    /// The probabilities of the rule of evidence behind each: each test counted as two independent samples, and as one.
+    pub rule: Vec<[f64; 2]>,
+    /// Whether there was a reference campaign.
+    pub against_reference: bool,
     /// For an answer without a name: the suspects.
     pub suspects: Vec<String>,
     /// Error against the noise-free force of the left-out tests, before and after, N.
@@ -96,6 +100,8 @@ pub fn judged(
         forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
+        rule: found.findings.iter().map(|f| f.rule).collect(),
+        against_reference: !options.reference.is_empty(),
         suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),
         clean_before,
         clean_after,

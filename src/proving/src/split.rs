@@ -1,0 +1,136 @@
+//! Which seeds a figure may come from: one split to set numbers by, one to look at while working, one that is opened once for a
+//! published figure.
+//!
+//! A seed that anybody has looked at flatters whoever looked. Seeds of the locked split are handed out by the ledger, which keeps those that
+//! were opened; they are never handed out again.
+
+use std::path::{Path, PathBuf};
+
+/// A part of all seeds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Split {
+    /// The numbers in `calibration.toml` are set by it.
+    Calibrate,
+    /// What is looked at while working.
+    Check,
+    /// Opened once for a published figure.
+    Locked,
+}
+
+/// Seeds of a split.
+const SIZE: u64 = 1_000_000;
+/// Seeds that one opening of the locked split takes: more than any suite has cases.
+const OPENING: u64 = 10_000;
+/// What was opened before there were splits lies below.
+const OLD: u64 = SIZE;
+
+impl Split {
+    /// By its name.
+    pub fn named(name: &str) -> Option<Split> {
+        match name {
+            "calibrate" => Some(Split::Calibrate),
+            "check" => Some(Split::Check),
+            "locked" => Some(Split::Locked),
+            _ => None,
+        }
+    }
+
+    /// Its first seed.
+    pub fn first_seed(self) -> u64 {
+        match self {
+            Split::Calibrate => OLD,
+            Split::Check => OLD + SIZE,
+            Split::Locked => OLD + 2 * SIZE,
+        }
+    }
+}
+
+/// The seeds of the locked split that were opened, in a file that is part of the project.
+#[derive(Debug)]
+pub struct Ledger {
+    path: PathBuf,
+    text: String,
+}
+
+impl Ledger {
+    /// Reads the project's own.
+    ///
+    /// # Errors
+    /// Where the file cannot be read.
+    pub fn of_the_project() -> std::io::Result<Ledger> {
+        Ledger::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("ledger.toml"))
+    }
+
+    /// Reads one.
+    ///
+    /// # Errors
+    /// Where the file cannot be read.
+    pub fn read(path: &Path) -> std::io::Result<Ledger> {
+        Ok(Ledger { path: path.to_owned(), text: std::fs::read_to_string(path)? })
+    }
+
+    /// First seeds of all openings.
+    pub fn opened(&self) -> Vec<u64> {
+        let first = |line: &str| line.strip_prefix("first_seed = ").and_then(|v| v.trim().parse().ok());
+        self.text.lines().filter_map(first).collect()
+    }
+
+    /// Opens seeds that nobody has seen, and retires them: the entry is written before the first case is run. Gives the first of them.
+    ///
+    /// # Errors
+    /// Where the file cannot be replaced.
+    pub fn open(&mut self, for_what: &str) -> std::io::Result<u64> {
+        let first = self.opened().into_iter().map(|s| s + OPENING).fold(Split::Locked.first_seed(), u64::max);
+        let what = for_what.replace(['"', '\\'], " ");
+        self.text += &format!("\n[[opened]]\nfirst_seed = {first}\nfor = \"{what}\"\n");
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        let mut file = tempfile::NamedTempFile::new_in(folder)?;
+        std::io::Write::write_all(&mut file, self.text.as_bytes())?;
+        file.persist(&self.path).map_err(|e| e.error)?;
+        Ok(first)
+    }
+}
+
+/// The first seed that the arguments of an example ask for by `split=NAME`; `None` where none does. The locked split is opened by it.
+///
+/// # Errors
+/// An unknown split, a locked one without a purpose, a ledger that cannot be written.
+pub fn first_seed(args: &[String]) -> Result<Option<u64>, String> {
+    let Some(asked) = args.iter().find_map(|a| a.strip_prefix("split=")) else { return Ok(None) };
+    let (name, purpose) = asked.split_once('=').unwrap_or((asked, ""));
+    match (Split::named(name), purpose) {
+        (None, _) => Err(format!("there is no split {name}: calibrate, check or locked")),
+        (Some(Split::Locked), "") => {
+            Err("say what the locked split is opened for: split=locked=\"README, table 1\"".to_owned())
+        }
+        (Some(Split::Locked), purpose) => {
+            let mut ledger = Ledger::of_the_project().map_err(|e| format!("ledger.toml: {e}"))?;
+            ledger.open(purpose).map(Some).map_err(|e| format!("ledger.toml: {e}"))
+        }
+        (Some(split), _) => Ok(Some(split.first_seed())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_opening_is_written_down_and_its_seeds_never_come_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("ledger.toml");
+        std::fs::write(&path, "# what was opened\n").unwrap();
+        let mut ledger = Ledger::read(&path).unwrap();
+        let first = ledger.open("a \"figure\"").unwrap();
+        let second = Ledger::read(&path).unwrap().open("another").unwrap();
+        assert_eq!((first, second), (Split::Locked.first_seed(), Split::Locked.first_seed() + OPENING));
+        assert_eq!(Ledger::read(&path).unwrap().opened(), [first, second]);
+    }
+
+    #[test]
+    fn the_projects_own_ledger_is_in_order() {
+        let opened = Ledger::of_the_project().unwrap().opened();
+        assert!(opened.windows(2).all(|w| w[1] >= w[0] + OPENING), "{opened:?}");
+        assert!(opened.iter().all(|s| *s >= Split::Locked.first_seed()));
+    }
+}
