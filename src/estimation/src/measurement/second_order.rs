@@ -8,6 +8,9 @@ pub(super) struct SecondOrder {
     pub damping: f64,
 }
 
+/// Share of a step by which another counts as equal to it: what that is off is as small a share of the force.
+const ALIKE: f64 = 1e-9;
+
 impl SecondOrder {
     /// Lets the filter follow the forces; `then` gets each force, the filter's output and its rate there.
     pub fn follow(&self, dt: &[f64], forces: &mut [f64], mut then: impl FnMut(&mut f64, f64, f64)) {
@@ -16,12 +19,17 @@ impl SecondOrder {
         let late = 2.0 * damping / omega;
         let mut last = forces.first().copied().unwrap_or(0.0);
         let (mut y, mut rate) = (last, 0.0);
+        let (mut at, mut stays, mut sin, mut cos) = (f64::NAN, 1.0, 0.0, 1.0);
         for (force, h) in forces.iter_mut().zip(dt).skip(1) {
+            // Most samples are equally far apart but for rounding, and the functions cost more than all else here.
+            if !((h - at).abs() <= ALIKE * h) {
+                at = *h;
+                stays = (-falls * h).exp();
+                (sin, cos) = (turns * h).sin_cos();
+            }
             let slope = (*force - last) / h;
             // What is behind the ramp that the force is on, and its rate.
             let (off, off_rate) = (y - (last - late * slope), rate - slope);
-            let stays = (-falls * h).exp();
-            let (sin, cos) = (turns * h).sin_cos();
             let after = stays * (off * cos + (off_rate + falls * off) / turns * sin);
             let after_rate = stays * (off_rate * cos - (falls * off_rate + omega * omega * off) / turns * sin);
             last = *force;
