@@ -99,7 +99,9 @@ impl Round {
         best
     }
 
-    /// Probabilities where each test counts as `samples` independent ones. The forms of an effect share its odds, tried or not.
+    /// Probabilities where each test counts as `samples` independent ones. The forms of an effect share its odds, tried or not. A name with
+    /// which the records are no likelier than without it is none: it would live on the odds that something is missing alone, the more the
+    /// fewer names may be given.
     pub fn odds(&self, samples: f64) -> Odds {
         let mut forms: BTreeMap<&'static str, Vec<f64>> = BTreeMap::new();
         let mut nameless = vec![self.before.log_evidence(samples)];
@@ -110,6 +112,8 @@ impl Round {
                 Some(_) => nameless.push(log),
             }
         }
+        let without_any = self.before.log_evidence(samples);
+        forms.retain(|_, logs| logs.iter().any(|log| *log > without_any));
         let (nothing, with_name) =
             if self.is_later { (NOTHING_MORE, 1.0 - NOTHING_MORE - WITHOUT_NAME) } else { (NOTHING, WITH_NAME) };
         let nothing = nothing.ln() + self.before.log_evidence_of_nothing(samples, self.named_so_far);

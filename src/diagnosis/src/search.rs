@@ -14,6 +14,7 @@ use dashpot_estimation::refit::{Effort, Refit, refit};
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::Record;
+use std::collections::BTreeSet;
 
 /// Effects of the first look of which each is tried as one of two.
 const PAIRED: usize = 4;
@@ -68,6 +69,13 @@ impl Explained {
 
     fn names(&self) -> Vec<&'static str> {
         self.added.iter().map(|a| a.candidate.effect).collect()
+    }
+
+    /// The names in alphabetical order.
+    fn set(&self) -> Vec<&'static str> {
+        let mut names = self.names();
+        names.sort_unstable();
+        names
     }
 
     /// What the explanation leaves, with all its names paid for.
@@ -160,8 +168,10 @@ impl Search {
         Some(self.rounds.len() - 1)
     }
 
-    /// Adds the likeliest effect as long as one is likely enough.
+    /// Adds the likeliest effect as long as one is likely enough and leads to names that were not held together before: what made the
+    /// search leave those would make it leave them again, without end.
     fn greedy(&mut self, ground: &Ground, limits: &Limits, progress: &(dyn Fn(f64, &str) + Sync)) -> Option<()> {
+        let mut held = BTreeSet::from([self.found.set()]);
         loop {
             progress(0.1 + 0.25 * self.found.added.len() as f64, "refitting everything with each effect");
             let forms = self.rounds.first().map(Round::promising);
@@ -172,8 +182,12 @@ impl Search {
             }
             let Some(best) = likely(&self.rounds[place]) else { return Some(()) };
             let Some(next) = self.found.with(best, ground.tests, place) else { return Some(()) };
-            self.found = next;
+            let before = std::mem::replace(&mut self.found, next);
             self.drop_needless(ground.tests);
+            if !held.insert(self.found.set()) {
+                self.found = before;
+                return Some(());
+            }
         }
     }
 
@@ -239,6 +253,7 @@ impl Search {
         let forms = self.rounds[0].promising();
         let among = |effect: &str| names.contains(&effect) && (ground.allowed)(effect);
         let ground = &Ground { allowed: &among, forms: Some(&forms), ..*ground };
+        let mut held = BTreeSet::from([self.found.set()]);
         while place < self.found.added.len() && self.found.added.len() >= 2 {
             let Some(less) = self.found.leave(place, ground.tests) else { break };
             let Some(look) = self.look(ground, &less) else { break };
@@ -250,6 +265,11 @@ impl Search {
                     place += 1;
                 }
                 Some(best) => match less.with(&best, ground.tests, look) {
+                    // Names that were held together before would only give way again.
+                    Some(other) if !held.insert(other.set()) => {
+                        self.found.added[place].look = look;
+                        place += 1;
+                    }
                     Some(other) => {
                         self.found = other;
                         self.last_look = None;

@@ -87,6 +87,7 @@ pub const PRIORS: &[Prior] = &[
     row("fsd_laminar_force", Size(150.0, 5.0), VALVES),
     row("valve_hysteresis_share", Strength(0.15, 2.0), VALVES),
     row("valve_opening_force", Size(500.0, 3.0), VALVES),
+    row("valve_closing_ratio", Place(0.8, 0.15), VALVES),
     row("valve_width", Size(150.0, 4.0), VALVES),
     row("valve_time", Size(2e-3, 3.5), VALVES),
     row("valve_play", Size(50.0, 3.0), VALVES),

@@ -96,6 +96,25 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     all.push(Candidate {
+        form: "opens and closes at different forces",
+        // So quick that the forces alone decide, however slow the motion.
+        fixed: vec![("valve_time", 5e-4)],
+        ..candidate(
+            "valve_hysteresis",
+            &["valve_hysteresis"],
+            vec![
+                linear("valve_hysteresis_share", (0.01, 0.6)),
+                log("valve_opening_force", (50.0, 3000.0)),
+                linear("valve_closing_ratio", (0.3, 0.98)),
+                held("valve_width", (10.0, 1500.0), 0.8),
+            ],
+            [0.5, 1.0, 1.8]
+                .iter()
+                .flat_map(|f| [0.5, 0.8].map(|closes| Start::at(&[0.15, f * knee, closes, 0.2 * f * knee])))
+                .collect(),
+        )
+    });
+    all.push(Candidate {
         fixed: vec![("valve_closing_ratio", 0.75)],
         ..candidate(
             "valve_hysteresis",
