@@ -1,7 +1,7 @@
 //! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
 
 use dashpot_core::{Model, Params};
-use dashpot_estimation::segment::segments;
+use dashpot_estimation::samples::segments;
 use dashpot_identification::{Fit, FitOptions, Standing, first_guess, fit};
 use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{self, Sine};

@@ -8,7 +8,7 @@
 use super::law::options;
 use super::observation::{Motion, Observation};
 use dashpot_core::Params;
-use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
+use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS, NEAREST};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve};
 use serde::{Deserialize, Serialize};
 
@@ -87,11 +87,13 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let slow = peaks.iter().copied().filter(|v| *v < SMALLEST).fold(0.0, f64::max);
     peaks.extend(CREEPING.iter().copied().filter(|v| *v < slow));
     peaks.push(top);
+    peaks.retain(|v| *v > 2.0 * NEAREST);
     peaks.sort_by(f64::total_cmp);
     let mut points: Vec<f64> = Vec::new();
     for v in peaks {
         match points.last_mut() {
-            Some(last) if v < SAME * *last => *last = if v == top { v } else { *last },
+            // The kernel takes no points that are nearer to each other.
+            Some(last) if v < (SAME * *last).max(*last + 2.0 * NEAREST) => *last = if v == top { v } else { *last },
             _ => points.push(v),
         }
     }
