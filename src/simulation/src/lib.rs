@@ -3,11 +3,13 @@
 //! | module | what |
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
+//! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
+pub mod comparison;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod vehicle;

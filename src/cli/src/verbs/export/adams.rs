@@ -1,10 +1,10 @@
 //! `dashpot export adams`: a run folder for Adams.
 
-use crate::verbs::validate::prepared;
 use anyhow::{Context as _, bail};
 use dashpot_hosts::adams::folder;
 use dashpot_hosts::runtimes;
 use dashpot_identification::model_file;
+use dashpot_identification::model_file::prepared;
 use dashpot_report::replace_file;
 use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
