@@ -26,6 +26,11 @@ class Place:
     slurm_walltime: str = "24:00:00"
 
 
+def has_dashboard() -> bool:
+    """Whether Dask's dashboard can run here; without it there is progress on the terminal alone."""
+    return importlib.util.find_spec("bokeh") is not None
+
+
 @contextlib.contextmanager
 def client_of(place: Place) -> Iterator[Any]:
     """A Dask client at that place; what was started for it ends with it."""
@@ -33,20 +38,24 @@ def client_of(place: Place) -> Iterator[Any]:
         import distributed
     except ImportError as error:
         raise DashpotError("a fleet needs Dask: pip install 'dashpot[fleet]'") from error
+    import dask
+
     with contextlib.ExitStack() as stack:
+        # A chunk whose worker died is taken apart and tried again by us, one campaign at a time. Were it handed to fresh workers
+        # right away, each would die while it starts, and a worker that dies so early is not started again.
+        stack.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
         if place.address is not None:
             target: Any = place.address
         elif place.slurm_jobs is not None:
             target = stack.enter_context(_slurm(place))
         else:
-            # The dashboard needs bokeh; without it there is progress on the terminal alone.
-            dashboard = ":0" if importlib.util.find_spec("bokeh") else None
             target = stack.enter_context(
                 distributed.LocalCluster(
                     n_workers=place.workers,
                     threads_per_worker=1,
                     processes=True,
-                    dashboard_address=dashboard,
+                    # Any free port: another cluster may have the usual one.
+                    dashboard_address=":0",
                     silence_logs="ERROR",
                 )
             )

@@ -13,7 +13,7 @@ from typing import IO, Any
 from .._native import DashpotError
 from ..campaign import Campaign
 from ..identification import fit
-from .cluster import Place, client_of
+from .cluster import Place, client_of, has_dashboard
 from .examine import Plan, examine_all
 from .jobs import Job
 from .store import Store
@@ -72,7 +72,7 @@ def run(
         done, failed = before, 0
         if rest:
             with client_of(place) as client:
-                if client.dashboard_link:
+                if has_dashboard() and client.dashboard_link:
                     say(f"dashboard: {client.dashboard_link}")
                 for rows in _work(client, plan, _chunks(rest, chunk)):
                     store.add(rows)
@@ -128,6 +128,7 @@ def _work(client: Any, plan: Plan, chunks: Iterator[Chunk]) -> Iterator[list[Any
             yield rows
     # Some campaign ended the process of its worker, which takes what waited there with it: each by itself, to find which.
     for job, key in suspects:
+        client.wait_for_workers(1)
         future = submit([(job, key)])
         rows = _rows(future)
         if rows is None:
