@@ -74,7 +74,7 @@ fn main() -> ExitCode {
         // A reader that has read enough, such as `head`, is no error.
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("dashpot: {}", told_once(&error));
+            eprintln!("dashpot: {}", dashpot_output::told_once(&error));
             ExitCode::from(2)
         }
     }
@@ -89,15 +89,6 @@ fn tell_usage(told: &clap::Error) -> ExitCode {
         _ => told.exit_code(),
     };
     ExitCode::from(u8::try_from(code).unwrap_or(2))
-}
-
-/// The error with its causes, without those that it already names.
-fn told_once(error: &anyhow::Error) -> String {
-    error.chain().fold(String::new(), |told, cause| match cause.to_string() {
-        cause if told.contains(&cause) => told,
-        cause if told.is_empty() => cause,
-        cause => format!("{told}: {cause}"),
-    })
 }
 
 fn is_closed_pipe(error: &anyhow::Error) -> bool {

@@ -6,7 +6,7 @@
 use crate::{Estimate, Fit, Standing};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Row, Shape};
-use dashpot_core::{Params, model_file};
+use dashpot_core::{Model, Params, model_file};
 use dashpot_records::Record;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -137,15 +137,48 @@ pub enum ModelFileError {
         file: PathBuf,
     },
     /// The parameters do not make a model.
-    #[error("{file}: {parameter} {text}")]
+    #[error("{file}: {fault}")]
     Model {
         /// Path.
         file: PathBuf,
-        /// Parameter at fault.
-        parameter: &'static str,
-        /// What is wrong.
-        text: &'static str,
+        /// What is wrong with which parameter.
+        fault: NoModel,
     },
+}
+
+/// Why parameters do not make a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("{parameter} {text}")]
+pub struct NoModel {
+    /// Parameter at fault.
+    pub parameter: &'static str,
+    /// What is wrong.
+    pub text: &'static str,
+}
+
+/// The model of a parameter set.
+///
+/// # Errors
+/// The parameter at fault, and why.
+pub fn prepared(params: &Params) -> Result<Model, NoModel> {
+    Model::new(params).map_err(|fault| NoModel {
+        parameter: name_of(fault.parameter).unwrap_or("a parameter"),
+        text: fault.reason.text(),
+    })
+}
+
+impl ModelFile {
+    /// The plain FV curve that the fit left beside the model; the model's own curve and gas force where it left none.
+    pub fn plain(&self) -> Params {
+        if let Some(Ok(params)) = self.identification.fv_only.as_ref().map(FvOnly::params) {
+            return params;
+        }
+        let mut params = self.params;
+        params.disable_all();
+        let _ = params.enable("fv_curve", true);
+        let _ = params.enable("gas_preload", self.params.is_on("gas_preload"));
+        params
+    }
 }
 
 /// Reads a model file and checks that it makes a model.
@@ -155,7 +188,16 @@ pub enum ModelFileError {
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file: file.clone(), why })?;
-    if crate::literature::file::is_one(&text) {
+    parse(&text, path)
+}
+
+/// As [`read`], from the text of a model file; `path` is what errors call it.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
+    let file = path.to_path_buf();
+    if crate::literature::file::is_one(text) {
         return Err(ModelFileError::ForComparison { file });
     }
     let mut params = Params::new();
@@ -175,18 +217,14 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
         }
         ModelFileError::Line { file: file.clone(), line: e.line, subject, text: words }
     })?;
-    dashpot_core::Model::new(&params).map_err(|fault| ModelFileError::Model {
-        file: file.clone(),
-        parameter: name_of(fault.parameter).unwrap_or("a parameter"),
-        text: fault.reason.text(),
-    })?;
+    prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
     #[derive(Deserialize)]
     struct Tables {
         #[serde(default)]
         identification: Identification,
     }
     let tables: Tables =
-        toml::from_str(&text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
+        toml::from_str(text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
     Ok(ModelFile { params, identification: tables.identification })
 }
 

@@ -6,6 +6,7 @@ mod kind;
 mod lock;
 mod replace;
 mod stdout;
+mod told;
 
 use anyhow::{Context as _, bail};
 use replace::{folder_of, try_folder, write_file};
@@ -18,6 +19,7 @@ pub use kind::{GENERATOR, Kind};
 pub use lock::FolderLock;
 pub use replace::replace_file;
 pub use stdout::closed as stdout_closed;
+pub use told::told_once;
 
 /// Whether the path stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {

@@ -15,6 +15,7 @@ mod error;
 mod fixtures;
 pub mod glob;
 mod heading;
+pub mod hold_out;
 mod mat;
 mod motion;
 mod noise;

@@ -3,12 +3,15 @@
 //! | module | what |
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
+//! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
+//! | [`chatter`] | whether a damper chatters in a host that holds its force over a step |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
 pub mod chatter;
+pub mod comparison;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod vehicle;

@@ -3,7 +3,7 @@
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
-use dashpot_records::{Campaign, Note, Options, Positive, Record, SignFinding, assignment, glob, load};
+use dashpot_records::{Campaign, Note, Options, Positive, SignFinding, assignment, load};
 use std::path::PathBuf;
 
 /// How to read records.
@@ -169,9 +169,4 @@ pub fn sign_in_words(sign: &SignFinding) -> String {
     }
     let reasons = if sign.reasons.is_empty() { String::new() } else { format!(": {}", sign.reasons.join("; ")) };
     format!("The files count {direction} positive ({:.0} % sure){reasons}.", 100.0 * sign.confidence)
-}
-
-/// Whether a test's name matches one of the patterns, in which `*` stands for anything and `?` for one character.
-pub fn matches(record: &Record, patterns: &[String]) -> bool {
-    patterns.iter().any(|p| glob::matches(p, &record.name))
 }

@@ -1,6 +1,6 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
-use super::data::{DataArgs, matches, sign_in_words};
+use super::data::{DataArgs, sign_in_words};
 use super::groups::{self, Answers, Group};
 use super::whole_records;
 use crate::progress::Progress;
@@ -12,7 +12,7 @@ use dashpot_identification::Standing;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::validation::Deviation;
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::{Campaign, Record};
+use dashpot_records::{Campaign, Record, hold_out};
 use dashpot_report::ParameterRow;
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
@@ -73,26 +73,7 @@ pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::
     if patterns.is_empty() {
         return Ok(choose_held_out(&records, seed));
     }
-    if let Some(pattern) = patterns.iter().find(|p| !campaign.records.iter().any(|r| matches(r, &[(*p).clone()]))) {
-        bail!("--hold-out {pattern:?} matches no test; the first is called {:?}", campaign.records[0].name);
-    }
-    let out: Vec<bool> = campaign.records.iter().map(|r| matches(r, patterns)).collect();
-    if out.iter().all(|o| *o) {
-        bail!("--hold-out leaves no test to look at; it matches all {}", out.len());
-    }
-    Ok(out)
-}
-
-/// The plain FV curve of a model, to compare with.
-fn plain(model: &ModelFile) -> Params {
-    if let Some(Ok(params)) = model.identification.fv_only.as_ref().map(|f| f.params()) {
-        return params;
-    }
-    let mut params = model.params;
-    params.disable_all();
-    let _ = params.enable("fv_curve", true);
-    let _ = params.enable("gas_preload", model.params.is_on("gas_preload"));
-    params
+    Ok(hold_out::held_out(campaign, patterns, "look at")?)
 }
 
 /// A diagnosis with what it was made from.
@@ -173,7 +154,7 @@ impl Diagnosed {
     /// The improved model as the text of a model file.
     pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
         let records: Vec<&Record> = campaign.records.iter().collect();
-        model_file::write(&self.found.as_fit(&records, &self.left_out, plain(model)))
+        model_file::write(&self.found.as_fit(&records, &self.left_out, model.plain()))
     }
 
     /// Hands the report over to `write`.

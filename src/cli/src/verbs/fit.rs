@@ -1,6 +1,6 @@
 //! `dashpot fit`: records in, model file out.
 
-use super::data::{DataArgs, is_said_first, matches, sign_in_words};
+use super::data::{DataArgs, is_said_first, sign_in_words};
 use super::whole_records;
 use crate::progress::Progress;
 use anyhow::bail;
@@ -10,6 +10,7 @@ use dashpot_identification::model_file;
 use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
 use dashpot_output::Kind;
+use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, SignFinding};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -108,18 +109,6 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     drop(progress);
     dashpot_output::write(output, &model_file::write(&found))?;
     Ok(found)
-}
-
-/// The tests that a fit may see.
-pub fn kept<'a>(campaign: &'a Campaign, hold_out: &[String]) -> anyhow::Result<Vec<&'a Record>> {
-    let kept: Vec<&Record> = campaign.records.iter().filter(|r| !matches(r, hold_out)).collect();
-    if kept.is_empty() {
-        bail!("--hold-out leaves no test to fit; it matches all {}", campaign.records.len());
-    }
-    if let Some(pattern) = hold_out.iter().find(|p| !campaign.records.iter().any(|r| matches(r, &[(*p).clone()]))) {
-        bail!("--hold-out {pattern:?} matches no test; the first is called {:?}", campaign.records[0].name);
-    }
-    Ok(kept)
 }
 
 /// Kinds of notes that tell of damage, not of routine.

@@ -1,8 +1,8 @@
 //! The host's step and mass, as options of `dashpot check` and of every export, and what is said of chatter beside each.
 
-use super::validate::prepared;
 use anyhow::{anyhow, bail};
 use dashpot_core::Params;
+use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Chatter, Host, Softened, chatter, softened};
 
 /// The lightest mass that a damper of a car moves, kg: wheel, hub and half the links of a small car's front corner.
@@ -41,7 +41,7 @@ impl HostArgs {
     /// The damper as the host gets it, and what is to be said of it there.
     pub fn ready(&self, params: &Params) -> anyhow::Result<Ready> {
         let host = self.host()?;
-        prepared(params)?;
+        model_file::prepared(params)?;
         let refused = |fault: dashpot_core::Fault| anyhow!("{}", fault.reason.text());
         let soft = if self.for_step.is_some() { softened(params, host).map_err(refused)? } else { None };
         let params = soft.as_ref().map_or(*params, |s| s.params);

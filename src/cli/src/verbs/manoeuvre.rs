@@ -1,10 +1,9 @@
 //! `dashpot manoeuvre`: what the model changes in a vehicle.
 
 use super::data::DataArgs;
-use super::validate::prepared;
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
-use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_output::Kind;
 use dashpot_report::blocks::{Block, Column, Figure, Section, Table};
 use dashpot_report::numbers;

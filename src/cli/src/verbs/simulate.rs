@@ -1,10 +1,9 @@
 //! `dashpot simulate`: the force for any motion.
 
 use super::data::ColumnArgs;
-use super::validate::prepared;
 use crate::progress::Progress;
 use dashpot_core::Model;
-use dashpot_identification::model_file;
+use dashpot_identification::model_file::{self, prepared};
 use dashpot_records::read_motion;
 use dashpot_simulation::imposed_motion::{Answer, ImposedMotion};
 use std::fmt::Write as _;

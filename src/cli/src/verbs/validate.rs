@@ -2,20 +2,18 @@
 
 use super::data::{DataArgs, sign_in_words};
 use crate::progress::Progress;
-use anyhow::{Context as _, anyhow, bail};
+use anyhow::bail;
+use dashpot_core::Model;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
-use dashpot_core::{Model, Params};
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
-use dashpot_identification::model_file::{self, Interval, ModelFile};
+use dashpot_identification::model_file::{self, Interval, ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
-use dashpot_identification::{Family, FitOptions, fit};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::smoothing::smooth;
 use dashpot_records::{Campaign, Record};
 use dashpot_report::against::{self, Rival};
 use dashpot_report::{Block, ParameterRow, ReportInput};
-use dashpot_simulation::prediction::predict;
+use dashpot_simulation::comparison;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -183,45 +181,10 @@ fn outruns(model: &Model, record: &Record) -> bool {
     !model.covers(peak) || !model.covers(-peak)
 }
 
-/// Simulates every record with the model and with the FV curve alone.
+/// Simulates every record with the model and with the FV curve alone, and says how far it is.
 pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
-    let model = prepared(&file.params)?;
-    let fv_only = prepared(&fv_only(file, campaign)?)?;
     let progress = Progress::new("simulating");
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    Ok(campaign
-        .records
-        .par_iter()
-        .map(|record| {
-            let motion = smooth(record);
-            let compared = Compared {
-                record,
-                model: predict(&model, record, &motion),
-                fv_only: predict(&fv_only, record, &motion),
-                used_in_fit: file.identification.used(record),
-            };
-            let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            progress.count(done, campaign.records.len());
-            compared
-        })
-        .collect())
-}
-
-/// The model of a parameter set.
-pub fn prepared(params: &Params) -> anyhow::Result<Model> {
-    Model::new(params).map_err(|fault| {
-        let name = parameter::table().nth(fault.parameter as usize).map_or("a parameter", |row| row.parameter.name);
-        anyhow!("{name} {}", fault.reason.text())
-    })
-}
-
-/// The plain FV curve of the fit; fitted to these records where the model file brings none.
-fn fv_only(file: &ModelFile, campaign: &Campaign) -> anyhow::Result<Params> {
-    if let Some(curve) = &file.identification.fv_only {
-        return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");
-    }
-    let records: Vec<&Record> = campaign.records.iter().collect();
-    Ok(fit(&records, &FitOptions { family: Family::Fv, elements: None }, |_| ())?.params)
+    Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
 }
 
 /// The error matrix as text.

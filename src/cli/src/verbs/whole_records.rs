@@ -3,8 +3,8 @@
 //! A fit and a diagnosis work on mean cycles, in which noise is averaged out, and a diagnosis refits first; their own figures are smaller
 //! than those of `dashpot validate`, which takes every sample of every record from the settled start.
 
-use super::validate::prepared;
 use dashpot_core::Params;
+use dashpot_identification::model_file;
 use dashpot_identification::validation::{Compared, Deviation, validate};
 use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 /// Mean figures of a model over records, as `dashpot validate` measures them.
 pub fn deviation(params: &Params, records: &[&Record]) -> anyhow::Result<Deviation> {
-    let model = prepared(params)?;
+    let model = model_file::prepared(params)?;
     let compared: Vec<Compared> = records
         .par_iter()
         .map(|record| {

@@ -60,6 +60,45 @@ pub struct Made {
     pub platforms: Vec<String>,
 }
 
+/// The dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2); `four` makes four of one.
+///
+/// # Errors
+/// Any other number of models.
+pub fn corners(models: &[Params], four: bool) -> anyhow::Result<Vec<Params>> {
+    match (models, four) {
+        ([one], false) => Ok(vec![*one]),
+        ([one], true) => Ok(vec![*one; 4]),
+        ([front, rear], _) => Ok(vec![*front, *front, *rear, *rear]),
+        ([_, _, _, _], _) => Ok(models.to_vec()),
+        _ => bail!("give one model file, two (front, rear) or four (L1, R1, L2, R2)"),
+    }
+}
+
+impl Scales {
+    /// Scales as the user gives them. Where he does not, one damper counts extension and tension, a vehicle compression.
+    ///
+    /// # Errors
+    /// A scale that is 0 or no number, an offset that no damper has.
+    pub fn checked(
+        corners: usize,
+        motion: Option<f64>,
+        force: Option<f64>,
+        position_offset: f64,
+    ) -> anyhow::Result<Scales> {
+        let usual = if corners == 1 { 1.0 } else { -1.0 };
+        let scales = Scales { motion: motion.unwrap_or(usual), force: force.unwrap_or(usual), position_offset };
+        if !(scales.position_offset.abs() <= 1.0) {
+            bail!("--position-offset is in m and lies between -1 and 1, not {}", scales.position_offset);
+        }
+        for (name, scale) in [("--motion-scale", scales.motion), ("--force-scale", scales.force)] {
+            if !scale.is_finite() || scale == 0.0 {
+                bail!("{name} must be finite and not 0");
+            }
+        }
+        Ok(scales)
+    }
+}
+
 /// What the text of every runtime holds: a runtime is told by it from a library compiled of one FMU's sources.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 1";
 

@@ -8,6 +8,7 @@ use crate::progress::Progress;
 use dashpot_identification::FitOptions;
 use dashpot_identification::{model_file, validation};
 use dashpot_output::FolderLock;
+use dashpot_records::hold_out;
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
@@ -46,7 +47,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     say("2. The damper is identified from these records, without the rows at 40, 25 and 2 mm.")?;
     let model_path = args.output.join("damper.toml");
     let held_out: Vec<String> = HELD_OUT.map(String::from).to_vec();
-    let found = fit::identify(&fit::kept(&campaign, &held_out)?, &FitOptions::default(), &model_path)?;
+    let found = fit::identify(&hold_out::kept(&campaign, &held_out)?, &FitOptions::default(), &model_path)?;
     for choice in &found.choices {
         say(&format!("   {}: {}", choice.of, choice.chosen))?;
     }

@@ -7,6 +7,7 @@ use anyhow::Context as _;
 use dashpot_diagnosis::Options as DiagnosisOptions;
 use dashpot_identification::FitOptions;
 use dashpot_identification::model_file;
+use dashpot_records::hold_out;
 use dashpot_report::diagnosis::picture;
 use dashpot_report::replace_file;
 use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
@@ -41,7 +42,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     ))?;
     let kept_back = [format!("{CHECK_PREFIX}*")];
     let model_path = in_folder("damper.toml");
-    fit::identify(&fit::kept(&campaign, &kept_back)?, &FitOptions::default(), &model_path)?;
+    fit::identify(&hold_out::kept(&campaign, &kept_back)?, &FitOptions::default(), &model_path)?;
     let model = model_file::read(&model_path)?;
     say(&format!("   model file: {}", model_path.display()))?;
 

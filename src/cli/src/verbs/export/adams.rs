@@ -1,7 +1,6 @@
 //! `dashpot export adams`: a run folder for Adams.
 
 use crate::verbs::host_step::HostArgs;
-use crate::verbs::validate::prepared;
 use anyhow::{Context as _, bail};
 use dashpot_hosts::adams::folder;
 use dashpot_hosts::runtimes;
@@ -39,7 +38,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
     let params = ready.params;
-    let model = prepared(&params)?;
+    let model = model_file::prepared(&params)?;
     let libraries = libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),

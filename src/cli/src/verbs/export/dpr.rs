@@ -1,11 +1,11 @@
 //! `dashpot export dpr`: the FV curve as an Adams Car property file.
 
-use crate::verbs::validate::prepared;
 use anyhow::bail;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::{Model, Params};
 use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
 use dashpot_identification::model_file;
+use dashpot_identification::model_file::prepared;
 use std::path::PathBuf;
 
 /// Write the FV curve of a model as an Adams Car damper property file

@@ -1,7 +1,6 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
 use super::super::host_step::HostArgs;
-use super::super::validate;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
@@ -69,32 +68,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let mut models: Vec<Params> = Vec::new();
     for path in &args.models {
         let file = model_file::read(path)?;
-        validate::prepared(&file.params).with_context(|| path.display().to_string())?;
+        model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
         let ready = args.host.ready(&file.params)?;
         notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
         models.push(ready.params);
     }
-    let corners: Vec<Params> = match (&models[..], args.four) {
-        ([one], false) => vec![*one],
-        ([one], true) => vec![*one; 4],
-        ([front, rear], _) => vec![*front, *front, *rear, *rear],
-        ([_, _, _, _], _) => models.clone(),
-        _ => bail!("give one model file, two (front, rear) or four (L1, R1, L2, R2)"),
-    };
-    let usual = if corners.len() == 1 { 1.0 } else { -1.0 };
-    let scales = Scales {
-        motion: args.motion_scale.unwrap_or(usual),
-        force: args.force_scale.unwrap_or(usual),
-        position_offset: args.position_offset,
-    };
-    if !(scales.position_offset.abs() <= 1.0) {
-        bail!("--position-offset is in m and lies between -1 and 1, not {}", scales.position_offset);
-    }
-    for (name, scale) in [("--motion-scale", scales.motion), ("--force-scale", scales.force)] {
-        if !scale.is_finite() || scale == 0.0 {
-            bail!("{name} must be finite and not 0");
-        }
-    }
+    let corners = fmu::corners(&models, args.four)?;
+    let scales = Scales::checked(corners.len(), args.motion_scale, args.force_scale, args.position_offset)?;
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
     // A command that holds no compiled runtime compiles one here, where that can be done.

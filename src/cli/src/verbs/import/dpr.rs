@@ -1,10 +1,10 @@
 //! `dashpot import dpr`: a model from an Adams Car property file, TeimOrbit or XML.
 
-use crate::verbs::validate::prepared;
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
 use dashpot_hosts::adams::property;
 use dashpot_identification::model_file;
+use dashpot_identification::model_file::prepared;
 use std::path::PathBuf;
 
 /// Make a model file from an Adams Car damper property file, .dpr or .xml: the FV curve, and the gas force where it has one

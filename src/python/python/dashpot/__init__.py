@@ -1,0 +1,63 @@
+"""dashpot: a suspension damper identified from rig records once, run as the same code everywhere.
+
+>>> import dashpot                                          # doctest: +SKIP
+>>> campaign = dashpot.Campaign.read("campaign/")           # doctest: +SKIP
+>>> model = dashpot.fit(campaign)                           # doctest: +SKIP
+>>> model.validate(campaign).overall.error_percent          # doctest: +SKIP
+>>> model.simulate(t, displacement=x).force                 # doctest: +SKIP
+>>> model.write("damper.toml")                              # doctest: +SKIP
+
+SI units; extension (rebound) velocity and tension force are positive everywhere. What the package says has the same digits and
+the same sentences as the command ``dashpot``. Long work gives the interpreter's lock back, so threads run beside it; it uses
+all processors unless :func:`set_threads` says otherwise, and cannot be interrupted before it ends.
+"""
+
+from ._native import (
+    DashpotError,
+    DiagnosisError,
+    ExportError,
+    FitError,
+    ModelError,
+    MotionError,
+    OutputError,
+    RecordError,
+    RigError,
+    StepError,
+    ValidationError,
+    set_threads,
+)
+from ._native import VERSION as __version__
+from .campaign import Campaign, Record
+from .damper import Damper
+from .identification import diagnose, fit
+from .model import Model, Parameter, Response
+from .rig import measure_virtual
+from .results import Diagnosis, FitResult, Validation
+
+__all__ = [
+    "Campaign",
+    "Damper",
+    "DashpotError",
+    "Diagnosis",
+    "DiagnosisError",
+    "ExportError",
+    "FitError",
+    "FitResult",
+    "Model",
+    "ModelError",
+    "MotionError",
+    "OutputError",
+    "Parameter",
+    "Record",
+    "RecordError",
+    "Response",
+    "RigError",
+    "StepError",
+    "Validation",
+    "ValidationError",
+    "__version__",
+    "diagnose",
+    "fit",
+    "measure_virtual",
+    "set_threads",
+]

@@ -1,0 +1,159 @@
+"""What every result of dashpot can do: become a dictionary, a table, a view in a notebook."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import sys
+import types
+import typing
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar, Union
+
+if TYPE_CHECKING:
+    import pandas
+
+_R = TypeVar("_R", bound="Result")
+
+
+_HINTS: dict[type, dict[str, Any]] = {}
+
+
+def _hints(kind: type[Result]) -> dict[str, Any]:
+    """Types of the fields that JSON holds; working them out takes longer than a result."""
+    if kind not in _HINTS:
+        hints = {}
+        for owner in reversed(kind.__mro__):
+            for name, hint in owner.__dict__.get("__annotations__", {}).items():
+                field = kind.__dataclass_fields__.get(name)
+                # What is hidden may have a type that is known to type checkers alone.
+                if field is not None and not field.metadata.get("hidden"):
+                    hints[name] = eval(hint, vars(sys.modules[owner.__module__])) if isinstance(hint, str) else hint
+        _HINTS[kind] = hints
+    return _HINTS[kind]
+
+
+def _build(hint: Any, value: Any) -> Any:
+    """A value of JSON as the type that the dataclass states."""
+    origin = typing.get_origin(hint)
+    if origin in (Union, types.UnionType):
+        options = [o for o in typing.get_args(hint) if o is not type(None)]
+        return None if value is None else _build(options[0], value) if len(options) == 1 else value
+    if origin is tuple:
+        inner = typing.get_args(hint)
+        if len(inner) == 2 and inner[1] is Ellipsis:
+            return tuple(_build(inner[0], v) for v in value)
+        return tuple(_build(h, v) for h, v in zip(inner, value, strict=True))
+    if origin is dict:
+        inner = typing.get_args(hint)[1]
+        return {k: _build(inner, v) for k, v in value.items()}
+    if isinstance(hint, type) and issubclass(hint, Result):
+        return hint.from_dict(value)
+    if hint is float:
+        # JSON has no word for what is not a number.
+        return float("nan") if value is None else float(value)
+    return value
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Result):
+        return value.to_dict()
+    if isinstance(value, (tuple, list)):
+        return [_plain(v) for v in value]
+    if isinstance(value, dict):
+        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, float) and value != value:
+        return None
+    return value
+
+
+@dataclasses.dataclass(frozen=True)
+class Result:
+    """A result: a frozen dataclass. SI units; extension (rebound) velocity and tension force are positive."""
+
+    @classmethod
+    def from_dict(cls: type[_R], data: Mapping[str, Any]) -> _R:
+        """From the dictionary that :meth:`to_dict` makes, or the JSON that the command writes."""
+        hints = _hints(cls)
+        values = {}
+        for field in dataclasses.fields(cls):
+            key = field.metadata.get("key", field.name)
+            if key in data and field.name in hints:
+                values[field.name] = _build(hints[field.name], data[key])
+        return cls(**values)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As plain dictionaries, lists and numbers, with the keys of the command's JSON."""
+        out = {}
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.metadata.get("hidden") or (value is None and field.metadata.get("omitted")):
+                continue
+            out[field.metadata.get("key", field.name)] = _plain(value)
+        return out
+
+    def _rows(self) -> list[dict[str, Any]]:
+        """The rows of the table that says most about this result."""
+        return [flat(self.to_dict())]
+
+    def _title(self) -> str:
+        return type(self).__name__
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """As a table. Needs pandas."""
+        return frame(self._rows())
+
+    def _repr_html_(self) -> str:
+        return table(self._title(), self._rows())
+
+
+def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Nested dictionaries as one, keys joined by dots; lists are left out."""
+    out: dict[str, Any] = {}
+    for key, value in data.items():
+        if isinstance(value, Mapping):
+            out.update(flat(value, f"{prefix}{key}."))
+        elif not isinstance(value, (list, tuple)):
+            out[f"{prefix}{key}"] = value
+    return out
+
+
+def frame(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
+    """Rows as a table of pandas."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("to_pandas() needs pandas: pip install 'dashpot[pandas]'") from error
+    return pandas.DataFrame(list(rows))
+
+
+def _shown(value: Any) -> str:
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.5g}"
+    return str(value)
+
+
+#: Rows that a notebook shows; the rest is in to_pandas().
+SHOWN = 60
+
+
+def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = ()) -> str:
+    """A small table in HTML, without script or style sheet."""
+    rows = list(rows)
+    columns: list[str] = []
+    for row in rows:
+        columns.extend(c for c in row if c not in columns)
+    cell = 'style="text-align:right;padding:1px 8px"'
+    head = "".join(f"<th {cell}>{html.escape(c)}</th>" for c in columns)
+    lines = [
+        "<tr>" + "".join(f"<td {cell}>{html.escape(_shown(row.get(c)))}</td>" for c in columns) + "</tr>"
+        for row in rows[:SHOWN]
+    ]
+    more = f"<p>{len(rows) - SHOWN} more rows</p>" if len(rows) > SHOWN else ""
+    said = "".join(f"<li>{html.escape(note)}</li>" for note in notes)
+    listed = f"<ul>{said}</ul>" if said else ""
+    return f"<h4>{html.escape(title)}</h4>{listed}<table><tr>{head}</tr>{''.join(lines)}</table>{more}"

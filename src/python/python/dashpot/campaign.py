@@ -1,0 +1,224 @@
+"""Rig records: files in, clean records out."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Union
+
+from . import _native
+from ._result import Result, flat, frame, table
+from .results import Delay, Noise, Note, SignFinding
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+    import pandas
+
+    Channel = npt.NDArray[np.float64]
+
+#: A path as Python knows them.
+Path = Union[str, "os.PathLike[str]"]
+#: Is told the share done, 0 to 1, and what is being done.
+Progress = Callable[[float, str], object]
+
+
+@dataclass(frozen=True)
+class Record(Result):
+    """One cleaned test. SI units; extension (rebound) velocity and tension force are positive."""
+
+    name: str
+    source: str
+    cycles: tuple[dict[str, int], ...]
+    amplitude: float
+    frequency: float
+    peak_velocity: float
+    mean_displacement: float
+    noise: Noise
+    notes: tuple[Note, ...]
+    _native: _native.Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    _index: int = field(default=0, metadata={"hidden": True}, compare=False, repr=False)
+
+    def _channels(self) -> dict[str, Channel]:
+        if self._native is None:
+            raise ValueError("only records of a Campaign hold their channels")
+        return self._native.channels(self._index)
+
+    @property
+    def time(self) -> Channel:
+        """Time, s."""
+        return self._channels()["time"]
+
+    @property
+    def displacement(self) -> Channel:
+        """Displacement, m, extension positive."""
+        return self._channels()["displacement"]
+
+    @property
+    def velocity(self) -> Channel:
+        """Velocity, m/s, extension (rebound) positive."""
+        return self._channels()["velocity"]
+
+    @property
+    def force(self) -> Channel:
+        """Force, N, tension positive."""
+        return self._channels()["force"]
+
+    @property
+    def side_force(self) -> Channel | None:
+        """Side force, N, where the rig measured it."""
+        return self._channels().get("side_force")
+
+    @property
+    def temperature(self) -> Channel | None:
+        """Damper temperature, °C, where the rig measured it."""
+        return self._channels().get("temperature")
+
+    @property
+    def fingerprint(self) -> str:
+        """A short name for the content: the same measurement has the same, whatever its file is called."""
+        if self._native is None:
+            raise ValueError("only records of a Campaign have a fingerprint")
+        return self._native.fingerprint(self._index)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The channels as columns with their units."""
+        units = {"time": "s", "displacement": "m", "velocity": "m_s", "force": "N", "side_force": "N", "temperature": "C"}
+        channels = self._channels()
+        import pandas
+
+        return pandas.DataFrame({f"{name}_{units[name]}": values for name, values in channels.items()})
+
+
+class Campaign(Sequence[Record]):
+    """The records of a campaign, cleaned: a sequence of :class:`Record`. Made by :meth:`read`.
+
+    SI units inside; extension (rebound) velocity and tension force are positive, whatever the files count positive.
+    """
+
+    def __init__(self, native: _native.Campaign, paths: Sequence[str]) -> None:
+        self._native = native
+        self.paths: tuple[str, ...] = tuple(paths)
+        """The paths that were read."""
+        said: dict[str, Any] = json.loads(native.json())
+        self.sign: SignFinding = SignFinding.from_dict(said["sign"])
+        """Which direction the files count positive, and how sure that is."""
+        self.delay: Delay | None = Delay.from_dict(said["delay"]) if said["delay"] else None
+        """How late the force comes, where that stands out."""
+        self.notes: tuple[Note, ...] = tuple(Note.from_dict(n) for n in said["notes"])
+        """What concerns the campaign as a whole."""
+        self._said = said
+        self._records = tuple(
+            Record(**{**_fields(r), "_native": native, "_index": k}) for k, r in enumerate(said["records"])
+        )
+
+    @classmethod
+    def read(
+        cls,
+        path: Path | Sequence[Path],
+        *,
+        positive: str | None = None,
+        flip: Sequence[str] = (),
+        columns: Mapping[str, str | int] | None = None,
+        units: Mapping[str, str] | None = None,
+        ignore: Sequence[str] = (),
+        exclude: Sequence[str] = (),
+        delay_s: float = 0.0,
+        force_zero_n: float = 0.0,
+        displacement_zero_m: float = 0.0,
+        gain: float = 1.0,
+        initial_position_m: float = 0.0,
+        strict: bool = False,
+        progress: Progress | None = None,
+    ) -> Campaign:
+        """Reads record files (text, XLSX, MAT v5, RPC III), or folders of them, as one campaign.
+
+        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same.
+
+        :param path: a file or folder, or several.
+        :param positive: direction that the files count positive, ``"rebound"`` or ``"compression"``; worked out if not given.
+        :param flip: channels whose sign is turned: ``"force"``, ``"motion"``.
+        :param columns: heading, or number from 1, of a channel's column: ``{"force": "Load Cell 1"}``.
+        :param units: unit of a channel whose heading has none: ``{"force": "kN"}``.
+        :param ignore: channels left unread, such as ``"velocity"``.
+        :param exclude: files or tests left out, by name; ``*`` stands for anything.
+        :param delay_s: how much later than the motion the force was recorded, s; taken out.
+        :param force_zero_n: what the force channel shows without force, N, in the file's direction; taken off.
+        :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
+        :param gain: factor on the force, after its zero was taken off.
+        :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
+        :param strict: refuse folders with files that are no records, instead of leaving those out.
+        :param progress: is told the share done and what is being done.
+        :raises RecordError: for the first file that cannot be read or trusted.
+
+        >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
+        """
+        paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+        mapping = {
+            "format": "dashpot campaign profile 1",
+            "flip": list(flip),
+            "ignore": list(ignore),
+            "exclude": list(exclude),
+            "delay_s": float(delay_s),
+            "force_zero_n": float(force_zero_n),
+            "displacement_zero_m": float(displacement_zero_m),
+            "gain": float(gain),
+            "initial_position_m": float(initial_position_m),
+            "columns": {k: str(v) for k, v in (columns or {}).items()},
+            "units": dict(units or {}),
+        }
+        if positive is not None:
+            mapping["positive"] = positive
+        named = [os.fspath(p) for p in paths]
+        return cls(_native.Campaign.read(named, json.dumps(mapping), strict, progress), named)
+
+    def __len__(self) -> int:
+        return len(self._records)
+
+    def __iter__(self) -> Iterator[Record]:
+        return iter(self._records)
+
+    def __getitem__(self, key: Any) -> Any:
+        """A test by its place or its name."""
+        if isinstance(key, str):
+            for record in self._records:
+                if record.name == key:
+                    return record
+            raise KeyError(f"there is no test {key!r}; the first is called {self._records[0].name!r}")
+        return self._records[key]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the tests."""
+        return tuple(r.name for r in self._records)
+
+    def to_dict(self) -> dict[str, Any]:
+        """What was found, without the channels."""
+        copied: dict[str, Any] = json.loads(self._native.json())
+        return copied
+
+    def _rows(self) -> list[dict[str, Any]]:
+        rows = []
+        for record in self._records:
+            row = flat({k: v for k, v in record.to_dict().items() if k not in ("notes", "cycles")})
+            row["cycles"] = len(record.cycles)
+            rows.append(row)
+        return rows
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row a test."""
+        return frame(self._rows())
+
+    def _repr_html_(self) -> str:
+        return table(f"Campaign of {len(self)} tests", self._rows(), [n.text for n in self.notes])
+
+    def __repr__(self) -> str:
+        return f"<dashpot.Campaign of {len(self)} tests from {', '.join(self.paths)}>"
+
+
+def _fields(said: dict[str, Any]) -> dict[str, Any]:
+    """The fields of a record from what the reader says of it."""
+    record = Record.from_dict(said)
+    return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}

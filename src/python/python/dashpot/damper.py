@@ -1,0 +1,101 @@
+"""Dampers that run: one, or many together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Union, overload
+
+import numpy as np
+
+from . import _native
+from .model import Model
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Forces = npt.NDArray[np.float64]
+
+
+class Damper:
+    """One damper or many, with their states, for a loop with a fixed step.
+
+    >>> damper = Damper(model, initial_position=-0.02)            # doctest: +SKIP
+    >>> force = damper.step(velocity, dt)                         # one damper: numbers  # doctest: +SKIP
+    >>> corners = Damper([front, front, rear, rear], np.zeros(4)) # four: arrays  # doctest: +SKIP
+    >>> corners.step(velocities, dt, out=forces)                  # no allocation  # doctest: +SKIP
+
+    A single initial position makes a single damper, whose step takes and gives numbers; a list or an array makes one damper for
+    each, whose steps take numbers or arrays and give arrays. SI units; extension (rebound) velocity and tension force are
+    positive. A refused step raises :class:`dashpot.StepError` and leaves all states as they were.
+    """
+
+    def __init__(self, model: Union[Model, Sequence[Model]], initial_position: npt.ArrayLike = 0.0) -> None:
+        models = [model] if isinstance(model, Model) else list(model)
+        positions = np.asarray(initial_position, dtype=float)
+        self._single = positions.ndim == 0 and isinstance(model, Model)
+        if positions.ndim == 0:
+            positions = np.full(len(models), float(positions))
+        if positions.ndim != 1:
+            raise ValueError(f"initial_position is one number, or one for each damper, not an array of {positions.ndim} dimensions")
+        self._native = _native.Dampers([m._native for m in models], positions.tolist())
+        self._forces: Forces = np.zeros(len(positions))
+
+    def __len__(self) -> int:
+        return len(self._native)
+
+    @overload
+    def step(
+        self,
+        velocity: npt.ArrayLike,
+        dt: float,
+        displacement: npt.ArrayLike | None = None,
+        *,
+        side_force: npt.ArrayLike = 0.0,
+        temperature: npt.ArrayLike = 20.0,
+        out: Forces,
+    ) -> Forces: ...
+    @overload
+    def step(
+        self,
+        velocity: npt.ArrayLike,
+        dt: float,
+        displacement: npt.ArrayLike | None = None,
+        *,
+        side_force: npt.ArrayLike = 0.0,
+        temperature: npt.ArrayLike = 20.0,
+        out: None = None,
+    ) -> Union[float, Forces]: ...
+    def step(
+        self,
+        velocity: npt.ArrayLike,
+        dt: float,
+        displacement: npt.ArrayLike | None = None,
+        *,
+        side_force: npt.ArrayLike = 0.0,
+        temperature: npt.ArrayLike = 20.0,
+        out: Forces | None = None,
+    ) -> Union[float, Forces]:
+        """Moves on by ``dt`` (s) to the velocity (m/s) at its end; returns the force (N) there.
+
+        :param displacement: m; where it is not given it is integrated from the initial position. A host that knows it should
+            give it, so that nothing drifts.
+        :param side_force: N.
+        :param temperature: damper temperature, °C.
+        :param out: where the forces go, one float64 for each damper; a new array if not given.
+        :raises StepError: where an input is absurd; all states are as they were.
+        """
+        if out is not None:
+            self._native.step(velocity, dt, displacement, side_force, temperature, out)
+            return out
+        forces = self._forces if self._single else np.empty(len(self._native))
+        self._native.step(velocity, dt, displacement, side_force, temperature, forces)
+        return float(forces[0]) if self._single else forces
+
+    @property
+    def state(self) -> npt.NDArray[np.float64]:
+        """All states, a row of twelve numbers a damper: a copy, which may be kept and put back."""
+        return self._native.state
+
+    @state.setter
+    def state(self, rows: npt.NDArray[np.float64]) -> None:
+        self._native.state = rows

@@ -1,0 +1,78 @@
+"""Where the work runs: this computer, a Dask cluster, or Slurm."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from .._native import DashpotError
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the work runs. This computer where neither an address nor Slurm jobs are given."""
+
+    workers: int | None = None
+    """Worker processes on this computer; one for each processor if not given."""
+    address: str | None = None
+    """Scheduler of a Dask cluster, such as ``tcp://10.0.0.5:8786``."""
+    slurm_jobs: int | None = None
+    """Slurm jobs, one worker each."""
+    slurm_queue: str | None = None
+    slurm_memory: str = "2GB"
+    slurm_walltime: str = "24:00:00"
+
+
+def has_dashboard() -> bool:
+    """Whether Dask's dashboard can run here; without it there is progress on the terminal alone."""
+    return importlib.util.find_spec("bokeh") is not None
+
+
+@contextlib.contextmanager
+def client_of(place: Place) -> Iterator[Any]:
+    """A Dask client at that place; what was started for it ends with it."""
+    try:
+        import distributed
+    except ImportError as error:
+        raise DashpotError("a fleet needs Dask: pip install 'dashpot[fleet]'") from error
+    import dask
+
+    with contextlib.ExitStack() as stack:
+        # A chunk whose worker died is taken apart and tried again by us, one campaign at a time. Were it handed to fresh workers
+        # right away, each would die while it starts, and a worker that dies so early is not started again.
+        stack.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
+        if place.address is not None:
+            target: Any = place.address
+        elif place.slurm_jobs is not None:
+            target = stack.enter_context(_slurm(place))
+        else:
+            target = stack.enter_context(
+                distributed.LocalCluster(
+                    n_workers=place.workers,
+                    threads_per_worker=1,
+                    processes=True,
+                    # Any free port: another cluster may have the usual one.
+                    dashboard_address=":0",
+                    silence_logs="ERROR",
+                )
+            )
+        yield stack.enter_context(distributed.Client(target, set_as_default=False))
+
+
+def _slurm(place: Place) -> Any:
+    try:
+        from dask_jobqueue.slurm import SLURMCluster
+    except ImportError as error:
+        raise DashpotError("Slurm needs dask-jobqueue: pip install 'dashpot[slurm]'") from error
+    cluster = SLURMCluster(
+        cores=1,
+        processes=1,
+        memory=place.slurm_memory,
+        queue=place.slurm_queue,
+        walltime=place.slurm_walltime,
+    )
+    cluster.scale(jobs=place.slurm_jobs)
+    return cluster

@@ -1,0 +1,136 @@
+"""One campaign becomes one row: read, fitted, compared, judged, diagnosed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from .. import _native
+from ..campaign import Campaign
+from ..identification import diagnose, fit
+from ..model import Model
+from .jobs import Job
+from .limits import Limit, judge
+
+#: Velocities, m/s, at which the force of every damper is told, so that curves with other points can be compared: peak
+#: velocities of the thesis's matrix.
+VELOCITIES = (-1.047, -0.524, -0.262, -0.131, -0.052, 0.052, 0.131, 0.262, 0.524, 1.047)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is done with every campaign."""
+
+    family: str = "thesis"
+    elements: tuple[str, ...] | None = None
+    hold_out: tuple[str, ...] = ()
+    mapping: dict[str, Any] = field(default_factory=dict)
+    """How records are read: arguments of :meth:`dashpot.Campaign.read`."""
+    limits: tuple[Limit, ...] = ()
+    reference: str | None = None
+    """Campaign of the reference damper."""
+    reference_model: str | None = None
+    """Text of the model file of the reference damper; fitted to its campaign if not given."""
+    diagnose: str = "all"
+    """Which are diagnosed against the reference: ``all``, ``failed`` (those that miss a limit), ``none``."""
+    max_effects: int = 1
+    candidates: tuple[str, ...] | None = None
+    """Effects that may be named; all if not given."""
+    retries: int = 2
+    """How often a campaign is tried again after a fault that is not its own, such as a file server that went away."""
+    threads: int = 1
+    """Threads inside one worker; campaigns, not tests, are what is shared out."""
+
+    def said(self) -> str:
+        """All that decides what comes out, as text."""
+        decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
+        return json.dumps([_native.VERSION, decides], sort_keys=True)
+
+
+def force_column(velocity: float) -> str:
+    """Name of the column with the force at a velocity."""
+    return f"force_at_{velocity:+g}_m_s"
+
+
+@lru_cache(maxsize=2)
+def _reference(path: str, mapping: str) -> Campaign:
+    return Campaign.read(path, **json.loads(mapping))
+
+
+def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
+    """The row of a campaign. Never raises: what goes wrong is in the row."""
+    row: dict[str, Any] = {"key": key, **asdict(job), "status": "ok", "reason": None}
+    for attempt in range(plan.retries + 1):
+        try:
+            return {**row, **_figures(job, plan)}
+        except (_native.DashpotError, ValueError) as error:
+            # The campaign's own: trying again changes nothing.
+            return {**row, "status": "failed", "reason": str(error)}
+        except (KeyboardInterrupt, SystemExit):
+            raise
+        except BaseException as error:  # a fault of the program in the compiled part is no Exception
+            told = f"{type(error).__name__}: {error}"
+            if attempt == plan.retries:
+                row = {**row, "status": "failed", "reason": f"{told} (tried {attempt + 1} times)"}
+    return row
+
+
+def _figures(job: Job, plan: Plan) -> dict[str, Any]:
+    campaign = Campaign.read(job.campaign, **plan.mapping)
+    model = fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
+    validation = model.validate(campaign)
+    assert model.fit is not None
+    missed = judge(plan.limits, model, validation)
+    figures: dict[str, Any] = {
+        "tests": len(campaign),
+        "misfit": model.fit.misfit,
+        "error_percent": validation.overall.error_percent,
+        "rmse_n": validation.overall.rmse_n,
+        "fv_error_percent": validation.overall.fv_only.error_percent,
+        "judgement": ("failed" if missed else "passed") if plan.limits else None,
+        "missed": missed,
+        "elements": list(model.elements),
+        "parameters": [
+            {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing}
+            for e in model.fit.parameters
+        ],
+        "notes": list(model.fit.notes),
+        "model": model.text,
+    }  # fmt: skip
+    low, high = model.velocity_range
+    forces = model.steady_force(np.array(VELOCITIES))
+    for velocity, force in zip(VELOCITIES, forces, strict=True):
+        # Beyond the speeds of the campaign the curve is a guess.
+        figures[force_column(velocity)] = float(force) if low <= velocity <= high else None
+    if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and missed):
+        figures.update(_diagnosed(campaign, plan))
+    return figures
+
+
+def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
+    assert plan.reference is not None and plan.reference_model is not None
+    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True))
+    reference = Model(plan.reference_model, "reference.toml")
+    found = diagnose(reference, campaign, good, max_effects=plan.max_effects, candidates=plan.candidates)
+    said: dict[str, Any] = {
+        "verdict": found.verdict,
+        "summary": found.summary,
+        "changed": [asdict(change) for change in found.changed],
+    }
+    if found.findings:
+        first = found.findings[0]
+        said.update(effect=first.effect, effect_form=first.form, effect_confidence=first.confidence)
+    elif found.suspects:
+        said.update(suspect=found.suspects[0].effect, suspect_confidence=found.suspects[0].confidence)
+    return said
+
+
+def examine_all(jobs: Sequence[tuple[Job, str]], plan: Plan) -> list[Mapping[str, Any]]:
+    """The rows of a chunk of campaigns; runs in a worker."""
+    _native.set_threads(plan.threads)
+    return [examine(job, key, plan) for job, key in jobs]

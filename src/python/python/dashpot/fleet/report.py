@@ -1,0 +1,230 @@
+"""The fleet in one HTML file: distributions, drift, batches, outliers, control charts."""
+
+from __future__ import annotations
+
+import base64
+import datetime
+import html
+import io
+import os
+import tempfile
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow.parquet as pq
+
+from .._native import DashpotError, OutputError
+from .examine import VELOCITIES, force_column
+from .statistics import OUTLIER, Control, Numbers, Places, batches, control, drift, far_off, spread
+
+#: Dampers in the table of outliers, worst first; all are in the Parquet file.
+OUTLIERS = 100
+#: Reasons and refused campaigns told one by one.
+REASONS = 20
+_HEAD = """<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="dashpot">
+<title>Fleet of dampers</title><style>
+body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#1b1f24}
+table{border-collapse:collapse;margin:.6em 0}td,th{padding:2px 10px;border-bottom:1px solid #d8dee4;text-align:right}
+td:first-child,th:first-child{text-align:left}.t{text-align:left}img{max-width:100%}.warn{color:#9a3412}
+</style></head><body>"""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One number of every damper."""
+
+    name: str
+    unit: str
+    values: Numbers
+
+
+def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) -> None:
+    """Writes the report over a table of results. Needs matplotlib.
+
+    :raises DashpotError: where matplotlib is missing or there is nothing to report.
+    """
+    try:
+        import matplotlib.figure  # noqa: F401
+    except ImportError as error:
+        raise DashpotError("the report needs matplotlib: pip install 'dashpot[plot]'") from error
+    target = Path(path)
+    if not target.parent.is_dir():
+        raise OutputError(f"cannot write {target}: there is no folder {target.parent}; make it first")
+    if target.is_file() and "dashpot" not in target.read_text(encoding="utf-8", errors="replace")[:400]:
+        raise OutputError(f"cannot write {target}: it is there already and is no report of dashpot; name another file")
+    text = report(results)
+    handle, half = tempfile.mkstemp(prefix=".half-", dir=target.parent)
+    with os.fdopen(handle, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.chmod(half, 0o644)
+    os.replace(half, target)
+
+
+def report(results: str | os.PathLike[str]) -> str:
+    """The report as text."""
+    file = pq.ParquetFile(results)
+    schema = file.schema_arrow
+    said = ["campaign", "serial", "batch", "date", "status", "reason", "judgement", "missed", "verdict", "effect",
+            "effect_confidence", "suspect"]  # fmt: skip
+    table = file.read(columns=said).to_pydict()
+    count = len(table["campaign"])
+    if not count:
+        raise DashpotError(f"{results}: there is no damper in it")
+    quantities = list(_quantities(file, schema))
+    dates = np.array([_day(d) for d in table["date"]])
+    # The order in which they were made: by date where there is one, else as listed.
+    order = np.argsort(np.where(np.isfinite(dates), dates, np.inf), kind="stable")
+    parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count)]
+    parts.append(_outliers(table, quantities))
+    parts.append("<h2>Every quantity</h2><p>Left: how often which value. Then over date and over the order of making with the limits "
+                 "of an individuals chart (centre ± 2.66 mean moving ranges; red: outside, orange: ninth in a row on one side); "
+                 "right: mean of every batch with its 95 % interval.</p>")  # fmt: skip
+    parts.extend(_quantity(q, dates, order, table["batch"]) for q in quantities)
+    parts.append("</body></html>\n")
+    return "".join(parts)
+
+
+def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
+    names = [n[: -len("_low")] for n in schema.names if n.endswith("_low") and f"{n[: -len('_low')]}_high" in schema.names]
+    units = {n: (schema.field(n).metadata or {}).get(b"unit", b"").decode() for n in names}
+    units |= {force_column(v): "N" for v in VELOCITIES} | {"error_percent": "%"}
+    for name, unit in units.items():
+        # One column at a time: the models themselves stay on the disk.
+        values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
+        if np.isfinite(values).any():
+            yield Quantity(name, unit, values)
+
+
+def _day(date: str | None) -> float:
+    return datetime.datetime.fromisoformat(date).timestamp() / 86400 if date else np.nan
+
+
+def _row(cells: Iterable[object], tag: str = "td") -> str:
+    return "<tr>" + "".join(f"<{tag}>{html.escape(str(c))}</{tag}>" for c in cells) + "</tr>"
+
+
+def _number(value: float) -> str:
+    return "–" if not np.isfinite(value) else f"{value:.4g}"
+
+
+def _summary(table: dict[str, list[Any]], count: int) -> str:
+    failed = [(c, r) for c, s, r in zip(table["campaign"], table["status"], table["reason"], strict=True) if s != "ok"]
+    judged = Counter(j for j in table["judgement"] if j)
+    out = [f"<p>{count} dampers, {count - len(failed)} identified, {len(failed)} not."]
+    if judged:
+        out.append(f" {judged['passed']} keep all limits, {judged['failed']} do not.")
+    out.append("</p>")
+    missed = Counter(text.split(":")[0] for all_of in table["missed"] for text in all_of or ())
+    if missed:
+        rows = "".join(_row(pair) for pair in missed.most_common())
+        out.append(f"<h2>Limits missed</h2><table>{_row(('limit', 'dampers'), 'th')}{rows}</table>")
+    effects = Counter(e for e in table["effect"] if e)
+    if effects:
+        rows = "".join(_row(pair) for pair in effects.most_common())
+        out.append(f"<h2>What changed against the reference</h2><table>{_row(('effect', 'dampers'), 'th')}{rows}</table>")
+    if failed:
+        rows = "".join(f'<li class="warn">{html.escape(f"{c}: {r}")}</li>' for c, r in failed[:REASONS])
+        more = f"<p>{len(failed) - REASONS} more are in the table.</p>" if len(failed) > REASONS else ""
+        out.append(f"<h2>Campaigns that could not be identified</h2><ul>{rows}</ul>{more}")
+    return "".join(out)
+
+
+def _effect(table: dict[str, list[Any]], k: int) -> str:
+    """What makes a damper so, where a diagnosis says it."""
+    if table["effect"][k]:
+        return f"{table['effect'][k]} ({100 * table['effect_confidence'][k]:.0f} % sure)"
+    if table["suspect"][k]:
+        return f"suspect: {table['suspect'][k]}"
+    words = {"nothing_missing": "the same effects as the reference, other numbers", "unknown_effect": "no known effect"}
+    return words.get(table["verdict"][k] or "", "not diagnosed")
+
+
+def _outliers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str:
+    if not quantities:
+        return ""
+    off = np.abs(np.nan_to_num(np.array([far_off(q.values) for q in quantities])))
+    worst = off.max(axis=0)
+    found = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > OUTLIER]
+    text = f"<h2>Outliers</h2><p>{len(found)} dampers have a quantity more than {OUTLIER} robust deviations from the median.</p>"
+    if not found:
+        return text
+    rows = []
+    for k in found[:OUTLIERS]:
+        by = np.argsort(-off[:, k], kind="stable")[:3]
+        quoted = ", ".join(
+            f"{quantities[i].name} {_number(quantities[i].values[k])} {quantities[i].unit} ({far_off(quantities[i].values)[k]:+.1f})"
+            for i in by
+            if off[i, k] > OUTLIER
+        )
+        rows.append(_row((table["serial"][k] or table["campaign"][k], table["batch"][k], (table["date"][k] or "")[:10], quoted, _effect(table, k))))
+    head = _row(("damper", "batch", "date", "what is unusual (robust deviations)", "what makes it so"), "th")
+    return f"{text}<table>{head}{''.join(rows)}</table>"
+
+
+def _quantity(q: Quantity, dates: Numbers, order: Places, names: Sequence[str]) -> str:
+    usual = spread(q.values)
+    slope = drift(dates, q.values)
+    chart = control(q.values[order])
+    groups = batches(names, q.values)
+    said = [f"median {_number(usual.median)} {q.unit}, robust deviation {_number(usual.deviation)}, "
+            f"{_number(usual.low)} to {_number(usual.high)}, {usual.count} dampers"]  # fmt: skip
+    if slope is not None and slope.stands_out:
+        half = 30 * 1.96 * slope.deviation
+        said.append(f"drifts by {30 * slope.slope:+.3g} ± {half:.2g} {q.unit} in 30 days")
+    if chart is not None and (chart.beyond or chart.shifted):
+        said.append(f"{len(chart.beyond)} outside the limits of the control chart, {len(chart.shifted)} in runs")
+    picture = _picture(q, dates, order, chart, groups)
+    return f"<h3>{html.escape(q.name)}</h3><p>{html.escape('; '.join(said))}.</p>{picture}"
+
+
+def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, groups: Sequence[Any]) -> str:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11.5, 2.5))
+    axes = figure.subplots(1, 4, width_ratios=[1, 1.2, 1.6, 1])
+    # Fixed places: working them out takes longer than drawing.
+    figure.subplots_adjust(left=0.05, right=0.995, bottom=0.24, top=0.97, wspace=0.28)
+    there = q.values[np.isfinite(q.values)]
+    axes[0].hist(there, bins=min(40, max(5, int(np.sqrt(len(there))))), color="#4f7cac")
+    axes[0].set_xlabel(q.unit)
+    dated = np.isfinite(dates) & np.isfinite(q.values)
+    if dated.any():
+        axes[1].plot((dates[dated] - dates[dated].min()), q.values[dated], ".", ms=3, color="#4f7cac")
+        first = datetime.datetime.fromtimestamp(86400 * float(dates[dated].min())).date().isoformat()
+        axes[1].set_xlabel(f"days from {first}")
+    else:
+        _empty(axes[1], "no dates")
+    values = q.values[order]
+    axes[2].plot(values, ".-", ms=3, lw=0.4, color="#4f7cac")
+    if chart is not None:
+        for level, style in ((chart.centre, "-"), (chart.low, "--"), (chart.high, "--")):
+            axes[2].axhline(level, ls=style, lw=0.8, color="#6b7280")
+        for places, colour in ((chart.shifted, "#d97706"), (chart.beyond, "#dc2626")):
+            axes[2].plot(list(places), values[list(places)], "o", ms=4, color=colour)
+    axes[2].set_xlabel("order of making")
+    if groups:
+        at = np.arange(len(groups))
+        means = np.array([g.mean for g in groups])
+        half = np.nan_to_num(np.array([g.high - g.mean for g in groups]))
+        axes[3].errorbar(at, means, yerr=half, fmt="o", ms=4, capsize=3, color="#4f7cac")
+        if len(groups) <= 12:
+            axes[3].set_xticks(at, [g.name for g in groups], rotation=45, ha="right", fontsize=7)
+        axes[3].set_xlabel("batch")
+    else:
+        _empty(axes[3], "no batches")
+    for axis in axes:
+        axis.tick_params(labelsize=7)
+    out = io.BytesIO()
+    # No version and no date inside: the same results make the same bytes.
+    figure.savefig(out, format="png", dpi=90, metadata={"Software": None})
+    return f'<img alt="{html.escape(q.name)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
+
+
+def _empty(axis: Any, why: str) -> None:
+    axis.text(0.5, 0.5, why, ha="center", va="center", transform=axis.transAxes, color="#6b7280")
+    axis.set_xticks([])
+    axis.set_yticks([])

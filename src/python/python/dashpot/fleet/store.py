@@ -1,0 +1,217 @@
+"""Results on the disk: parts that come as the work goes, and the one table made of them.
+
+A part is written beside its place and then renamed, so it is there whole or not at all; a run that is killed loses the work
+that was under way and nothing else. The table is made of the parts in the order of the campaigns, so its bytes depend neither on the
+number of workers nor on how often the run was interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import IO, Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from .._native import OutputError
+from .examine import VELOCITIES, force_column
+
+_NUMBER = pa.struct(
+    [
+        ("name", pa.string()),
+        ("index", pa.int32()),
+        ("value", pa.float64()),
+        ("low", pa.float64()),
+        ("high", pa.float64()),
+        ("unit", pa.string()),
+        ("standing", pa.string()),
+    ]
+)
+_CHANGE = pa.struct(
+    [
+        ("parameter", pa.string()),
+        ("reference", pa.float64()),
+        ("value", pa.float64()),
+        ("low", pa.float64()),
+        ("high", pa.float64()),
+        ("unit", pa.string()),
+    ]
+)
+#: Columns of a part; the table has, after these, three for every number of the model that any damper has.
+SCHEMA = pa.schema(
+    [
+        ("key", pa.string()),
+        ("campaign", pa.string()),
+        ("serial", pa.string()),
+        ("batch", pa.string()),
+        ("date", pa.string()),
+        ("status", pa.string()),
+        ("reason", pa.string()),
+        ("judgement", pa.string()),
+        ("missed", pa.list_(pa.string())),
+        ("tests", pa.int32()),
+        ("misfit", pa.float64()),
+        ("error_percent", pa.float64()),
+        ("rmse_n", pa.float64()),
+        ("fv_error_percent", pa.float64()),
+        ("verdict", pa.string()),
+        ("effect", pa.string()),
+        ("effect_form", pa.string()),
+        ("effect_confidence", pa.float64()),
+        ("suspect", pa.string()),
+        ("suspect_confidence", pa.float64()),
+        ("summary", pa.string()),
+        ("changed", pa.list_(_CHANGE)),
+        *((force_column(v), pa.float64()) for v in VELOCITIES),
+        ("elements", pa.list_(pa.string())),
+        ("parameters", pa.list_(_NUMBER)),
+        ("notes", pa.list_(pa.string())),
+        ("model", pa.string()),
+    ]
+)
+#: Rows in a group of the table; what is in memory while it is made.
+GROUP = 256
+#: Parts kept in memory while the table is made. Neighbouring campaigns lie in the same few.
+KEPT = 8
+
+
+class Store:
+    """The parts of one table, in a folder beside it. One run at a time."""
+
+    def __init__(self, out: str | os.PathLike[str]) -> None:
+        self.out = Path(out)
+        self.folder = self.out.with_name(self.out.name + ".parts")
+        if not self.out.parent.is_dir():
+            raise OutputError(f"cannot write {self.out}: there is no folder {self.out.parent}; make it first")
+        if self.out.is_dir():
+            raise OutputError(f"cannot write {self.out}: it is a folder; name a file in it")
+        if self.out.exists() and not _is_parquet(self.out):
+            raise OutputError(f"cannot write {self.out}: it is there already and is no Parquet file; name another")
+        self.folder.mkdir(exist_ok=True)
+        self._lock: IO[str] = (self.folder / "lock").open("w")
+        _lock(self._lock, self.out)
+        for half in self.folder.glob(".half-*"):
+            half.unlink()
+        #: Key of a finished campaign: its part, and its row there.
+        self.done: dict[str, tuple[str, int]] = {}
+        for part in sorted(self.folder.glob("part-*.parquet")):
+            self._take(part.name, pq.read_table(part, columns=["key"])["key"].to_pylist())
+
+    def _take(self, part: str, keys: Iterable[str]) -> None:
+        self.done.update((key, (part, row)) for row, key in enumerate(keys))
+
+    def forget(self, keys: Iterable[str]) -> None:
+        """Takes campaigns as not done."""
+        for key in keys:
+            self.done.pop(key, None)
+
+    def failed(self) -> list[str]:
+        """Keys of rows that failed."""
+        out: list[str] = []
+        for part in sorted(self.folder.glob("part-*.parquet")):
+            table = pq.read_table(part, columns=["key", "status"])
+            pairs = zip(table["key"].to_pylist(), table["status"].to_pylist(), strict=True)
+            out.extend(key for key, status in pairs if status == "failed")
+        return out
+
+    def add(self, rows: Sequence[Mapping[str, Any]]) -> None:
+        """Writes a part."""
+        keys = [row["key"] for row in rows]
+        # A later part of the same campaign is another file and counts in its stead.
+        number = len(list(self.folder.glob("part-*.parquet")))
+        name = f"part-{number:07d}-{keys[0][:12]}.parquet"
+        _write_whole(self.folder / name, [_table(rows, SCHEMA)], SCHEMA)
+        self._take(name, keys)
+
+    def rows(self, keys: Iterable[str]) -> Iterator[dict[str, Any]]:
+        """Finished rows in the order of their keys; few parts are in memory at a time."""
+        parts: OrderedDict[str, list[dict[str, Any]]] = OrderedDict()
+        for key in keys:
+            part, row = self.done[key]
+            if part not in parts:
+                parts[part] = pq.read_table(self.folder / part).to_pylist()
+                if len(parts) > KEPT:
+                    parts.popitem(last=False)
+            parts.move_to_end(part)
+            yield parts[part][row]
+
+    def table(self, keys: Sequence[str]) -> int:
+        """Makes the table of the campaigns with these keys, in their order; returns how many failed."""
+        units: dict[str, str] = {}
+        failed = 0
+        for row in self.rows(keys):
+            failed += row["status"] == "failed"
+            for number in row["parameters"] or ():
+                if number["index"] is None:
+                    units.setdefault(number["name"], number["unit"])
+        names = sorted(units)
+        fields = [f for f in SCHEMA if f.name != "key"]
+        for name in names:
+            unit = {"unit": units[name]}
+            fields.extend(pa.field(n, pa.float64(), metadata=unit) for n in (name, f"{name}_low", f"{name}_high"))
+        schema = pa.schema(fields)
+        _write_whole(self.out, self._groups(keys, schema), schema)
+        return failed
+
+    def _groups(self, keys: Sequence[str], schema: pa.Schema) -> Iterator[pa.Table]:
+        for start in range(0, len(keys), GROUP):
+            rows = []
+            for row in self.rows(keys[start : start + GROUP]):
+                del row["key"]
+                for number in row["parameters"] or ():
+                    # What the data does not determine has no value here: its number is a default.
+                    if number["index"] is None and number["standing"] != "not_identified":
+                        name = number["name"]
+                        row[name], row[f"{name}_low"], row[f"{name}_high"] = number["value"], number["low"], number["high"]
+                rows.append(row)
+            yield _table(rows, schema)
+
+    def close(self) -> None:
+        """Lets another run have the parts."""
+        self._lock.close()
+
+
+def _table(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
+    return pa.Table.from_pylist([dict(row) for row in rows], schema=schema)
+
+
+def _write_whole(path: Path, tables: Iterable[pa.Table], schema: pa.Schema) -> None:
+    handle, half = tempfile.mkstemp(prefix=".half-", suffix=".parquet", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            with pq.ParquetWriter(file, schema, compression="zstd") as writer:
+                for table in tables:
+                    writer.write_table(table)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(half, 0o666 & ~_umask())
+        os.replace(half, path)
+    except BaseException:
+        Path(half).unlink(missing_ok=True)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _is_parquet(path: Path) -> bool:
+    with path.open("rb") as file:
+        return file.read(4) == b"PAR1"
+
+
+def _lock(file: IO[str], out: Path) -> None:
+    try:
+        import fcntl
+    except ImportError:  # Windows: a second run there is refused when it replaces a part that is open.
+        return
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        raise OutputError(f"another run is writing {out}; wait for it, or name another file") from None

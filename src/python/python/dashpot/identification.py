@@ -1,0 +1,72 @@
+"""From records to a model, and what a model lacks."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+
+from . import _native
+from .campaign import Campaign, Progress
+from .model import Model
+from .results import Diagnosis, FitResult
+
+
+def fit(
+    campaign: Campaign,
+    *,
+    family: str = "thesis",
+    elements: Sequence[str] | None = None,
+    hold_out: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> Model:
+    """Identifies a damper from records; as ``dashpot fit``.
+
+    FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
+    friction and spring are chosen by tests left out of the fit. ``model.fit`` holds the estimates with their 95 % intervals.
+
+    :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``.
+    :param elements: elements that the fit may use; all of the model's if not given.
+    :param hold_out: tests to leave out, by name; ``*`` stands for anything.
+    :param progress: is told the share done and what is being done.
+    :raises FitError: where no model can be fitted to these records.
+    """
+    wanted = None if elements is None else list(elements)
+    text, said = _native.fit(campaign._native, family, wanted, list(hold_out), progress)
+    return Model(text, "damper.toml", fit=FitResult.from_dict(json.loads(said)))
+
+
+def diagnose(
+    model: Model,
+    campaign: Campaign,
+    reference: Campaign | None = None,
+    *,
+    hold_out: Sequence[str] = (),
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> Diagnosis:
+    """Says where a model and records disagree, and which physical effect is missing; as ``dashpot diagnose``.
+
+    :param reference: records of the same tests on a damper known to be good, on the same rig. The question is then what
+        changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one.
+    :param hold_out: tests that no refit sees, by name; chosen over all amplitudes and speeds if not given.
+    :param max_effects: most effects to add.
+    :param candidates: effects that may be named; all if not given.
+    :param seed: chooses which tests are left out.
+    :param progress: is told the share done and what is being done.
+    :raises DiagnosisError: where there is nothing to look at.
+    """
+    found = _native.diagnose(
+        model._native,
+        campaign._native,
+        None if reference is None else reference._native,
+        list(hold_out),
+        max_effects,
+        None if candidates is None else list(candidates),
+        seed,
+        progress,
+    )
+    said = Diagnosis.from_dict(json.loads(found.json()))
+    return replace(said, improved=Model(found.improved, "improved.toml"), _diagnosed=found)

@@ -1,0 +1,246 @@
+"""A damper: its model file, its numbers, and the force for a motion."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+
+from . import _native
+from ._result import Result, frame, table
+from .campaign import Campaign, Path, Progress
+from .results import FitResult, Validation
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import pandas
+
+
+@dataclass(frozen=True)
+class Parameter(Result):
+    """One parameter of an element that is on, with its 95 % interval where a fit left one."""
+
+    name: str
+    element: str
+    unit: str
+    meaning: str
+    value: Union[float, str, list[float]]
+    interval: Union[list[float], list[list[float]], None]
+    source: str | None
+    identified: bool
+
+
+@dataclass(frozen=True)
+class Response(Result):
+    """Force of a model for a motion. SI units; extension (rebound) velocity and tension force are positive."""
+
+    time: npt.NDArray[np.float64] = field(repr=False)
+    displacement: npt.NDArray[np.float64] = field(repr=False)
+    velocity: npt.NDArray[np.float64] = field(repr=False)
+    force: npt.NDArray[np.float64] = field(repr=False)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lists under the column names of ``dashpot simulate``."""
+        return {name: column.tolist() for name, column in self._columns().items()}
+
+    def _columns(self) -> dict[str, npt.NDArray[np.float64]]:
+        return {
+            "time_s": self.time,
+            "displacement_m": self.displacement,
+            "velocity_m_s": self.velocity,
+            "force_N": self.force,
+        }
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row an instant."""
+        try:
+            import pandas
+        except ImportError as error:
+            raise ImportError("to_pandas() needs pandas: pip install 'dashpot[pandas]'") from error
+        return pandas.DataFrame(self._columns())
+
+    def _repr_html_(self) -> str:
+        row = {
+            "instants": len(self.time),
+            "from s": float(self.time[0]),
+            "to s": float(self.time[-1]),
+            "lowest force N": float(self.force.min()),
+            "highest force N": float(self.force.max()),
+        }
+        return table("Force for a motion", [row])
+
+
+class Model:
+    """An identified damper. Made by :func:`dashpot.fit`, :meth:`read`, or from the text of a model file.
+
+    SI units; extension (rebound) velocity and tension force are positive.
+    """
+
+    def __init__(self, text: str, name: Path = "model", *, fit: FitResult | None = None) -> None:
+        self._native = _native.Model.parse(text, os.fspath(name))
+        self._name = os.fspath(name)
+        self.fit: FitResult | None = fit
+        """What the fit said, where this model comes from one in this process."""
+
+    @classmethod
+    def read(cls, path: Path) -> Model:
+        """Reads a model file.
+
+        :raises ModelError: naming file, line and parameter.
+        """
+        # Read by the compiled part, for its sentences.
+        return cls(_native.Model.read(os.fspath(path)).text, path)
+
+    def write(self, path: Path) -> None:
+        """Writes the model file, whole or not at all, never over a file of another kind.
+
+        :raises OutputError: where it cannot.
+        """
+        _native.write(os.fspath(path), self.text)
+
+    @property
+    def text(self) -> str:
+        """The model file: flat ``name = value`` text with units, intervals and sources as comments."""
+        return self._native.text
+
+    def _said(self) -> dict[str, Any]:
+        said: dict[str, Any] = json.loads(self._native.json())
+        return said
+
+    @property
+    def elements(self) -> tuple[str, ...]:
+        """Elements that are on."""
+        return tuple(self._said()["elements"])
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """Parameters of the elements that are on, by name."""
+        return {p["name"]: Parameter.from_dict(p) for p in self._said()["parameters"]}
+
+    @property
+    def tests(self) -> tuple[str, ...]:
+        """Names of the tests that the fit used."""
+        return tuple(self._said()["tests"])
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks of the fit."""
+        return tuple(self._said()["notes"])
+
+    @property
+    def velocity_range(self) -> tuple[float, float]:
+        """Lowest and highest velocity (m/s) of the FV curve; beyond, it is prolonged straight."""
+        return self._native.velocity_range()
+
+    def __getitem__(self, name: str) -> Any:
+        """The value of a parameter."""
+        return self.parameters[name].value
+
+    def steady_force(self, velocity: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
+        return self._native.steady_force(np.atleast_1d(np.asarray(velocity, dtype=float)))
+
+    def validate(self, campaign: Campaign, *, progress: Progress | None = None) -> Validation:
+        """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
+
+        :raises ValidationError: where they cannot be compared.
+        """
+        from dataclasses import replace
+
+        compared = _native.validate(self._native, campaign._native, progress)
+        return replace(Validation.from_dict(json.loads(compared.json)), _compared=compared)
+
+    def simulate(
+        self,
+        time: npt.ArrayLike,
+        displacement: npt.ArrayLike | None = None,
+        velocity: npt.ArrayLike | None = None,
+        *,
+        side_force: npt.ArrayLike | None = None,
+        temperature: npt.ArrayLike | None = None,
+        initial_position: float | None = None,
+        step: float | None = None,
+    ) -> Response:
+        """The force for a motion; as ``dashpot simulate``.
+
+        With displacement (m) and velocity (m/s) both drive the model; displacement alone is differentiated by a cubic spline;
+        velocity alone is integrated from ``initial_position`` (m). Extension is positive. The damper starts settled in its
+        first position. Noise of a measured displacement comes back multiplied by the series stiffness:
+        :meth:`validate` smooths, this does not.
+
+        :param time: times, s, increasing.
+        :param step: fixed step, s; the times given if not.
+        :raises MotionError: where a number overflows, or position or step cannot be.
+        """
+        columns = self._native.simulate(time, displacement, velocity, side_force, temperature, initial_position, step)
+        return Response(*columns)
+
+    def export_fmu(
+        self,
+        path: Path,
+        *,
+        others: Sequence[Model] = (),
+        fmi: int = 2,
+        four: bool = False,
+        motion_scale: float | None = None,
+        force_scale: float | None = None,
+        position_offset: float = 0.0,
+        sources: bool = True,
+        library: Path | None = None,
+        name: str | None = None,
+    ) -> list[str]:
+        """Writes a functional mock-up unit (co-simulation and model exchange); as ``dashpot export fmu``.
+
+        :param others: the rear damper of a vehicle, or R1, L2 and R2; this model is the front or L1.
+        :param fmi: version, 2 or 3.
+        :param four: four corners of this model alone.
+        :param motion_scale: extension in m per unit of the host's motion; 1 for one damper, -1 for a vehicle.
+        :param force_scale: the host's force per N of tension; 1 for one damper, -1 for a vehicle.
+        :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
+        :param sources: whether the sources of kernel and FMU go inside.
+        :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
+            Without it the runtimes that this package was built with are put inside.
+        :param name: name of the model in the FMU.
+        :returns: the platforms that it runs on.
+        :raises ExportError: where there is no runtime, or the compiler refuses.
+        """
+        models = [self._native, *(m._native for m in others)]
+        stem = os.path.splitext(os.path.basename(self._name))[0]
+        vehicle = four or len(models) > 1
+        usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
+        return _native.export_fmu(
+            models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources,
+            None if library is None else os.fspath(library),
+        )  # fmt: skip
+
+    def to_dict(self) -> dict[str, Any]:
+        """Elements, parameters, and what the fit left behind."""
+        return self._said()
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row a parameter."""
+        return frame(self._said()["parameters"])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (self.text, self._name, self.fit))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and other.text == self.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def _repr_html_(self) -> str:
+        rows = [{k: v for k, v in p.items() if k not in ("meaning", "source")} for p in self._said()["parameters"]]
+        return table(f"Damper: {', '.join(self.elements)}", rows, self.notes)
+
+    def __repr__(self) -> str:
+        return f"<dashpot.Model of {', '.join(self.elements)}>"
+
+
+def _again(text: str, name: str, fit: FitResult | None) -> Model:
+    return Model(text, name, fit=fit)

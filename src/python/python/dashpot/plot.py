@@ -1,0 +1,107 @@
+"""Pictures on matplotlib: ``pip install 'dashpot[plot]'``.
+
+Every function draws into the axes given, or into new ones, and returns them. Forces in N, tension positive; velocities in m/s,
+extension (rebound) positive.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .campaign import Campaign
+from .model import Model
+from .results import Diagnosis, Validation
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["campaign", "changed", "curve", "errors", "improvement", "loop"]
+
+#: Colours of measured, model and FV curve: those of the command's reports.
+MEASURED, MODEL, FV_ONLY = "#111111", "#1f6feb", "#d97706"
+
+
+def _axes(axes: Axes | None) -> Any:
+    if axes is not None:
+        return axes
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise ImportError("dashpot.plot needs matplotlib: pip install 'dashpot[plot]'") from error
+    return pyplot.subplots(layout="constrained")[1]
+
+
+def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
+    """Force over velocity of every test of a campaign."""
+    axes = _axes(axes)
+    for record in records:
+        axes.plot(record.velocity, record.force, lw=0.6, label=record.name)
+    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
+    return axes
+
+
+def loop(validation: Validation, records: Campaign, test: str, over: str = "velocity", axes: Axes | None = None) -> Axes:
+    """Measured force, model and FV curve of one test, over ``"velocity"``, ``"displacement"`` or ``"time"``."""
+    axes = _axes(axes)
+    record = records[test]
+    at = getattr(record, over)
+    model, fv_only = validation.forces(test)
+    axes.plot(at, record.force, color=MEASURED, lw=1.0, label="measured")
+    axes.plot(at, fv_only, color=FV_ONLY, lw=1.0, ls="--", label="FV curve")
+    axes.plot(at, model, color=MODEL, lw=1.2, label="model")
+    units = {"velocity": "m/s", "displacement": "m", "time": "s"}
+    axes.set(xlabel=f"{over}, {units[over]}", ylabel="force, N", title=test)
+    axes.legend()
+    return axes
+
+
+def curve(model: Model, axes: Axes | None = None, **style: Any) -> Axes:
+    """Force of the damper moving steadily, over velocity: FV curve with friction and gas, as far as the curve reaches."""
+    axes = _axes(axes)
+    low, high = model.velocity_range
+    velocity = np.linspace(low, high, 401)
+    axes.plot(velocity, model.steady_force(velocity), **{"color": MODEL, **style})
+    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
+    return axes
+
+
+def errors(validation: Validation, axes: Axes | None = None) -> Axes:
+    """Mean error of every test as a share of its largest force: the model beside the FV curve."""
+    axes = _axes(axes)
+    tests = sorted(validation.tests, key=lambda t: (-t.amplitude_m, t.peak_velocity_m_s))
+    at = np.arange(len(tests))
+    axes.barh(at - 0.2, [t.fv_only.error_percent for t in tests], 0.4, color=FV_ONLY, label="FV curve")
+    axes.barh(at + 0.2, [t.error_percent for t in tests], 0.4, color=MODEL, label="model")
+    axes.set_yticks(at, [t.name if t.used_in_fit else f"{t.name} (left out)" for t in tests], fontsize=7)
+    axes.invert_yaxis()
+    axes.set(xlabel="mean error, % of the largest force")
+    axes.legend()
+    return axes
+
+
+def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
+    """Mean cycle of one test: measured, the model as it came, and with the named effects."""
+    axes = _axes(axes)
+    curves = found.curves(test)
+    for name, colour in (("measured", MEASURED), ("before", FV_ONLY), ("after", MODEL)):
+        axes.plot(curves["velocity"], curves[name], color=colour, lw=1.0, label=name)
+    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)", title=test)
+    axes.legend()
+    return axes
+
+
+def changed(found: Diagnosis, axes: Axes | None = None) -> Axes:
+    """Numbers that are others than on the reference damper, as a share of the reference, with their 95 % intervals."""
+    axes = _axes(axes)
+    rows = [c for c in found.changed if c.reference]
+    at = np.arange(len(rows))
+    share = np.array([[c.value / c.reference, c.low / c.reference, c.high / c.reference] for c in rows]).reshape(-1, 3)
+    share = np.column_stack([share[:, 0], share[:, 1:].min(axis=1, initial=np.inf), share[:, 1:].max(axis=1, initial=-np.inf)])
+    spread = np.abs(share[:, 1:].T - share[:, 0])
+    axes.errorbar(share[:, 0], at, xerr=spread, fmt="o", capsize=3, color=MODEL)
+    axes.axvline(1.0, color=MEASURED, lw=0.8)
+    axes.set_yticks(at, [c.parameter for c in rows])
+    axes.set(xlabel="value over that of the reference")
+    return axes

@@ -1,0 +1,261 @@
+//! Many dampers, stepped together without an allocation for each.
+
+use crate::errors::{StepError, say};
+use crate::model::Model;
+use dashpot_core::step::step_into;
+use dashpot_core::{Input, Output, State};
+use numpy::ndarray::{ArrayView1, ArrayViewMut1};
+use numpy::{AllowTypeChange, PyArray2, PyArrayLike1, PyArrayLike2, PyArrayMethods as _, PyReadwriteArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+/// Numbers of a state.
+const NUMBERS: usize = 12;
+/// Shortest and longest step, s; those of the C interface.
+const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
+/// Largest inputs; those of the C interface.
+const LARGEST: f64 = 1e3;
+const LARGEST_SIDE_FORCE: f64 = 1e9;
+const LARGEST_TEMPERATURE: f64 = 1e5;
+/// Dampers from which a step is shared among threads: handing work out costs some microseconds, a step about half of one.
+const SHARED: usize = 256;
+/// Dampers handed to a thread at a time.
+const CHUNK: usize = 64;
+
+/// One number for all dampers, or one for each.
+#[derive(FromPyObject)]
+pub enum Channel<'py> {
+    /// The same for all.
+    One(f64),
+    /// One each.
+    Each(PyArrayLike1<'py, f64, AllowTypeChange>),
+}
+
+/// The same, without Python.
+#[derive(Clone, Copy)]
+enum Values<'a> {
+    One(f64),
+    Each(ArrayView1<'a, f64>),
+}
+
+impl Channel<'_> {
+    fn values(&self, name: &str, count: usize) -> PyResult<Values<'_>> {
+        match self {
+            Channel::One(value) => Ok(Values::One(*value)),
+            Channel::Each(values) => {
+                let values = values.as_array();
+                if values.len() != count {
+                    return Err(PyValueError::new_err(format!(
+                        "{name} has {} values; give one number, or one for each of the {count} dampers",
+                        values.len()
+                    )));
+                }
+                Ok(Values::Each(values))
+            }
+        }
+    }
+}
+
+impl Values<'_> {
+    fn at(&self, k: usize) -> f64 {
+        match self {
+            Values::One(value) => *value,
+            Values::Each(values) => values[k],
+        }
+    }
+}
+
+/// Inputs of all dampers at one instant.
+#[derive(Clone, Copy)]
+struct Inputs<'a> {
+    displacement: Option<Values<'a>>,
+    velocity: Values<'a>,
+    side_force: Values<'a>,
+    temperature: Values<'a>,
+}
+
+impl Inputs<'_> {
+    fn at(&self, k: usize) -> Input {
+        Input {
+            displacement: self.displacement.map(|x| x.at(k)),
+            velocity: self.velocity.at(k),
+            side_force: self.side_force.at(k),
+            temperature: self.temperature.at(k),
+        }
+    }
+}
+
+/// Whether a number lies within a limit; false for NaN.
+fn sane(input: &Input) -> bool {
+    input.displacement.unwrap_or(0.0).abs() + input.velocity.abs() <= LARGEST
+        && input.side_force.abs() <= LARGEST_SIDE_FORCE
+        && input.temperature.abs() <= LARGEST_TEMPERATURE
+}
+
+/// Dampers with their states, of one model or of one each.
+#[pyclass(module = "dashpot._native")]
+pub struct Dampers {
+    models: Vec<Py<Model>>,
+    states: Vec<State>,
+    /// Where a step is computed, so that a refused one leaves all states as they were.
+    next: Vec<State>,
+}
+
+#[pymethods]
+impl Dampers {
+    /// Dampers at rest in their initial positions, m.
+    #[new]
+    fn new(models: Vec<Py<Model>>, initial_position: Vec<f64>) -> PyResult<Dampers> {
+        if models.len() != 1 && models.len() != initial_position.len() {
+            return Err(PyValueError::new_err(format!(
+                "{} models for {} dampers: give one model for all, or one for each",
+                models.len(),
+                initial_position.len()
+            )));
+        }
+        if let Some(x) = initial_position.iter().find(|x| !(x.abs() <= LARGEST)) {
+            return Err(say::<StepError>(format!("the initial position is {x} m, which is no position")));
+        }
+        let at_rest = |(k, x): (usize, &f64)| {
+            models[if models.len() == 1 { 0 } else { k }].get().prepared.settled(&Input::motion(*x, 0.0))
+        };
+        let states: Vec<State> = initial_position.iter().enumerate().map(at_rest).collect();
+        Ok(Dampers { models, next: states.clone(), states })
+    }
+
+    fn __len__(&self) -> usize {
+        self.states.len()
+    }
+
+    /// Moves all dampers on by `dt` (s) to the inputs given; writes their forces (N) into `out`.
+    #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
+    #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+    fn step<'py>(
+        &mut self,
+        py: Python<'py>,
+        velocity: Channel<'py>,
+        dt: f64,
+        displacement: Option<Channel<'py>>,
+        side_force: Channel<'py>,
+        temperature: Channel<'py>,
+        mut out: PyReadwriteArray1<'py, f64>,
+    ) -> PyResult<()> {
+        let count = self.states.len();
+        if !STEP.contains(&dt) {
+            return Err(say::<StepError>(format!("dt is {dt} s; it must be between 1e-15 and 100 s")));
+        }
+        if out.as_array().len() != count {
+            return Err(PyValueError::new_err(format!(
+                "out has {} values for {count} dampers; give an array of one float64 for each",
+                out.as_array().len()
+            )));
+        }
+        let inputs = Inputs {
+            displacement: displacement.as_ref().map(|x| x.values("displacement", count)).transpose()?,
+            velocity: velocity.values("velocity", count)?,
+            side_force: side_force.values("side_force", count)?,
+            temperature: temperature.values("temperature", count)?,
+        };
+        if let Some(k) = (0..count).find(|k| !sane(&inputs.at(*k))) {
+            let Input { displacement, velocity, side_force, temperature } = inputs.at(k);
+            return Err(say::<StepError>(format!(
+                "an input of damper {k} is NaN, infinite or absurd: displacement {} m, velocity {velocity} m/s, side force \
+                 {side_force} N, temperature {temperature} °C",
+                displacement.unwrap_or(0.0)
+            )));
+        }
+        let models: &[Py<Model>] = &self.models;
+        let (states, next) = (&self.states[..], &mut self.next[..]);
+        let forces = out.as_array_mut();
+        let refused = if count == 1 {
+            // Giving the interpreter's lock back and taking it costs as much as the step.
+            run(models, states, next, forces, &inputs, dt)
+        } else {
+            py.detach(move || run(models, states, next, forces, &inputs, dt))
+        };
+        if let Some(k) = refused {
+            return Err(say::<StepError>(format!(
+                "the force of damper {k} is no finite number: its input or state is far from what a damper meets"
+            )));
+        }
+        std::mem::swap(&mut self.states, &mut self.next);
+        Ok(())
+    }
+
+    /// All states, one row of twelve numbers a damper; a copy.
+    #[getter]
+    fn get_state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let array = PyArray2::zeros(py, [self.states.len(), NUMBERS], false);
+        {
+            let mut rows = array.try_readwrite()?;
+            let mut rows = rows.as_array_mut();
+            for (mut row, state) in rows.outer_iter_mut().zip(&self.states) {
+                let own = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
+                row.iter_mut().zip(own.into_iter().chain(state.memory)).for_each(|(to, from)| *to = from);
+            }
+        }
+        Ok(array)
+    }
+
+    /// Puts states back that were taken from `state`.
+    #[setter]
+    #[allow(clippy::needless_pass_by_value)]
+    fn set_state(&mut self, rows: PyArrayLike2<'_, f64, AllowTypeChange>) -> PyResult<()> {
+        let rows = rows.as_array();
+        if rows.dim() != (self.states.len(), NUMBERS) {
+            return Err(PyValueError::new_err(format!(
+                "the state is an array of {} by {NUMBERS} numbers",
+                self.states.len()
+            )));
+        }
+        if rows.iter().any(|x| !x.is_finite()) {
+            return Err(say::<StepError>("the state holds NaN or infinity"));
+        }
+        for (row, state) in rows.outer_iter().zip(&mut self.states) {
+            let at = |k: usize| row[k];
+            *state = State {
+                displacement: at(0),
+                velocity: at(1),
+                mass_displacement: at(2),
+                mass_velocity: at(3),
+                memory: std::array::from_fn(|m| at(4 + m)),
+            };
+        }
+        Ok(())
+    }
+}
+
+/// Steps all dampers; the place of the first that has no finite force, if any.
+fn run(
+    models: &[Py<Model>],
+    states: &[State],
+    next: &mut [State],
+    mut forces: ArrayViewMut1<'_, f64>,
+    inputs: &Inputs<'_>,
+    dt: f64,
+) -> Option<usize> {
+    let one = |k: usize, state: &State, next: &mut State, force: &mut f64| {
+        let model = &models[if models.len() == 1 { 0 } else { k }].get().prepared;
+        let mut output = Output::ZERO;
+        let done = step_into(model, state, &inputs.at(k), dt, next, &mut output) && output.force.is_finite();
+        if done {
+            *force = output.force;
+        }
+        done
+    };
+    match forces.as_slice_mut() {
+        Some(forces) if states.len() >= SHARED => {
+            let chunks = next.par_chunks_mut(CHUNK).zip(forces.par_chunks_mut(CHUNK)).enumerate();
+            chunks
+                .filter_map(|(c, (next, forces))| {
+                    let from = c * CHUNK;
+                    (0..next.len())
+                        .find(|i| !one(from + i, &states[from + i], &mut next[*i], &mut forces[*i]))
+                        .map(|i| from + i)
+                })
+                .min()
+        }
+        _ => (0..states.len()).find(|k| !one(*k, &states[*k], &mut next[*k], &mut forces[*k])),
+    }
+}

@@ -1,0 +1,27 @@
+//! Exceptions, with the sentences of the command.
+
+use pyo3::PyErr;
+use pyo3::create_exception;
+use pyo3::exceptions::PyException;
+
+create_exception!(dashpot, DashpotError, PyException, "What dashpot refuses; the text says what to do.");
+create_exception!(dashpot, RecordError, DashpotError, "Records that cannot be read or trusted.");
+create_exception!(dashpot, ModelError, DashpotError, "A model file or a set of parameters that makes no model.");
+create_exception!(dashpot, FitError, DashpotError, "Records that no model can be fitted to.");
+create_exception!(dashpot, ValidationError, DashpotError, "A model and records that cannot be compared.");
+create_exception!(dashpot, DiagnosisError, DashpotError, "A model and records that cannot be diagnosed.");
+create_exception!(dashpot, MotionError, DashpotError, "A motion that cannot be imposed on a model.");
+create_exception!(dashpot, StepError, DashpotError, "A step that a damper refuses; its state is as it was.");
+create_exception!(dashpot, ExportError, DashpotError, "A model that cannot be exported this way.");
+create_exception!(dashpot, RigError, DashpotError, "What the virtual rig cannot measure.");
+create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be written, or would take another's place.");
+
+/// An error of the crates as an exception: itself and its causes in one sentence, as the command prints it.
+pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
+    PyErr::new::<E, _>(dashpot_output::told_once(&error.into()))
+}
+
+/// A sentence as an exception.
+pub fn say<E: pyo3::PyTypeInfo>(sentence: impl Into<String>) -> PyErr {
+    PyErr::new::<E, _>(sentence.into())
+}

@@ -1,0 +1,62 @@
+//! From records to a model.
+
+use crate::campaign::Campaign;
+use crate::errors::{FitError, raise, say};
+use crate::progress::Progress;
+use dashpot_identification::{Choice, Estimate, Family, FitOptions, model_file};
+use dashpot_records::SignFinding;
+use dashpot_records::hold_out::kept;
+use pyo3::prelude::*;
+use serde::Serialize;
+
+/// What `dashpot fit --json` writes, but for the name of the file.
+#[derive(Serialize)]
+struct FitJson<'a> {
+    tests: &'a [String],
+    parameters: &'a [Estimate],
+    choices: &'a [Choice],
+    notes: &'a [String],
+    misfit: f64,
+    sign: &'a SignFinding,
+}
+
+/// Fits a model; returns the text of its model file and the figures as JSON.
+#[pyfunction]
+#[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None))]
+pub fn fit(
+    py: Python<'_>,
+    campaign: &Campaign,
+    family: &str,
+    elements: Option<Vec<String>>,
+    hold_out: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, String)> {
+    let family = match family {
+        "thesis" => Family::Thesis,
+        "fv" => Family::Fv,
+        "piecewise" => Family::Piecewise,
+        "lag" => Family::Lag,
+        other => {
+            return Err(say::<FitError>(format!("there is no family {other:?}; it is thesis, fv, piecewise or lag")));
+        }
+    };
+    if elements.is_some() && family != Family::Thesis {
+        return Err(say::<FitError>("elements chooses the elements of the family thesis; the others have no choice"));
+    }
+    let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
+    let options = FitOptions { family, elements };
+    let progress = Progress::new(progress);
+    let found =
+        py.detach(|| dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text)));
+    progress.end()?;
+    let found = found.map_err(raise::<FitError>)?;
+    let said = FitJson {
+        tests: &found.tests,
+        parameters: &found.estimates,
+        choices: &found.choices,
+        notes: &found.notes,
+        misfit: found.misfit,
+        sign: &campaign.read.sign,
+    };
+    Ok((model_file::write(&found), serde_json::to_string(&said).map_err(raise::<FitError>)?))
+}

@@ -1,0 +1,223 @@
+//! Model files as Python sees them.
+
+use crate::errors::{ModelError, MotionError, OutputError, raise};
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Shape};
+use dashpot_core::{Input, evaluate};
+use dashpot_identification::model_file::{self, Interval, ModelFile};
+use dashpot_records::MotionRecord;
+use dashpot_simulation::imposed_motion::ImposedMotion;
+use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// A damper: the text of its model file, and what it says.
+#[pyclass(frozen, module = "dashpot._native")]
+pub struct Model {
+    /// What the file says.
+    pub file: ModelFile,
+    /// The damper made ready to run.
+    pub prepared: Box<dashpot_core::Model>,
+    text: String,
+}
+
+/// One parameter of an element that is on.
+#[derive(Serialize)]
+struct ParameterJson<'a> {
+    name: &'a str,
+    element: &'a str,
+    unit: &'a str,
+    meaning: &'a str,
+    value: ValueJson<'a>,
+    interval: Option<IntervalJson<'a>>,
+    source: Option<&'a str>,
+    identified: bool,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum ValueJson<'a> {
+    Number(f64),
+    Word(&'a str),
+    List(&'a [f64]),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum IntervalJson<'a> {
+    Number([f64; 2]),
+    List(&'a [[f64; 2]]),
+}
+
+#[derive(Serialize)]
+struct ModelJson<'a> {
+    elements: Vec<&'a str>,
+    parameters: Vec<ParameterJson<'a>>,
+    tests: &'a [String],
+    not_identified: &'a [String],
+    notes: &'a [String],
+}
+
+impl Model {
+    /// From the text of a model file; `name` is what errors call it.
+    pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
+        let file = model_file::parse(&text, name).map_err(raise::<ModelError>)?;
+        let prepared = model_file::prepared(&file.params).map_err(raise::<ModelError>)?;
+        Ok(Model { file, prepared: Box::new(prepared), text })
+    }
+}
+
+#[pymethods]
+impl Model {
+    /// Reads a model file.
+    #[staticmethod]
+    fn read(path: PathBuf) -> PyResult<Model> {
+        // The reader's own sentence where the file is not there or no text.
+        let text = std::fs::read_to_string(&path)
+            .map_err(|why| raise::<ModelError>(model_file::ModelFileError::Unreadable { file: path.clone(), why }))?;
+        Model::from_text(text, &path)
+    }
+
+    /// From the text of a model file; `name` is what errors call it.
+    #[staticmethod]
+    fn parse(text: String, name: PathBuf) -> PyResult<Model> {
+        Model::from_text(text, &name)
+    }
+
+    /// The text of the model file.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Elements, parameters, and what the fit left behind, as JSON.
+    fn json(&self) -> PyResult<String> {
+        let known = &self.file.identification;
+        let row = |row: &parameter::Row| {
+            let p = row.parameter;
+            let values = self.file.params.get(row);
+            ParameterJson {
+                name: p.name,
+                element: GROUPS[row.group].name,
+                unit: p.unit,
+                meaning: p.meaning,
+                value: match p.shape {
+                    Shape::Scalar => ValueJson::Number(values[0]),
+                    Shape::Choice(words) => ValueJson::Word(words[values[0] as usize]),
+                    Shape::List(_) => ValueJson::List(values),
+                },
+                interval: known.intervals.get(p.name).map(|interval| match interval {
+                    Interval::Number(pair) => IntervalJson::Number(*pair),
+                    Interval::List(pairs) => IntervalJson::List(pairs),
+                }),
+                source: known.sources.get(p.name).map(String::as_str),
+                identified: known.intervals.contains_key(p.name) && !known.not_identified.iter().any(|n| n == p.name),
+            }
+        };
+        let is_on = |group: usize| group < elements::COUNT && self.file.params.is_on(GROUPS[group].name);
+        let rows: Vec<parameter::Row> = parameter::table().filter(|r| is_on(r.group)).collect();
+        let said = ModelJson {
+            elements: elements::names().filter(|n| self.file.params.is_on(n)).collect(),
+            parameters: rows.iter().map(row).collect(),
+            tests: &known.tests,
+            not_identified: &known.not_identified,
+            notes: &known.notes,
+        };
+        serde_json::to_string(&said).map_err(raise::<ModelError>)
+    }
+
+    /// Lowest and highest velocity, m/s, of the FV curve; beyond, it is prolonged straight.
+    fn velocity_range(&self) -> (f64, f64) {
+        self.prepared.elements().fv_curve.range()
+    }
+
+    /// Forces, N, of the damper moving steadily at each velocity, m/s, through displacement 0.
+    #[allow(clippy::needless_pass_by_value)]
+    fn steady_force<'py>(
+        &self,
+        py: Python<'py>,
+        velocity: PyArrayLike1<'py, f64, AllowTypeChange>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let force = |v: &f64| {
+            let input = Input::motion(0.0, *v);
+            let force = evaluate::force(&self.prepared, &self.prepared.settled(&input), &input).force;
+            force.is_finite().then_some(force).ok_or_else(|| {
+                PyValueError::new_err(format!("there is no finite force at {v} m/s: it is no velocity of a damper"))
+            })
+        };
+        let forces = velocity.as_array().iter().map(force).collect::<PyResult<Vec<f64>>>()?;
+        Ok(PyArray1::from_vec(py, forces))
+    }
+
+    /// Times, displacements, velocities and forces for a motion.
+    #[pyo3(signature = (time, displacement, velocity, side_force, temperature, initial_position, step))]
+    #[allow(clippy::too_many_arguments, clippy::type_complexity)]
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        time: PyArrayLike1<'py, f64, AllowTypeChange>,
+        displacement: Option<PyArrayLike1<'py, f64, AllowTypeChange>>,
+        velocity: Option<PyArrayLike1<'py, f64, AllowTypeChange>>,
+        side_force: Option<PyArrayLike1<'py, f64, AllowTypeChange>>,
+        temperature: Option<PyArrayLike1<'py, f64, AllowTypeChange>>,
+        initial_position: Option<f64>,
+        step: Option<f64>,
+    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 4]> {
+        let time = time.as_array().to_vec();
+        let channel = |name: &str, values: Option<PyArrayLike1<'py, f64, AllowTypeChange>>| {
+            let values = values.map(|v| v.as_array().to_vec());
+            match &values {
+                Some(v) if v.len() != time.len() => Err(PyValueError::new_err(format!(
+                    "{name} has {} samples, time has {}: give one value for every time",
+                    v.len(),
+                    time.len()
+                ))),
+                Some(v) if v.iter().any(|x| !x.is_finite()) => {
+                    Err(PyValueError::new_err(format!("{name} holds a value that is no finite number")))
+                }
+                _ => Ok(values),
+            }
+        };
+        let record = MotionRecord {
+            displacement: channel("displacement", displacement)?,
+            velocity: channel("velocity", velocity)?,
+            side_force: channel("side_force", side_force)?,
+            temperature: channel("temperature", temperature)?,
+            time: time.clone(),
+        };
+        if time.len() < 2 {
+            return Err(PyValueError::new_err("a motion has at least two times"));
+        }
+        if let Some(k) = time.windows(2).position(|t| !(t[0] < t[1] && t[1].is_finite() && t[0].is_finite())) {
+            return Err(PyValueError::new_err(format!(
+                "time must increase from sample to sample, and does not from {} to {} s",
+                time[k],
+                time[k + 1]
+            )));
+        }
+        if record.displacement.is_none() && record.velocity.is_none() {
+            return Err(PyValueError::new_err("a motion needs displacement or velocity"));
+        }
+        let answers = py.detach(|| {
+            let mut motion = ImposedMotion::new(record, initial_position)?;
+            if let Some(step) = step {
+                motion = motion.resampled(step)?;
+            }
+            motion.drive(&self.prepared)
+        });
+        let answers = answers.map_err(raise::<MotionError>)?;
+        let column = |of: fn(&dashpot_simulation::imposed_motion::Answer) -> f64| {
+            PyArray1::from_vec(py, answers.iter().map(of).collect())
+        };
+        Ok([column(|a| a.time), column(|a| a.displacement), column(|a| a.velocity), column(|a| a.force)])
+    }
+}
+
+/// Writes a text to a file whole, never over an input or a file of another kind.
+#[pyfunction]
+pub fn write(path: PathBuf, text: &str) -> PyResult<()> {
+    dashpot_output::check([path.as_path()]).map_err(raise::<OutputError>)?;
+    dashpot_output::write(&path, text).map_err(raise::<OutputError>)
+}

@@ -1,0 +1,61 @@
+"""Records of a virtual rig, and the command to compare with."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import dashpot
+
+#: The command of the same sources; tests that compare with it are skipped where it is not named.
+COMMAND = os.environ.get("DASHPOT_COMMAND")
+
+
+class Command:
+    """The command ``dashpot`` in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def __call__(self, *arguments: str) -> str:
+        """Standard output of a run that must succeed."""
+        ran = self.run(*arguments)
+        assert ran.returncode == 0, ran.stderr
+        return ran.stdout
+
+    def run(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        assert COMMAND is not None
+        return subprocess.run([COMMAND, *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def json(self, name: str) -> Any:
+        return json.loads((self.folder / name).read_text())
+
+
+@pytest.fixture(scope="session")
+def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
+    if COMMAND is None:
+        pytest.skip("DASHPOT_COMMAND does not name the command to compare with")
+    return Command(tmp_path_factory.mktemp("command"))
+
+
+@pytest.fixture(scope="session")
+def records(command: Command) -> Path:
+    """A small campaign of the virtual rig."""
+    command("matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv")
+    command("rig", "-o", "records", "--matrix", "small.csv", "--seed", "3")
+    return command.folder / "records"
+
+
+@pytest.fixture(scope="session")
+def campaign(records: Path) -> dashpot.Campaign:
+    return dashpot.Campaign.read(records)
+
+
+@pytest.fixture(scope="session")
+def model(campaign: dashpot.Campaign) -> dashpot.Model:
+    return dashpot.fit(campaign)

@@ -1,0 +1,52 @@
+"""Small campaigns of many dampers, made by the kernel itself with noise on the force."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+import dashpot
+
+#: Amplitude, m, and peak velocity, m/s, of the tests; without the slow one no fit can tell friction from the curve.
+TESTS = ((0.025, 0.003), (0.025, 0.05), (0.025, 0.26), (0.025, 0.52), (0.005, 0.13))
+#: Samples of a cycle, and cycles of a test.
+SAMPLES, CYCLES = 100, 3
+
+
+def damper(scale: float = 1.0, friction: float = 30.0, gas: float = 140.0) -> dashpot.Model:
+    """A digressive damper with friction and gas force."""
+    velocity = [-1.0, -0.5, -0.25, -0.1, 0.0, 0.1, 0.25, 0.5, 1.0]
+    force = [scale * f for f in (-1100, -800, -560, -330, 0, 600, 1150, 1500, 2000)]
+    return dashpot.Model(
+        'format = 1\nelements = ["fv_curve", "series_compliance", "coulomb_friction", "gas_preload"]\n'
+        f"fv_velocity = {velocity}\nfv_force = {force}\ncoulomb_force = {friction!r}\ngas_force = {gas!r}\n"
+    )
+
+
+def measure(model: dashpot.Model, folder: Path, seed: int, tests: Sequence[tuple[float, float]] = TESTS) -> None:
+    """Writes a campaign of the damper."""
+    folder.mkdir(parents=True)
+    noise = np.random.default_rng(seed)
+    for amplitude, peak in tests:
+        rate = peak / amplitude
+        t = np.arange(SAMPLES * CYCLES + 1) * (2 * np.pi / rate / SAMPLES)
+        x, v = amplitude * np.sin(rate * t), peak * np.cos(rate * t)
+        force = model.simulate(t, x, v).force + noise.normal(0, 2, len(t))
+        table = np.column_stack([t, x, v, force])
+        name = folder / f"a{1000 * amplitude:g}_v{1000 * peak:g}.csv"
+        np.savetxt(name, table, fmt="%.9g", delimiter=",", header="time_s,displacement_m,velocity_m_s,force_N", comments="")
+
+
+def fleet(folder: Path, count: int) -> Path:
+    """Campaigns of so many dampers whose valves scatter by 3 %; returns the list of them."""
+    scatter = np.random.default_rng(7)
+    lines = ["campaign,serial,batch,date"]
+    for k in range(count):
+        scale = 1 + 0.03 * scatter.normal()
+        measure(damper(scale, 30 * (1 + 0.05 * scatter.normal())), folder / f"d{k:05d}", seed=k)
+        lines.append(f"d{k:05d},SN{k:05d},B{k // 20:03d},2026-{1 + k // 25 % 12:02d}-{1 + k % 25:02d}")
+    path = folder / "fleet.csv"
+    path.write_text("\n".join(lines) + "\n")
+    return path

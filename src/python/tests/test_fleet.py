@@ -1,0 +1,329 @@
+"""Fleets: nothing is lost, nothing is done twice, nothing depends on the workers."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from fleets import damper, fleet, measure
+
+import dashpot
+
+pq = pytest.importorskip("pyarrow.parquet")
+pytest.importorskip("distributed")
+
+from dashpot.fleet import Limit, find_jobs, read_limits, write_report  # noqa: E402
+from dashpot.fleet.examine import Plan, examine  # noqa: E402
+from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
+
+#: Elements of the dampers made here: a fit with them takes a fifth of a second.
+ELEMENTS = "series_compliance,coulomb_friction,gas_preload"
+
+
+def start(*arguments: str | Path) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "dashpot.fleet", *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+
+def run(*arguments: str | Path) -> str:
+    process = start(*arguments)
+    out, err = process.communicate(timeout=600)
+    assert process.returncode == 0, err
+    return out + err
+
+
+#: Dampers of the fleet.
+COUNT = 24
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[list[str]]:
+    """A Dask cluster that was there before; arguments that use it."""
+    import distributed
+
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs="ERROR") as local:
+        yield ["--scheduler", local.scheduler_address]
+
+
+@pytest.fixture(scope="module")
+def campaigns(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Dampers; one is not there, one is nonsense, one has much friction."""
+    folder = tmp_path_factory.mktemp("fleet")
+    listed = fleet(folder, COUNT)
+    shutil.rmtree(folder / "d00007")
+    for file in (folder / "d00011").iterdir():
+        file.write_text("this is no record\n")
+    shutil.rmtree(folder / "d00013")
+    measure(damper(friction=90), folder / "d00013", seed=13)
+    return listed
+
+
+def rows(path: Path) -> list[dict[str, Any]]:
+    table: list[dict[str, Any]] = pq.read_table(path).to_pylist()
+    return table
+
+
+def test_one_worker_and_two_make_the_same_bytes(campaigns: Path, tmp_path: Path) -> None:
+    common = [campaigns, "--family", "fv", "--chunk", "3", "--quiet"]
+    run(*common, "--workers", "1", "--out", tmp_path / "one.parquet")
+    run(*common, "--workers", "2", "--out", tmp_path / "two.parquet")
+    assert (tmp_path / "one.parquet").read_bytes() == (tmp_path / "two.parquet").read_bytes()
+
+
+def test_bad_campaigns_are_rows_and_the_others_have_their_numbers(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
+    limits = tmp_path / "limits.csv"
+    limits.write_text(
+        "quantity,velocity_m_s,low,high\nfriction,,,60\nforce,0.262,900,1600\ngas_force,,100,180\nhysteresis,0.26,,400\n"
+    )
+    out = tmp_path / "fleet.parquet"
+    said = run(campaigns, "--elements", ELEMENTS, "--limits", limits, "--out", out, "--report", tmp_path / "fleet.html", *cluster)
+    assert f"{COUNT} campaigns" in said and "2 failed" in said
+    table = rows(out)
+    assert [r["serial"] for r in table] == [f"SN{k:05d}" for k in range(COUNT)]
+    assert table[7]["status"] == "failed" and "d00007" in table[7]["reason"]
+    assert table[11]["status"] == "failed" and "d00011" in table[11]["reason"]
+    good = [r for r in table if r["status"] == "ok"]
+    assert len(good) == COUNT - 2
+    assert [r["serial"] for r in good if r["judgement"] == "failed"] == ["SN00013"]
+    assert table[13]["missed"][0].startswith("friction: ")
+    for row in good:
+        assert row["coulomb_force_low"] <= row["coulomb_force"] <= row["coulomb_force_high"]
+        assert row["batch"] and row["date"].startswith("2026-")
+    # What a row says is what the package says of that campaign alone, and its model runs.
+    campaign = dashpot.Campaign.read(campaigns.parent / "d00000")
+    model = dashpot.fit(campaign, elements=ELEMENTS.split(","))
+    assert table[0]["model"] == model.text
+    assert table[0]["coulomb_force"] == model["coulomb_force"]
+    assert table[0]["force_at_+0.262_m_s"] == model.steady_force(0.262)[0]
+    report = (tmp_path / "fleet.html").read_text()
+    assert "SN00013" in report and "coulomb_force" in report and "d00011" in report and report.count("<img") > 5
+
+
+def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "good", seed=99)
+    out = tmp_path / "changed.parquet"
+    run(campaigns.parent / "d00013", "--elements", ELEMENTS, "--reference", tmp_path / "good",
+        "--candidates", "free_play", "--out", out, "--quiet", *cluster)  # fmt: skip
+    (row,) = rows(out)
+    assert row["verdict"] is not None and row["summary"]
+    changed = {c["parameter"]: c for c in row["changed"]}
+    assert changed["coulomb_force"]["low"] <= 90 <= changed["coulomb_force"]["high"]
+    assert changed["coulomb_force"]["reference"] == pytest.approx(30, abs=5)
+
+
+def kill(process: subprocess.Popen[str]) -> None:
+    """The run and its workers, all at once: no handler runs."""
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+
+
+def test_a_run_that_is_killed_goes_on_where_it_was(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
+    arguments = [campaigns, "--family", "fv", "--chunk", "1", "--workers", "2"]
+    whole, out = tmp_path / "whole.parquet", tmp_path / "killed.parquet"
+    run(*arguments[:-2], *cluster, "--out", whole, "--quiet")
+    parts = tmp_path / "killed.parquet.parts"
+    written = 0
+    for _ in range(2):
+        process = start(*arguments, "--out", out)
+        deadline = time.monotonic() + 120
+        while len(list(parts.glob("part-*"))) <= written and process.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        kill(process)
+        before, written = written, len(list(parts.glob("part-*")))
+        assert written > before
+    assert not out.exists()
+    kept = {p.name: p.stat().st_mtime_ns for p in parts.glob("part-*")}
+    said = run(*arguments, "--out", out)
+    assert "0 of them done before" not in said
+    # Finished parts were not touched, and the table is that of a run that nobody disturbed.
+    assert {n: (parts / n).stat().st_mtime_ns for n in kept} == kept
+    assert out.read_bytes() == whole.read_bytes()
+    assert f"{COUNT} of them done before" in run(*arguments, "--out", out)
+    assert out.read_bytes() == whole.read_bytes()
+
+
+def test_a_changed_record_is_done_again_and_nothing_else(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
+    folder = tmp_path / "two"
+    for k in range(2):
+        shutil.copytree(campaigns.parent / f"d{k:05d}", folder / f"d{k}")
+    arguments = [folder, "--family", "fv", "--out", tmp_path / "t.parquet", *cluster]
+    run(*arguments)
+    first = rows(tmp_path / "t.parquet")
+    shutil.rmtree(folder / "d1")
+    measure(damper(1.5), folder / "d1", seed=5)
+    assert "1 of them done before" in run(*arguments)
+    second = rows(tmp_path / "t.parquet")
+    assert second[0] == first[0]
+    assert second[1]["force_at_+0.262_m_s"] > 1.3 * first[1]["force_at_+0.262_m_s"]
+
+
+def test_a_campaign_that_ends_its_worker_is_a_row(campaigns: Path, tmp_path: Path) -> None:
+    """A fault that no exception catches: the worker's process dies whenever it reads one campaign."""
+    script = tmp_path / "dies.py"
+    script.write_text(
+        "import os, dashpot\n"
+        "from dashpot.fleet import Plan, Place, find_jobs, run\n"
+        "import dashpot.fleet.schedule as module\n"
+        "def dying(jobs, plan):\n"
+        "    if any(job.campaign.endswith('d00003') for job, _ in jobs):\n"
+        "        os._exit(11)\n"
+        "    from dashpot.fleet.examine import examine_all\n"
+        "    return examine_all(jobs, plan)\n"
+        "if __name__ == '__main__':\n"
+        "    module.examine_all = dying\n"
+        f"    jobs = find_jobs([{str(campaigns)!r}])[:6]\n"
+        f"    run(jobs, {str(tmp_path / 'dies.parquet')!r}, Plan(family='fv'), Place(workers=1), chunk=3)\n"
+    )
+    ran = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, check=False, timeout=300)
+    assert ran.returncode == 0, ran.stderr
+    table = rows(tmp_path / "dies.parquet")
+    assert [r["status"] for r in table] == ["ok"] * 3 + ["failed"] + ["ok"] * 2
+    assert "ended each time" in table[3]["reason"]
+
+
+def test_a_passing_fault_is_tried_again(campaigns: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    job = find_jobs([campaigns])[0]
+    faults = [OSError("the file server went away")] * 2
+    read = dashpot.Campaign.read
+
+    def unsteady(path: str) -> dashpot.Campaign:
+        if faults:
+            raise faults.pop()
+        return read(path)
+
+    monkeypatch.setattr("dashpot.fleet.examine.Campaign.read", unsteady)
+    assert examine(job, "k", Plan(family="fv", retries=2))["status"] == "ok"
+    faults = [OSError("the file server went away")] * 3
+    row = examine(job, "k", Plan(family="fv", retries=2))
+    assert row["status"] == "failed" and "file server" in row["reason"] and "3 times" in row["reason"]
+
+
+def test_a_second_run_on_the_same_table_is_refused(campaigns: Path, tmp_path: Path) -> None:
+    arguments = [campaigns, "--elements", ELEMENTS, "--workers", "1", "--out", tmp_path / "t.parquet"]
+    first = start(*arguments)
+    while not (tmp_path / "t.parquet.parts" / "lock").exists() and first.poll() is None:
+        time.sleep(0.01)
+    time.sleep(0.2)
+    second = start(*arguments)
+    _, err = second.communicate(timeout=60)
+    kill(first)
+    assert second.returncode == 2 and "another run is writing" in err
+
+
+def test_what_cannot_be_is_said(campaigns: Path, tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text("a,b\n1,2\n")
+    (tmp_path / "list.csv").write_text("campaign,date\nx,yesterday\n")
+    limits = tmp_path / "limits.csv"
+    for arguments, words in [
+        ([tmp_path / "nowhere", "--out", tmp_path / "o.parquet"], "no such file"),
+        ([campaigns, "--out", tmp_path / "table.csv"], "no Parquet file"),
+        ([campaigns, "--out", tmp_path / "no" / "o.parquet"], "make it first"),
+        ([tmp_path / "list.csv", "--out", tmp_path / "o.parquet"], "line 2: 'yesterday' is no date"),
+    ]:
+        process = start(*arguments)
+        _, err = process.communicate(timeout=60)
+        assert process.returncode == 2 and words in err and "Traceback" not in err, err
+    for text, words in [
+        ("quantity,low,high\n", "line 1"),
+        ("quantity,velocity_m_s,low,high\ncolour,,1,2\n", "line 2: there is no quantity 'colour'"),
+        ("quantity,velocity_m_s,low,high\n\nforce,,1,2\n", "line 3"),
+        ("quantity,velocity_m_s,low,high\nfriction,,x,2\n", "no number"),
+        ("quantity,velocity_m_s,low,high\nfriction,,3,2\n", "must not be above"),
+        ("quantity,velocity_m_s,low,high\nfriction,,,\n", "nothing to keep"),
+        ("quantity,velocity_m_s,low,high\n", "no limit in it"),
+    ]:
+        limits.write_text(text)
+        with pytest.raises(dashpot.DashpotError, match=words):
+            read_limits(limits)
+
+
+def test_limits_are_judged_by_what_the_damper_does(tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "c", seed=1)
+    campaign = dashpot.Campaign.read(tmp_path / "c")
+    model = damper()
+    validation = model.validate(campaign)
+    force = Limit("force", 0.25, 0, 1e9).value(model, validation)
+    # FV curve, friction, and the gas that pushes the rod out.
+    assert force == pytest.approx(1150 + 30 - 140, rel=1e-3)
+    assert Limit("friction", None, 0, 1e9).value(model, validation) == pytest.approx(30, rel=0.5)
+    assert Limit("gas_force", None, 0, 1e9).value(model, validation) == 140
+    gap = Limit("hysteresis", 0.26, 0, 1e9).value(model, validation)
+    own = next(t for t in validation.tests if t.name == "a25_v260")
+    assert own.hysteresis is not None and gap == own.hysteresis.mean_gap_n.measured
+    assert "no test" in str(Limit("hysteresis", 2.0, 0, 1).missed(Limit("hysteresis", 2.0, 0, 1).value(model, validation)))
+
+
+class TestStatistics:
+    """Figures with known answers."""
+
+    NOISE = np.random.default_rng(3).normal(0, 1, 400)
+
+    def test_outliers(self) -> None:
+        values = self.NOISE.copy()
+        values[17] = 9
+        off = np.abs(far_off(values))
+        assert off.argmax() == 17 and (off > 3.5).sum() <= 2
+        assert (far_off(np.full(9, 5.0)) == 0).all()
+
+    def test_drift(self) -> None:
+        at = np.arange(400.0)
+        slope = drift(at, 0.02 * at + self.NOISE)
+        assert slope is not None and slope.stands_out and abs(slope.slope - 0.02) < 3 * slope.deviation
+        flat = drift(at, self.NOISE)
+        assert flat is not None and not flat.stands_out
+        assert drift(np.zeros(400), self.NOISE) is None
+
+    def test_control_chart(self) -> None:
+        values = self.NOISE[:100].copy()
+        values[50] += 8
+        chart = control(values)
+        assert chart is not None and 50 in chart.beyond and len(chart.beyond) <= 3
+        stepped = np.concatenate([self.NOISE[:40], self.NOISE[:40] + 2.5])
+        shifted = control(stepped)
+        assert shifted is not None and any(p >= 40 for p in shifted.shifted)
+        assert control(np.array([1.0, 2.0])) is None
+
+    def test_batches(self) -> None:
+        found = batches(["a"] * 200 + ["b"] * 200, np.concatenate([self.NOISE[:200], self.NOISE[200:] + 1]))
+        assert [b.name for b in found] == ["a", "b"]
+        assert found[0].high < found[1].low
+
+
+#: Memory, MiB, by which a fivefold fleet may raise what the run or a worker needs at most.
+GROWTH = 30
+
+
+@pytest.mark.skipif(os.environ.get("DASHPOT_LONG") is None, reason="1200 campaigns: DASHPOT_LONG is not set")
+def test_memory_does_not_grow_with_the_fleet(tmp_path: Path) -> None:
+    sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+    from fleet import measured
+
+    fleet(tmp_path, 1000)
+    lines = (tmp_path / "fleet.csv").read_text().splitlines()
+    peaks = []
+    for count in (200, 1000):
+        listed = tmp_path / f"first{count}.csv"
+        listed.write_text("\n".join(lines[: count + 1]) + "\n")
+        peaks.append(measured(listed, tmp_path / f"{count}.parquet", "fv", 1)[1][:2])
+        print(f"{count} campaigns: run and worker at most {peaks[-1]} MiB")
+    assert all(large < small + GROWTH for small, large in zip(*peaks, strict=True)), peaks
+
+
+def test_a_report_is_the_same_twice(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    run(campaigns, "--family", "fv", "--out", tmp_path / "r.parquet", "--quiet", *cluster)
+    write_report(tmp_path / "r.parquet", tmp_path / "a.html")
+    write_report(tmp_path / "r.parquet", tmp_path / "b.html")
+    assert (tmp_path / "a.html").read_bytes() == (tmp_path / "b.html").read_bytes()
+    (tmp_path / "c.html").write_text("my notes")
+    with pytest.raises(dashpot.OutputError):
+        write_report(tmp_path / "r.parquet", tmp_path / "c.html")

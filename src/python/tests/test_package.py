@@ -1,0 +1,242 @@
+"""What the package is beside its numbers: typed, picklable, shown in a notebook, one process with others."""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+import sys
+import threading
+import time
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fleets import damper, measure
+
+import dashpot
+from dashpot import _native
+
+SOURCES = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory: pytest.TempPathFactory) -> dashpot.Campaign:
+    folder = tmp_path_factory.mktemp("own") / "campaign"
+    measure(damper(), folder, seed=1)
+    return dashpot.Campaign.read(folder)
+
+
+def test_a_fault_of_the_program_would_be_an_exception() -> None:
+    assert _native.UNWINDS
+
+
+def test_stubs_say_what_is_there() -> None:
+    pytest.importorskip("mypy")
+    ran = subprocess.run(
+        [sys.executable, "-m", "mypy.stubtest", "dashpot._native", "--ignore-missing-stub"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+def test_types_agree() -> None:
+    pytest.importorskip("mypy")
+    command = [sys.executable, "-m", "mypy", "--config-file", str(SOURCES / "pyproject.toml")]
+    ran = subprocess.run([*command, str(SOURCES / "python" / "dashpot")], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+def test_fit_finds_the_damper(own: dashpot.Campaign) -> None:
+    model = dashpot.fit(own, elements=["series_compliance", "coulomb_friction", "gas_preload"])
+    friction = model.parameters["coulomb_force"]
+    assert friction.value == pytest.approx(30, abs=5)
+    assert model["gas_force"] == pytest.approx(140, abs=10)
+    assert friction.identified and friction.interval is not None and friction.unit == "N"
+    truth = damper().steady_force([-0.4, 0.1, 0.4])
+    assert np.allclose(model.steady_force([-0.4, 0.1, 0.4]), truth, rtol=0.03)
+    again = dashpot.Model(model.text)
+    assert again == model and again.parameters == model.parameters
+
+
+def test_everything_is_a_dictionary_a_table_and_a_view(own: dashpot.Campaign) -> None:
+    pandas = pytest.importorskip("pandas")
+    model = dashpot.fit(own, family="fv")
+    assert model.fit is not None
+    validation = model.validate(own)
+    response = model.simulate([0, 0.1, 0.2], [0, 0.001, 0])
+    for result in (own, own[0], model, model.fit, validation, response):
+        assert isinstance(result.to_dict(), dict)
+        assert isinstance(result.to_pandas(), pandas.DataFrame) and len(result.to_pandas())
+        assert "<table>" in result._repr_html_()
+    assert list(own[0].to_pandas()) == ["time_s", "displacement_m", "velocity_m_s", "force_N"]
+    assert len(validation.to_pandas()) == len(own)
+
+
+def test_a_diagnosis_against_a_reference_says_what_changed(own: dashpot.Campaign, tmp_path: Path) -> None:
+    folder = tmp_path / "worn"
+    measure(damper(friction=80), folder, seed=2)
+    worn = dashpot.Campaign.read(folder)
+    model = dashpot.fit(own, elements=["series_compliance", "coulomb_friction", "gas_preload"])
+    found = dashpot.diagnose(model, worn, own, candidates=["free_play"], max_effects=1)
+    changed = {c.parameter: c for c in found.changed}
+    assert changed["coulomb_force"].reference == pytest.approx(30, abs=5)
+    assert changed["coulomb_force"].value == pytest.approx(80, abs=8)
+    assert "coulomb_force" in found._repr_html_()
+
+
+def test_models_and_results_go_through_pickle(own: dashpot.Campaign) -> None:
+    model = dashpot.fit(own, family="fv")
+    again = pickle.loads(pickle.dumps(model))
+    assert again == model and again.fit == model.fit
+
+
+def test_a_model_file_is_written_as_it_was_read(own: dashpot.Campaign, tmp_path: Path) -> None:
+    model = dashpot.fit(own, family="fv")
+    model.write(tmp_path / "a.toml")
+    read = dashpot.Model.read(tmp_path / "a.toml")
+    read.write(tmp_path / "b.toml")
+    assert (tmp_path / "a.toml").read_bytes() == (tmp_path / "b.toml").read_bytes()
+    with pytest.raises(dashpot.OutputError, match="no folder"):
+        model.write(tmp_path / "nowhere" / "a.toml")
+
+
+def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
+    """Another thread of Python goes on while a fit runs."""
+    ticks, gaps, stop = 0, [0.0], threading.Event()
+
+    def tick() -> None:
+        nonlocal ticks
+        last = time.perf_counter()
+        while not stop.is_set():
+            time.sleep(0.001)
+            now = time.perf_counter()
+            gaps.append(now - last)
+            last, ticks = now, ticks + 1
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    started = time.perf_counter()
+    dashpot.fit(own)
+    spent = time.perf_counter() - started
+    stop.set()
+    thread.join()
+    # Held, the lock would stop the other thread for nearly all of that time.
+    assert max(gaps) < 0.5 * spent, (max(gaps), spent, ticks)
+
+
+def test_progress_is_told_and_its_exceptions_come_through(own: dashpot.Campaign) -> None:
+    told: list[tuple[float, str]] = []
+    dashpot.fit(own, family="fv", progress=lambda done, text: told.append((done, text)))
+    assert told[0][0] == 0.0 and told[-1] == (1.0, "done")
+
+    def refuse(done: float, text: str) -> None:
+        raise KeyError(text)
+
+    with pytest.raises(KeyError):
+        dashpot.fit(own, family="fv", progress=refuse)
+
+
+def test_what_cannot_be_simulated_is_refused() -> None:
+    model = damper()
+    for arguments, words in [
+        (([0, 1], [0, 1, 2]), "3 samples"),
+        (([0, 0], [0, 1]), "increase"),
+        (([0], [0]), "two times"),
+        (([0, 1],), "needs displacement or velocity"),
+        (([0, 1], [0, np.nan]), "no finite number"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            model.simulate(*arguments)
+    with pytest.raises(dashpot.MotionError, match="step"):
+        model.simulate([0, 1], [0, 1], step=-1.0)
+
+
+class TestDampers:
+    """Stepped dampers."""
+
+    T = np.arange(2001) * 1e-3
+    X = 0.02 * np.sin(20 * T)
+    V = 0.4 * np.cos(20 * T)
+
+    def test_one_is_what_simulate_says(self) -> None:
+        model = damper()
+        # simulate() starts settled in the first motion, which is one at rest here.
+        v = self.V - self.V[0]
+        expected = model.simulate(self.T, velocity=v, initial_position=0.01).force
+        one = dashpot.Damper(model, 0.01)
+        steps = zip(v[1:].tolist(), np.diff(self.T).tolist(), strict=True)
+        assert [one.step(u, dt) for u, dt in steps] == expected[1:].tolist()
+
+    @pytest.mark.parametrize("count", [3, 700])
+    def test_many_are_as_many_single_ones(self, count: int) -> None:
+        model, other = damper(), damper(1.3)
+        models = [model if k % 2 else other for k in range(count)]
+        many = dashpot.Damper(models, np.linspace(-0.02, 0.02, count))
+        singles = [dashpot.Damper(m, x) for m, x in zip(models, np.linspace(-0.02, 0.02, count).tolist(), strict=True)]
+        gains = np.linspace(0.5, 1.5, count)
+        out = np.empty(count)
+        for v in self.V[:50]:
+            assert many.step(gains * v, 1e-3, out=out) is out
+            assert out.tolist() == [s.step(float(g * v), 1e-3) for s, g in zip(singles, gains, strict=True)]
+
+    def test_a_known_displacement_is_taken(self) -> None:
+        many = dashpot.Damper(damper(), np.zeros(2))
+        forces = many.step(self.V[1], 1e-3, displacement=[0.0, 0.02])
+        assert many.state[:, 0].tolist() == [0.0, 0.02]
+        assert forces.shape == (2,)
+
+    def test_a_state_is_kept_and_put_back(self) -> None:
+        many = dashpot.Damper(damper(), np.zeros(5))
+        many.step(0.1, 1e-3)
+        kept = many.state
+        first = many.step(np.linspace(-1, 1, 5), 1e-3)
+        many.state = kept
+        assert many.step(np.linspace(-1, 1, 5), 1e-3).tolist() == first.tolist()
+
+    def test_a_refused_step_changes_nothing(self) -> None:
+        many = dashpot.Damper(damper(), np.zeros(4))
+        many.step(0.1, 1e-3)
+        kept, out = many.state, np.full(4, 7.0)
+        for velocity, dt, words in [([0, 0, np.nan, 0], 1e-3, "damper 2"), (0.0, 0.0, "dt"), (1e9, 1e-3, "damper 0")]:
+            with pytest.raises(dashpot.StepError, match=words):
+                many.step(velocity, dt, out=out)
+        with pytest.raises(ValueError, match="4 dampers"):
+            many.step([0.0, 1.0], 1e-3)
+        assert np.array_equal(many.state, kept) and (out == 7).all()
+        with pytest.raises(ValueError, match="models"):
+            dashpot.Damper([damper(), damper()], [0.0, 0.0, 0.0])
+
+    def test_steps_do_not_allocate_for_each_damper(self) -> None:
+        def grown(count: int) -> int:
+            many, out, v = dashpot.Damper(damper(), np.zeros(count)), np.empty(count), np.zeros(count)
+            many.step(v, 1e-3, out=out)
+            tracemalloc.start()
+            for _ in range(10):
+                many.step(v, 1e-3, out=out)
+            peak = tracemalloc.get_traced_memory()[1]
+            tracemalloc.stop()
+            return peak
+
+        assert grown(20_000) < grown(20) + 4096
+
+
+def test_export_fmu(tmp_path: Path) -> None:
+    import os
+    import zipfile
+
+    path = tmp_path / "car.fmu"
+    library = os.environ.get("DASHPOT_LIBRARY")
+    try:
+        platforms = damper().export_fmu(path, others=[damper(0.8)], library=library)
+    except dashpot.ExportError as error:
+        # Built without the runtimes, and no library to compile one of: the sentence says how to get either.
+        assert library is None and "runtimes.sh" in str(error)
+        pytest.skip(str(error))
+    assert platforms
+    names = zipfile.ZipFile(path).namelist()
+    assert "modelDescription.xml" in names and any(n.startswith("binaries/") for n in names)
+    with pytest.raises(dashpot.ExportError, match="FMI 4"):
+        damper().export_fmu(tmp_path / "b.fmu", fmi=4)
+    with pytest.raises(dashpot.ExportError, match="one model file, two"):
+        damper().export_fmu(tmp_path / "b.fmu", others=[damper(), damper()])

@@ -1,0 +1,130 @@
+"""The package and the command say the same digits and the same sentences."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Command
+
+import dashpot
+
+
+def test_fit(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    command("fit", "records", "-o", "damper.toml", "--json", "fit.json")
+    assert model.text == (command.folder / "damper.toml").read_text()
+    said = command.json("fit.json")
+    del said["model"]
+    assert model.fit is not None
+    assert model.fit.to_dict() == said
+    assert len(model.fit.parameters) > 10
+
+
+def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    model.write(command.folder / "validated.toml")
+    command("validate", "validated.toml", "records", "--json", "errors.json")
+    validation = model.validate(campaign)
+    assert validation.to_dict() == command.json("errors.json")
+    test = validation.tests[0]
+    simulated, fv_only = validation.forces(test.name)
+    measured = campaign[test.name].force
+    assert np.abs(simulated - measured).mean() == pytest.approx(test.mean_error_n, rel=1e-12)
+    assert np.abs(fv_only - measured).mean() == pytest.approx(test.fv_only.mean_error_n, rel=1e-12)
+
+
+def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    few = ["free_play", "moving_mass"]
+    model.write(command.folder / "diagnosed.toml")
+    command("diagnose", "diagnosed.toml", "records", "--json", "diagnosis.json", "-o", "improved.toml",
+            "--candidates", ",".join(few), "--max-effects", "1")  # fmt: skip
+    found = dashpot.diagnose(model, campaign, candidates=few, max_effects=1)
+    assert found.to_dict() == command.json("diagnosis.json")
+    assert found.improved is not None
+    assert found.improved.text == (command.folder / "improved.toml").read_text()
+    curves = found.curves(found.tests[0].test)
+    assert np.sqrt(np.mean((curves["measured"] - curves["before"]) ** 2)) == pytest.approx(found.tests[0].before_rmse_n, rel=1e-9)
+
+
+@pytest.mark.parametrize("known", ["displacement", "velocity", "both"])
+def test_simulate(command: Command, model: dashpot.Model, known: str) -> None:
+    t = np.linspace(0, 1, 501)
+    motion = {"displacement": 0.02 * np.sin(9 * t), "velocity": 0.18 * np.cos(9 * t)}
+    if known != "both":
+        motion = {known: motion[known]}
+    heads = {"displacement": "displacement_m", "velocity": "velocity_m_s"}
+    columns = [t, *motion.values()]
+    header = ",".join(["time_s", *(heads[name] for name in motion)])
+    rows = "\n".join(",".join(repr(float(x)) for x in row) for row in zip(*columns, strict=True))
+    (command.folder / "motion.csv").write_text(f"{header}\n{rows}\n")
+    model.write(command.folder / "simulated.toml")
+    command("simulate", "simulated.toml", "motion.csv", "-o", "force.csv")
+    written = np.loadtxt(command.folder / "force.csv", delimiter=",", skiprows=1)
+    response = model.simulate(t, **motion)
+    assert np.array_equal(np.column_stack([response.time, response.displacement, response.velocity, response.force]), written)
+
+
+def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    (command.folder / "bad.csv").write_text("time_s,force_N\n0,1\nx,2\n")
+    (command.folder / "bad.toml").write_text("format = 1\nelements = []\nseries_stifness = 1e6\n")
+    bad_records, bad_model = command.folder / "bad.csv", command.folder / "bad.toml"
+
+    def sentence(*arguments: str) -> str:
+        ran = command.run(*arguments)
+        assert ran.returncode == 2
+        return ran.stderr.removeprefix("dashpot: ").rstrip("\n")
+
+    with pytest.raises(dashpot.RecordError) as records:
+        dashpot.Campaign.read(bad_records)
+    assert str(records.value) == sentence("fit", str(bad_records), "-o", "never.toml")
+    with pytest.raises(dashpot.ModelError) as read:
+        dashpot.Model.read(bad_model)
+    assert str(read.value) == sentence("validate", str(bad_model), "records")
+    with pytest.raises(dashpot.ModelError) as missing:
+        dashpot.Model.read(command.folder / "nowhere.toml")
+    assert str(missing.value) == sentence("validate", str(command.folder / "nowhere.toml"), "records")
+    with pytest.raises(dashpot.FitError) as fitted:
+        dashpot.fit(campaign, elements=["no_such"])
+    assert str(fitted.value) == sentence("fit", "records", "-o", "never.toml", "--elements", "no_such")
+    with pytest.raises(dashpot.FitError) as held:
+        dashpot.fit(campaign, hold_out=["nothing*"])
+    assert str(held.value) == sentence("fit", "records", "-o", "never.toml", "--hold-out", "nothing*")
+    model.write(command.folder / "good.toml")
+    with pytest.raises(dashpot.DiagnosisError) as diagnosed:
+        dashpot.diagnose(model, campaign, candidates=["no_such"])
+    assert str(diagnosed.value) == sentence("diagnose", "good.toml", "records", "--candidates", "no_such")
+    (command.folder / "a table.csv").write_text("time_s,force_N\n0,1\n")
+    with pytest.raises(dashpot.OutputError) as written:
+        model.write(command.folder / "a table.csv")
+    assert str(written.value) == sentence("fit", "records", "-o", str(command.folder / "a table.csv"))
+    assert all(issubclass(e.type, dashpot.DashpotError) for e in (records, read, missing, fitted, held, diagnosed, written))
+
+
+def test_a_mapping_reads_as_the_options_of_the_command(command: Command, records: Path, campaign: dashpot.Campaign) -> None:
+    """The same records in kN, compression positive, under other headings."""
+    folder = command.folder / "foreign"
+    folder.mkdir()
+    for file in sorted(records.glob("*.csv")):
+        table = np.loadtxt(file, delimiter=",", skiprows=1)
+        heads = ["t", "stroke", "rate", "load"]
+        rows = np.column_stack([table[:, 0], -table[:, 1], -table[:, 2], -table[:, 3] / 1000])
+        text = "\n".join(",".join(repr(float(x)) for x in row) for row in rows)
+        (folder / file.name).write_text(",".join(heads) + "\n" + text + "\n")
+    units = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "kN"}
+    columns = dict(zip(units, ["t", "stroke", "rate", "load"], strict=True))
+    read = dashpot.Campaign.read(folder, positive="compression", units=units, columns=columns)
+    assert read.names == campaign.names
+    assert read.sign.given and read.sign.positive == "compression"
+    for mine, theirs in zip(read, campaign, strict=True):
+        assert np.allclose(mine.force, theirs.force, rtol=1e-9)
+    options = [f"--unit={c}={u}" for c, u in units.items()] + [f"--column={c}={h}" for c, h in columns.items()]
+    command("fit", "foreign", "-o", "foreign.toml", "--positive", "compression", "--model", "fv", *options)
+    assert dashpot.fit(read, family="fv").text == (command.folder / "foreign.toml").read_text()
+
+
+def test_results_survive_a_dictionary(campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    assert model.fit is not None
+    assert dashpot.FitResult.from_dict(json.loads(json.dumps(model.fit.to_dict()))) == model.fit
+    validation = model.validate(campaign)
+    assert dashpot.Validation.from_dict(validation.to_dict()) == validation

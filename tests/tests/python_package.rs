@@ -1,0 +1,77 @@
+//! The Python package as its user gets it: built as a wheel, installed where nothing of the source tree is on the path, and tested there.
+//!
+//! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
+//! is no part of `cargo test --release` but a line of its own in `.ci/run` (`-- --ignored`).
+
+use dashpot_tests::cli::program;
+use dashpot_tests::library::{directory, root};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What builds the wheel, and what its tests need.
+const BUILD: &str = "maturin>=1.9,<2";
+const PACKAGES: [&str; 11] = [
+    "numpy",
+    "pytest",
+    "mypy",
+    "pandas",
+    "matplotlib",
+    "pyarrow",
+    "dask",
+    "distributed",
+    "dask-jobqueue",
+    "nbclient",
+    "ipykernel",
+];
+
+fn runs(command: &mut Command) -> Result<(), String> {
+    match command.output() {
+        Ok(out) if out.status.success() => Ok(()),
+        Ok(out) => Err(String::from_utf8_lossy(&[out.stdout, out.stderr].concat()).trim().to_owned()),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// An environment with all that is needed; none, after a line that says so, where it cannot be made here.
+fn environment(target: &Path) -> Option<PathBuf> {
+    let folder = target.join("python-venv");
+    let (bin, done) = (folder.join("bin"), folder.join("packages.txt"));
+    let wanted = [&[BUILD], &PACKAGES[..]].concat();
+    if std::fs::read_to_string(&done).is_ok_and(|had| had == wanted.join("\n")) {
+        return Some(bin);
+    }
+    let made = runs(Command::new("python3").args(["-m", "venv"]).arg(&folder))
+        .and_then(|()| runs(Command::new(bin.join("python")).args(["-m", "pip", "install", "--quiet"]).args(&wanted)));
+    if let Err(told) = made {
+        println!("skipped: Python with {} does not install here: {}", wanted.join(", "), told.replace('\n', " "));
+        return None;
+    }
+    std::fs::write(&done, wanted.join("\n")).expect("a mark");
+    Some(bin)
+}
+
+#[test]
+#[ignore = "builds the workspace once more for the wheel; .ci/run has a line for it"]
+fn the_wheel_does_what_the_command_does() {
+    let test = std::env::current_exe().expect("the path of this test");
+    let target = test.ancestors().nth(3).expect("a target directory");
+    let Some(bin) = environment(target) else { return };
+    let sources = root().join("src/python");
+    let wheels = tempfile::tempdir().expect("a directory");
+    let mut build = Command::new(bin.join("maturin"));
+    build.args(["build", "--release", "--quiet", "--interpreter"]).arg(bin.join("python"));
+    build.arg("--out").arg(wheels.path()).current_dir(&sources);
+    runs(&mut build).unwrap_or_else(|told| panic!("maturin: {told}"));
+    let wheel = std::fs::read_dir(wheels.path()).expect("a folder").next().expect("a wheel").expect("an entry").path();
+    let mut install = Command::new(bin.join("python"));
+    install.args(["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps"]).arg(&wheel);
+    runs(&mut install).unwrap_or_else(|told| panic!("pip: {told}"));
+    let mut pytest = Command::new(bin.join("python"));
+    pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
+    pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
+    pytest.env("DASHPOT_LIBRARY", directory().join("libdashpot.a"));
+    let ran = pytest.output().expect("pytest");
+    let said = String::from_utf8_lossy(&ran.stdout);
+    println!("{said}");
+    assert!(ran.status.success(), "{said}{}", String::from_utf8_lossy(&ran.stderr));
+}
