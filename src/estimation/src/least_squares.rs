@@ -4,6 +4,7 @@
 //! reweighting (Ann. Math. Stat. 35, 1964). Segments are summed in their order, so the result does not depend on the
 //! number of threads.
 
+use super::cancel;
 use super::priors::in_search;
 use super::segment::Segment;
 use super::sensitivity::{Accuracy, Run};
@@ -147,11 +148,17 @@ pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: 
     let n = start.len();
     let mut theta: Vec<f64> = (0..n).map(|i| start[i].clamp(low[i], high[i])).collect();
     let mut best = Solution { cost: f64::INFINITY, theta: theta.clone(), converged: false };
+    if cancel::asked() {
+        return best;
+    }
     let held = held(segments, unknowns, &theta, effort.accuracy);
     let Some(mut at) = normal(segments, unknowns, &theta, effort.accuracy, held) else { return best };
     best.cost = at.cost;
     let mut damping = 1e-3;
     for _ in 0..effort.steps {
+        if cancel::asked() {
+            break;
+        }
         let free: Vec<usize> = (0..n)
             .filter(|i| {
                 let held =

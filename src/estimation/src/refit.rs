@@ -4,6 +4,7 @@
 //! since those that a diagnosis compares differ by two or three numbers from one whose Jacobian is known. The likely ones are
 //! then refitted with a Jacobian of their own in every step. Steps are Marquardt's, the loss is Huber's.
 
+use super::cancel;
 use super::hypothesis::{Hypothesis, Residual};
 use super::samples::Test;
 use crate::sensitivity::Accuracy;
@@ -104,6 +105,9 @@ pub fn refit_by(
     effort: Effort,
     residual_at: &dyn Fn(&[f64]) -> Option<Residual>,
 ) -> Option<Refit> {
+    if cancel::asked() {
+        return None;
+    }
     let n = start.len();
     let bounds: Vec<(f64, f64)> = hypothesis.numbers.iter().map(|n| n.bounds).collect();
     let mut theta: Vec<f64> = start.iter().zip(&bounds).map(|(t, (low, high))| t.clamp(*low, *high)).collect();
@@ -117,7 +121,7 @@ pub fn refit_by(
     };
     let mut damping = 1e-3;
     let mut step_number = 0;
-    while step_number < effort.steps {
+    while step_number < effort.steps && !cancel::asked() {
         step_number += 1;
         let (mut hessian, mut gradient) = normal(&jacobian, &residual);
         for (i, number) in hypothesis.numbers.iter().enumerate() {

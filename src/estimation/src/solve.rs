@@ -19,6 +19,7 @@ mod differences;
 #[rustfmt::skip]
 mod nist;
 
+use super::cancel;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
@@ -281,6 +282,9 @@ pub fn solve(problem: &impl Residuals, start: &[f64], bounds: &Bounds, options: 
     let n = start.len();
     let mut x: Vec<f64> = (0..n).map(|i| start[i].clamp(bounds.low[i], bounds.high[i])).collect();
     let mut end = Solution { x: x.clone(), cost: f64::INFINITY, converged: false, steps: 0 };
+    if cancel::asked() {
+        return end;
+    }
     let Some(mut at) = search.linear(&x) else { return end };
     end.cost = at.cost;
     let (mut damping, mut growth, mut quiet) = (FIRST_DAMPING, 2.0, 0);
@@ -288,7 +292,7 @@ pub fn solve(problem: &impl Residuals, start: &[f64], bounds: &Bounds, options: 
     // Where a number stops mattering its column fades, and a step measured by the column alone would leave for the flat far
     // away; columns therefore fade slowly.
     let mut lengths = vec![0.0f64; n];
-    while end.steps < options.steps {
+    while end.steps < options.steps && !cancel::asked() {
         let gradient = at.factor.tr_mul(&at.right);
         for (length, column) in lengths.iter_mut().zip(at.factor.column_iter()) {
             *length = (FADE * *length).max(column.norm());
