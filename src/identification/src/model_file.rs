@@ -154,8 +154,17 @@ pub enum ModelFileError {
 /// [`ModelFileError`], naming file, line and parameter.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
-    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file: file.clone(), why })?;
-    if crate::literature::file::is_one(&text) {
+    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
+    of_text(&text, path)
+}
+
+/// As [`read`], of a text that is at hand; `path` is how messages name it.
+///
+/// # Errors
+/// As [`read`].
+pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
+    let file = path.to_path_buf();
+    if crate::literature::file::is_one(text) {
         return Err(ModelFileError::ForComparison { file });
     }
     let mut params = Params::new();
@@ -186,7 +195,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
         identification: Identification,
     }
     let tables: Tables =
-        toml::from_str(&text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
+        toml::from_str(text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
     Ok(ModelFile { params, identification: tables.identification })
 }
 
