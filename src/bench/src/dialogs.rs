@@ -98,9 +98,15 @@ impl Dialogs for Native {
 /// Answers given beforehand, for tests.
 #[derive(Default)]
 pub struct Told {
-    /// What will be named, question by question; nothing stands for a user who thinks better of it.
-    pub paths: Vec<Vec<PathBuf>>,
+    paths: Vec<Vec<PathBuf>>,
     asked: Vec<Ask>,
+}
+
+impl Told {
+    /// What will be named, question by question; nothing stands for a user who thinks better of it.
+    pub fn naming(paths: Vec<Vec<PathBuf>>) -> Told {
+        Told { paths, asked: Vec::new() }
+    }
 }
 
 impl Dialogs for Told {

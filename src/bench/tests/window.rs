@@ -5,14 +5,17 @@ mod common;
 use common::{campaign, model, until, window};
 use dashpot_bench::app::App;
 use dashpot_bench::session::model::Tuned;
+use dashpot_bench::session::simulation::Simulated;
 use dashpot_bench::session::tasks::Kind;
 use dashpot_bench::views::lines::Whose;
 use dashpot_bench::words::Language;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
+use egui_kittest::{Harness, Node};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// A window with records and a model open, all forces computed.
 fn opened(folder: &Path, tests: usize, answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
@@ -32,6 +35,29 @@ fn stiffness(harness: &Harness<'_, App>) -> f64 {
 
 fn message(harness: &Harness<'_, App>) -> (String, bool) {
     harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.clone(), m.wrong))
+}
+
+/// The widget of a kind with this name; labels beside it that read the same are others.
+#[track_caller]
+fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
+    let found = harness.query_all(by().role(role).label(label)).next();
+    found.unwrap_or_else(|| panic!("there is no {role:?} called {label:?}"))
+}
+
+/// Clicks a button and lets the window draw what comes of it.
+#[track_caller]
+fn press(harness: &mut Harness<'_, App>, label: &str) {
+    widget(harness, Role::Button, label).click();
+    harness.step();
+    harness.step();
+}
+
+fn has(harness: &Harness<'_, App>, role: Role, label: &str) -> bool {
+    harness.query_all(by().role(role).label(label)).next().is_some()
+}
+
+fn says(harness: &Harness<'_, App>, text: &str) -> bool {
+    harness.query_all(by().label(text)).next().is_some()
 }
 
 #[derive(Debug)]
@@ -59,19 +85,17 @@ fn a_folder_is_opened_by_its_button_and_its_loops_are_drawn() {
     campaign(folder.path(), 9);
     let mut harness = window(vec![vec![folder.path().to_owned()]]);
     harness.step();
-    harness.get_by_label("No records open");
-    harness.get_by_label("Open folder of records…").click();
+    assert!(says(&harness, "No records open"));
+    press(&mut harness, "Open folder of records…");
     until(&mut harness, "the records", |app| app.session.has_records());
-    harness.get_by_label_contains("a40_000");
+    assert!(has(&harness, Role::Button, "a40_000"));
     let lines = harness.state_mut().view.lines.lines.clone();
     assert_eq!(lines.len(), 3, "all speeds of one amplitude");
     assert!(lines.iter().all(|l| l.whose == Whose::Measured && l.velocity.len() > 100));
     // Clicking a test shows it alone, with Ctrl one more.
-    harness.get_by_label_contains("a20_001").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "a20_001");
     assert_eq!(harness.state().session.selected.len(), 1);
-    harness.get_by_label_contains("a08_002").click_modifiers(Modifiers::COMMAND);
+    widget(&harness, Role::Button, "a08_002").click_modifiers(Modifiers::COMMAND);
     harness.step();
     harness.step();
     assert_eq!(harness.state().session.selected.len(), 2);
@@ -98,10 +122,10 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
     // The row may lie below the part of the panel that is shown.
-    harness.get_by_label("series_stiffness N/mm").scroll_to_me();
+    widget(&harness, Role::Slider, "series_stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
-    let slider = harness.get_by_label("series_stiffness N/mm").rect();
+    let slider = widget(&harness, Role::Slider, "series_stiffness N/mm").rect();
     harness.drag_at(slider.center());
     harness.step();
     let generation = harness.state().session.generation;
@@ -127,9 +151,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
     harness.step();
     assert_eq!(stiffness(&harness), after);
-    harness.get_by_label("Reset").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "Reset");
     assert_eq!(stiffness(&harness), before);
 }
 
@@ -139,7 +161,7 @@ fn an_element_is_switched_and_shows_in_every_force() {
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = harness.state().session.simulated.clone().unwrap();
     assert!(harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
-    harness.get_by_label("series compliance").click();
+    widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
     assert!(!harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
@@ -172,12 +194,8 @@ fn a_tuned_model_is_saved_and_opened_again() {
     let row = dashpot_core::parameter::find("series_stiffness").unwrap();
     harness.state_mut().session.tune(|m| m.set(&row, 0, 2.5e6));
     assert!(harness.state().session.is_unsaved());
-    harness.get_by_label("File").click();
-    harness.step();
-    harness.step();
-    harness.get_by_label("Save model as…").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "File");
+    press(&mut harness, "Save model as…");
     assert!(!harness.state().session.is_unsaved(), "{:?}", message(&harness));
     assert_eq!(Tuned::read(&path).unwrap().params().scalar("series_stiffness"), 2.5e6);
     // A record is never replaced by a model.
@@ -193,12 +211,10 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
-    harness.get_by_label("Fit").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "Fit");
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
-    harness.get_by_label("Cancel").click();
-    let asked = std::time::Instant::now();
+    press(&mut harness, "Cancel");
+    let asked = Instant::now();
     until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
     let took = asked.elapsed();
     assert_eq!(*harness.state().session.model.as_ref().unwrap().params(), before);
@@ -221,7 +237,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     assert!(harness.state().session.is_unsaved(), "a new model is not saved yet");
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
-    harness.get_by_label("all tests");
+    assert!(says(&harness, "all tests"));
     // The same figures as the window's own, which come from the same forces.
     let validation = harness.state().session.answers.validation.as_ref().unwrap();
     for (of, own) in validation.tests.iter().zip(&errors) {
@@ -269,18 +285,13 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
-    harness.get_by_label("Records").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "Records");
     harness.state_mut().session.reading.gain = 2.0;
-    harness.get_by_label("Read again").click();
-    harness.step();
+    press(&mut harness, "Read again");
     until(&mut harness, "the records again", |app| app.session.task.is_none());
     let after = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
     assert!((after / before - 2.0).abs() < 1e-6, "{before} {after}");
-    harness.get_by_label("Keep as campaign.toml").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "Keep as campaign.toml");
     let profile = dashpot_records::Profile::of(folder.path()).unwrap().unwrap();
     assert_eq!(profile.gain, 2.0);
     // A test that is excluded is out when the folder is read anew.
@@ -299,20 +310,19 @@ fn five_hundred_tests_are_listed_and_drawn() {
     harness.step();
     let points: usize = harness.state().view.lines.lines.iter().map(|l| l.velocity.len()).sum();
     assert!(points < 80_000, "thinned to what a frame can draw: {points}");
-    harness.get_by_label("Filter by name").type_text("a08_002");
+    widget(&harness, Role::TextInput, "Filter by name").click();
+    harness.step();
+    widget(&harness, Role::TextInput, "Filter by name").type_text("a08_002");
     harness.step();
     harness.step();
-    harness.get_by_label_contains("Use a08_002");
-    assert!(harness.query_by_label_contains("Use a40_000").is_none());
+    assert!(has(&harness, Role::CheckBox, "Use a08_002") && !has(&harness, Role::CheckBox, "Use a08_005"));
 }
 
 #[test]
 fn closing_in_the_middle_of_a_fit_asks_first() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
-    harness.get_by_label("Fit").click();
-    harness.step();
-    harness.step();
+    press(&mut harness, "Fit");
     let close = |harness: &mut Harness<'_, App>| {
         let viewport = harness.input_mut().viewports.entry(ViewportId::ROOT).or_default();
         viewport.events.push(ViewportEvent::Close);
@@ -324,16 +334,13 @@ fn closing_in_the_middle_of_a_fit_asks_first() {
     close(&mut harness);
     assert!(sent(&harness, &ViewportCommand::CancelClose));
     harness.step();
-    harness.get_by_label("Close dashpot?");
-    harness.get_by_label("Stay").click();
-    harness.step();
-    harness.step();
-    assert!(harness.query_by_label("Close dashpot?").is_none());
+    assert!(says(&harness, "Close dashpot?"));
+    press(&mut harness, "Stay");
+    assert!(!says(&harness, "Close dashpot?"));
     assert!(harness.state().session.task.is_some(), "the fit goes on");
     close(&mut harness);
     harness.step();
-    harness.get_by_label("Close anyway").click();
-    harness.step();
+    press(&mut harness, "Close anyway");
     assert!(harness.state().view.may_close);
     until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
     assert!(harness.state().session.answers.fit.is_none());
@@ -359,11 +366,10 @@ fn every_language_draws_every_view() {
         for side in [words.tune, words.answer, words.records, words.study] {
             harness.step();
             harness.step();
-            harness.get_all_by_label(side).next().unwrap().click();
-            harness.step();
+            press(&mut harness, side);
         }
         harness.step();
-        harness.get_all_by_label(words.study).next().unwrap();
+        assert!(has(&harness, Role::Button, words.study));
     }
 }
 
@@ -371,10 +377,8 @@ fn every_language_draws_every_view() {
 fn a_number_is_studied_and_an_effect_is_looked_at() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
-    harness.get_by_label("Study").click();
-    harness.step();
-    harness.step();
-    harness.get_by_label("Compute").click();
+    press(&mut harness, "Study");
+    press(&mut harness, "Compute");
     until(&mut harness, "the family", |app| app.session.study.is_some());
     let study = harness.state().session.study.clone().unwrap();
     assert_eq!(study.members.len(), 7);
@@ -404,12 +408,8 @@ fn a_plot_is_saved_as_a_table_and_as_a_figure() {
     let (csv, svg) = (out.path().join("p.csv"), out.path().join("p.svg"));
     let mut harness = opened(folder.path(), 3, vec![vec![csv.clone()], vec![svg.clone()]]);
     for kind in ["CSV", "SVG"] {
-        harness.get_by_label("Save plot Force over velocity").click();
-        harness.step();
-        harness.step();
-        harness.get_by_label(kind).click();
-        harness.step();
-        harness.step();
+        press(&mut harness, "Save plot Force over velocity");
+        press(&mut harness, kind);
     }
     let table = std::fs::read_to_string(&csv).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
     assert!(table.starts_with("line,\"Velocity [m/s]\",\"Force [N]\"\n") && table.lines().count() > 100);
@@ -435,7 +435,6 @@ fn a_property_file_and_an_adams_folder_are_exported() {
 fn everything_that_can_be_clicked_has_a_name() {
     let folder = tempfile::tempdir().unwrap();
     let harness = opened(folder.path(), 6, vec![]);
-    use egui::accesskit::Role;
     let acts = [Role::Button, Role::CheckBox, Role::Slider, Role::ComboBox, Role::TextInput, Role::SpinButton];
     let found = harness.query_all(by().predicate(move |node| acts.contains(&node.role())));
     let (mut count, mut nameless) = (0, Vec::new());
@@ -447,4 +446,53 @@ fn everything_that_can_be_clicked_has_a_name() {
         }
     }
     assert!(count > 40 && nameless.is_empty(), "{count}: {nameless:?}");
+}
+
+/// How long the window takes, on a campaign and a model of one's own: reading and preparing the records until the first loops can be
+/// drawn; from a slider's move until loops and errors of all tests are there; a frame meanwhile, without the graphics card.
+///
+/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-bench --test window latency -- --ignored --nocapture`
+#[test]
+#[ignore = "measures, and needs a campaign and a model"]
+fn latency() {
+    let given = |name: &str| std::env::var_os(name).map(PathBuf::from);
+    let (Some(records), Some(model)) = (given("DASHPOT_CAMPAIGN"), given("DASHPOT_MODEL")) else {
+        println!("skipped: DASHPOT_CAMPAIGN and DASHPOT_MODEL name no campaign and no model");
+        return;
+    };
+    const MOVES: usize = 60;
+    let mut harness = window(vec![]);
+    let began = Instant::now();
+    harness.state_mut().session.open(&[records, model]);
+    until(&mut harness, "the records", |app| app.session.has_records());
+    let tests = harness.state().session.campaign.as_ref().unwrap().tests.len();
+    println!("{tests} tests: {:.0} ms from opening to the first loops", 1e3 * began.elapsed().as_secs_f64());
+    until(&mut harness, "the forces", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    println!("{:.0} ms until model and errors stand beside them", 1e3 * began.elapsed().as_secs_f64());
+    let row = dashpot_core::parameter::find("series_stiffness").unwrap();
+    let value = stiffness(&harness);
+    let (mut follows, mut frames) = (Vec::new(), Vec::new());
+    for k in 1..=MOVES {
+        let wanted = value * (1.0 + 0.01 * k as f64);
+        let moved = Instant::now();
+        harness.state_mut().session.tune(|m| m.set(&row, 0, wanted));
+        loop {
+            let frame = Instant::now();
+            harness.step();
+            frames.push(frame.elapsed().as_secs_f64());
+            let there = |s: &Arc<Simulated>| s.params.scalar("series_stiffness") == wanted;
+            if harness.state().session.simulated.as_ref().is_some_and(there) {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        follows.push(moved.elapsed().as_secs_f64());
+    }
+    let told = |name: &str, mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        let at = |part: f64| 1e3 * times[((times.len() - 1) as f64 * part) as usize];
+        println!("{name}: median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms", at(0.5), at(0.95), at(1.0));
+    };
+    told("from a slider's move to the loops and errors of all tests", follows);
+    told("a frame meanwhile", frames);
 }

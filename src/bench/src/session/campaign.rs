@@ -10,6 +10,8 @@ use std::path::PathBuf;
 pub struct Loaded {
     /// Files and folders that were given.
     pub paths: Vec<PathBuf>,
+    /// The folder of the records where they lie in one, as it was when they were read: later it may be gone.
+    pub folder: Option<PathBuf>,
     /// How they were read, beside what `campaign.toml` says.
     pub options: Options,
     /// The records.
@@ -114,20 +116,15 @@ impl Loaded {
     ) -> Result<Loaded, RecordError> {
         let campaign = load(&paths, &options, &|p| progress(p.done as f64 / p.total.max(1) as f64, ""))?;
         let tests = campaign.records.par_iter().map(Seen::new).collect();
-        Ok(Loaded { paths, options, campaign, tests })
+        let mut folders: Vec<PathBuf> = paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
+        folders.dedup();
+        let folder = folders.pop().filter(|_| folders.is_empty());
+        Ok(Loaded { paths, folder, options, campaign, tests })
     }
 
     /// Where it comes from, in a few words.
     pub fn named(&self) -> String {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
-    }
-
-    /// The folder of the records, where there is one.
-    pub fn folder(&self) -> Option<PathBuf> {
-        let mut folders: Vec<PathBuf> = self.paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
-        folders.dedup();
-        let [folder] = &folders[..] else { return None };
-        Some(folder.clone())
     }
 
     /// The test of another campaign that was run as this one is: same amplitude, frequency and mean position.

@@ -153,7 +153,6 @@ impl Session {
 
     /// Reads records beside the window.
     pub fn open_records(&mut self, paths: Vec<PathBuf>, options: Options) {
-        self.reading = options.clone();
         let paths = paths.iter().map(|p| profile_stands_for_its_folder(p)).collect();
         self.begin(Kind::Read, move |report| {
             Loaded::read(paths, options, report).map(Outcome::Read).map_err(|e| e.to_string())
@@ -337,7 +336,8 @@ impl Session {
         }
         outputs::remember_inputs(&loaded);
         // What is kept beside the records is shown and can be changed.
-        if let Some(Ok(Some(profile))) = loaded.folder().map(|folder| Profile::of(&folder)) {
+        self.reading = loaded.options.clone();
+        if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::of(folder)) {
             if let Ok(said) = profile.options() {
                 self.reading = self.reading.over(&said);
                 self.reading.exclude.sort();

@@ -68,7 +68,7 @@ impl Session {
 
     /// Keeps how the records are read as `campaign.toml` beside them; whether it could.
     pub fn keep_reading(&mut self) -> bool {
-        let Some(folder) = self.campaign.as_ref().and_then(|c| c.folder()) else { return false };
+        let Some(folder) = self.campaign.as_ref().and_then(|c| c.folder.clone()) else { return false };
         let path = folder.join(profile::FILE);
         let written = || -> anyhow::Result<()> {
             self.reading.check().map_err(anyhow::Error::msg)?;

@@ -63,8 +63,7 @@ pub fn model(folder: &Path) -> PathBuf {
 /// A window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
-        let dialogs = Told { paths: answers, ..Told::default() };
-        let mut app = App::with_recent(&creation.egui_ctx, Box::new(dialogs), Recent::read(None));
+        let mut app = App::with_recent(&creation.egui_ctx, Box::new(Told::naming(answers)), Recent::read(None));
         app.view.language = dashpot_bench::words::Language::English;
         app
     })
