@@ -14,7 +14,7 @@ use std::process::ExitCode;
 #[command(
     version,
     arg_required_else_help = true,
-    after_help = "First steps:\n  dashpot demo                         everything once, on a virtual rig\n  dashpot fit RECORDS/ -o damper.toml  your own records\n  dashpot validate damper.toml RECORDS/ --report report.html"
+    after_help = "First steps:\n  dashpot demo                         everything once, on a virtual rig\n  dashpot fit RECORDS/ -o damper.toml  your own records\n  dashpot validate damper.toml RECORDS/ --report report.html\n  dashpot open RECORDS/                the window"
 )]
 struct Cli {
     #[command(subcommand)]
@@ -39,6 +39,7 @@ enum Verb {
     Import(verbs::import::Args),
     ImportProfile(verbs::import_profile::Args),
     Manoeuvre(verbs::manoeuvre::Args),
+    Open(verbs::open::Args),
 }
 
 fn main() -> ExitCode {
@@ -68,6 +69,7 @@ fn main() -> ExitCode {
         Verb::Import(args) => verbs::import::run(&args),
         Verb::ImportProfile(args) => verbs::import_profile::run(&args),
         Verb::Manoeuvre(args) => verbs::manoeuvre::run(&args),
+        Verb::Open(args) => verbs::open::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

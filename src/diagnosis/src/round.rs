@@ -9,6 +9,7 @@ use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::priors::implausibility;
+use dashpot_estimation::cancel;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::{Test, Thin};
 use dashpot_estimation::sensitivity::Accuracy;
@@ -162,6 +163,9 @@ pub fn look(ground: &Ground, last: &(Hypothesis, Refit), without: &[&str]) -> Op
     let started: Vec<Started> = choose(&screened, &list)
         .par_iter()
         .filter_map(|place| {
+            if cancel::asked() {
+                return None;
+            }
             let s = &screened[*place];
             let residual_at = |theta: &[f64]| roughly.residual(&s.hypothesis, &thin.tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);

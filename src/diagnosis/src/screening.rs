@@ -7,6 +7,7 @@ use super::extend::extend;
 use super::nearby::Nearby;
 use super::vocabulary::{Candidate, Fresh, Start};
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Residual};
+use dashpot_estimation::cancel;
 use dashpot_estimation::refit::{Refit, gram, weights};
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::Unknown;
@@ -108,6 +109,9 @@ pub fn screen(
         candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
     jobs.par_iter()
         .filter_map(|(place, candidate, start)| {
+            if cancel::asked() {
+                return None;
+            }
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();

@@ -14,8 +14,10 @@
 //! | [`least_squares`], [`refit`] | bounded, robust least squares |
 //! | [`solve`] | bounded, robust least squares for any residuals |
 //! | [`deviations`] | how far the records leave numbers open |
+//! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
+pub mod cancel;
 pub mod curve_weights;
 pub mod deviations;
 pub mod gap;

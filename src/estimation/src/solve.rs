@@ -21,6 +21,7 @@ mod reduce;
 #[rustfmt::skip]
 mod nist;
 
+use super::cancel;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use reduce::reduce;
@@ -337,6 +338,9 @@ pub fn solve_knowing<R: Residuals>(
     let n = start.len();
     let mut x = bounds.inside(start);
     let mut end = Solution { x: x.clone(), cost: f64::INFINITY, converged: false, steps: 0, rows: Vec::new() };
+    if cancel::asked() {
+        return end;
+    }
     let Some(mut rows) = search.first_rows(&x, jacobian) else { return end };
     let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
     let mut linear = search.linear(&x, &rows);
@@ -346,7 +350,7 @@ pub fn solve_knowing<R: Residuals>(
     // Where a number stops mattering its column fades, and a step measured by the column alone would leave for the flat far
     // away; columns therefore fade slowly.
     let mut lengths = vec![0.0f64; n];
-    while end.steps < options.steps && cost.is_finite() {
+    while end.steps < options.steps && cost.is_finite() && !cancel::asked() {
         if std::mem::take(&mut moved_on) {
             for (length, column) in lengths.iter_mut().zip(linear.factor.column_iter()) {
                 *length = (FADE * *length).max(column.norm());

@@ -187,15 +187,15 @@ impl ModelFile {
 /// [`ModelFileError`], naming file, line and parameter.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
-    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file: file.clone(), why })?;
-    parse(&text, path)
+    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
+    of_text(&text, path)
 }
 
-/// As [`read`], from the text of a model file; `path` is what errors call it.
+/// As [`read`], of a text that is at hand; `path` is how messages name it.
 ///
 /// # Errors
 /// As [`read`].
-pub fn parse(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
+pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     if crate::literature::file::is_one(text) {
         return Err(ModelFileError::ForComparison { file });

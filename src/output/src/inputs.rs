@@ -1,19 +1,19 @@
 //! The files and folders that a run reads: no output may take their place.
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{PoisonError, RwLock};
 
-static INPUTS: OnceLock<Vec<PathBuf>> = OnceLock::new();
+static INPUTS: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
 
-/// Remembers every existing file or folder that a run was given to read.
+/// Remembers every existing file or folder that a run was given to read; the window is given more as it runs.
 pub fn remember(paths: impl IntoIterator<Item = PathBuf>) {
-    // Said once, at the start of the program.
-    let _ = INPUTS.set(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()).collect());
+    let mut inputs = INPUTS.write().unwrap_or_else(PoisonError::into_inner);
+    inputs.extend(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()));
 }
 
 /// Whether an existing file is read by this run: named itself, or a record in a folder that is named.
 pub fn reads(path: &Path) -> bool {
-    INPUTS.get().is_some_and(|inputs| is_among(path, inputs))
+    is_among(path, &INPUTS.read().unwrap_or_else(PoisonError::into_inner))
 }
 
 fn is_among(path: &Path, inputs: &[PathBuf]) -> bool {

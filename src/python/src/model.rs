@@ -63,7 +63,7 @@ struct ModelJson<'a> {
 impl Model {
     /// From the text of a model file; `name` is what errors call it.
     pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
-        let file = model_file::parse(&text, name).map_err(raise::<ModelError>)?;
+        let file = model_file::of_text(&text, name).map_err(raise::<ModelError>)?;
         let prepared = model_file::prepared(&file.params).map_err(raise::<ModelError>)?;
         Ok(Model { file, prepared: Box::new(prepared), text })
     }

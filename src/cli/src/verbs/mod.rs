@@ -13,6 +13,7 @@ pub mod import;
 pub mod import_profile;
 pub mod manoeuvre;
 pub mod matrix;
+pub mod open;
 pub mod rig;
 pub mod simulate;
 pub mod validate;

@@ -2,7 +2,6 @@
 
 use anyhow::bail;
 use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::{Model, Params};
 use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
@@ -32,7 +31,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("{}: the element fv_curve is off, so there is no curve to export", args.model.display());
     }
     let model = prepared(&file.params)?;
-    let curve = curve(&file.params, &model);
+    let curve = Curve::of(&file.params, &model);
     let xml = args.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
     let form = if xml { Form::Xml } else { Form::TeimOrbit };
     let gas_force = if xml && file.params.is_on("gas_preload") { file.params.scalar("gas_force") } else { 0.0 };
@@ -57,18 +56,4 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, &text)?;
     let more = if left_out.is_empty() { String::new() } else { format!("; left out: {}", left_out.join(", ")) };
     dashpot_output::say(Some(&args.output), &format!("{points} points in {}{more}", args.output.display()))
-}
-
-/// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
-fn curve(params: &Params, model: &Model) -> Curve {
-    let fv = model.elements().fv_curve;
-    let velocities = if params.scalar("fv_form") == 0.0 {
-        params.list("fv_velocity").to_vec()
-    } else {
-        let of = |name: &str| params.scalar(name);
-        let (r1, r2, c1) = (of("fv_rebound_v1"), of("fv_rebound_v2"), of("fv_compression_v1"));
-        vec![-3.0 * c1.max(r2), -2.0 * c1, -c1, -0.5 * c1, 0.0, 0.5 * r1, r1, 0.5 * (r1 + r2), r2, 1.5 * r2, 3.0 * r2]
-    };
-    let forces = velocities.iter().map(|v| fv.at(*v).value).collect();
-    Curve { velocities, forces }
 }

@@ -4,6 +4,8 @@ mod teim_orbit;
 mod units;
 mod xml;
 
+use dashpot_core::{Model, Params};
+
 /// A force-velocity table in SI.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
@@ -11,6 +13,22 @@ pub struct Curve {
     pub velocities: Vec<f64>,
     /// Forces, N.
     pub forces: Vec<f64>,
+}
+
+impl Curve {
+    /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
+    pub fn of(params: &Params, model: &Model) -> Curve {
+        let fv = model.elements().fv_curve;
+        let velocities = if params.scalar("fv_form") == 0.0 {
+            params.list("fv_velocity").to_vec()
+        } else {
+            let of = |name: &str| params.scalar(name);
+            let (r1, r2, c1) = (of("fv_rebound_v1"), of("fv_rebound_v2"), of("fv_compression_v1"));
+            vec![-3.0 * c1.max(r2), -2.0 * c1, -c1, -0.5 * c1, 0.0, 0.5 * r1, r1, 0.5 * (r1 + r2), r2, 1.5 * r2, 3.0 * r2]
+        };
+        let forces = velocities.iter().map(|v| fv.at(*v).value).collect();
+        Curve { velocities, forces }
+    }
 }
 
 /// What a property file says of a damper, in SI.

@@ -1,0 +1,216 @@
+//! The window: views arranged around a session.
+
+use crate::dialogs::{Ask, Dialogs};
+use crate::session::recent::Recent;
+use crate::session::{Session, Waker, outputs};
+use crate::views::plots::{self, Which};
+use crate::views::{Corner, Side, View, answer, bar, closing, matrix, records, status, study, tests, tune};
+use crate::words::Language;
+use dashpot_output::Kind;
+use eframe::egui::{self, CentralPanel, ColorImage, Panel, Rect, Ui};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+/// The window.
+pub struct App {
+    /// What is open.
+    pub session: Session,
+    /// How it is looked at.
+    pub view: View,
+    dialogs: Box<dyn Dialogs>,
+    waker: Waker,
+    pictures: (Sender<Picture>, Receiver<Picture>),
+}
+
+/// A part of the window as it was drawn, and where it goes.
+struct Picture {
+    path: PathBuf,
+    part: [f32; 4],
+    scale: f32,
+    image: Arc<ColorImage>,
+}
+
+/// How often the window looks at work under way while nothing else moves.
+const LOOK: Duration = Duration::from_millis(60);
+
+impl App {
+    /// Nothing is open; texts in the language of the system where there is one.
+    pub fn new(ctx: &egui::Context, dialogs: Box<dyn Dialogs>) -> App {
+        App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
+    }
+
+    /// The same with a list of recent campaigns of one's own.
+    pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
+        let own = ctx.clone();
+        let waker: Waker = Arc::new(move || own.request_repaint());
+        let view = View { language: Language::of_system(), ..View::default() };
+        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, pictures: channel() }
+    }
+
+    /// Draws everything.
+    pub fn show(&mut self, ui: &mut Ui) {
+        self.take_drops(ui);
+        if self.session.poll() {
+            ui.ctx().request_repaint_after(LOOK);
+        }
+        bar::keys(ui, &mut self.session, &mut self.view);
+        let (session, view) = (&mut self.session, &mut self.view);
+        Panel::top("bar").show(ui, |ui| bar::show(ui, session, view));
+        Panel::bottom("status").exact_size(30.0).show(ui, |ui| status::show(ui, session, view));
+        Panel::left("tests")
+            .default_size(270.0)
+            .size_range(200.0..=460.0)
+            .show(ui, |ui| tests::show(ui, session, view));
+        Panel::right("side").default_size(330.0).size_range(270.0..=560.0).show(ui, |ui| side(ui, session, view));
+        CentralPanel::default().show(ui, |ui| centre(ui, session, view));
+        closing::show(ui, session, view);
+        for ask in std::mem::take(&mut self.view.asks) {
+            self.dialogs.ask(ask, self.waker.clone());
+        }
+        while let Some((ask, paths)) = self.dialogs.answer() {
+            self.obey(ui.ctx(), ask, paths);
+        }
+        while let Ok(picture) = self.pictures.1.try_recv() {
+            self.write_picture(&picture);
+        }
+    }
+
+    fn take_drops(&mut self, ui: &Ui) {
+        let dropped: Vec<PathBuf> =
+            ui.ctx().input(|i| i.raw.dropped_files.iter().map(|f| f.path().to_path_buf()).collect());
+        if !dropped.is_empty() {
+            self.session.open(&dropped);
+        }
+    }
+
+    /// Does what was asked about files, with those that were named.
+    fn obey(&mut self, ctx: &egui::Context, ask: Ask, paths: Vec<PathBuf>) {
+        let Some(first) = paths.first().cloned() else { return };
+        let session = &mut self.session;
+        match ask {
+            Ask::Folder | Ask::Files => session.open_records(paths, dashpot_records::Options::default()),
+            Ask::Reference => session.open_reference(paths),
+            Ask::Model => session.open_model(&first),
+            Ask::SaveModel => {
+                session.save(&first);
+            }
+            Ask::Export(host) => session.export(host, first),
+            Ask::Report => session.write_report(first),
+            Ask::DiagnosisReport => session.write_diagnosis(first),
+            Ask::Text(_, text) => {
+                let kind = Kind::of(text.as_bytes());
+                self.told(&first, outputs::write(&first, kind, text.as_bytes()));
+            }
+            Ask::Picture(part) => {
+                let (send, scale, waker) = (self.pictures.0.clone(), ctx.pixels_per_point(), self.waker.clone());
+                ctx.request_screenshot(move |image| {
+                    let _ = send.send(Picture { path: first, part, scale, image });
+                    waker();
+                });
+            }
+        }
+    }
+
+    fn told(&mut self, path: &Path, written: anyhow::Result<()>) {
+        match written {
+            Ok(()) => self.session.say(path.display().to_string()),
+            Err(error) => self.session.complain(format!("{error:#}")),
+        }
+    }
+
+    fn write_picture(&mut self, picture: &Picture) {
+        let written = png(&picture.image, picture.part, picture.scale)
+            .and_then(|bytes| outputs::write(&picture.path, Kind::Picture, &bytes));
+        self.told(&picture.path, written);
+    }
+}
+
+/// A part of the window as a PNG file.
+fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>> {
+    let whole = Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(image.width() as f32, image.height() as f32));
+    let [left, top, right, bottom] = part.map(|v| (v * scale).round());
+    let part = Rect::from_min_max(egui::pos2(left, top), egui::pos2(right, bottom)).intersect(whole);
+    let (x, y) = (part.left() as usize, part.top() as usize);
+    let (width, height) = (part.width() as usize, part.height() as usize);
+    anyhow::ensure!(width > 0 && height > 0, "the plot was not on the screen");
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let rows = (y..y + height).flat_map(|row| &image.pixels[row * image.width() + x..][..width]);
+    let data: Vec<u8> = rows.flat_map(|c| [c.r(), c.g(), c.b()]).collect();
+    encoder.write_header()?.write_image_data(&data)?;
+    Ok(bytes)
+}
+
+fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    ui.horizontal_wrapped(|ui| {
+        let sides =
+            [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
+        for (side, text) in sides {
+            ui.selectable_value(&mut view.side, side, text);
+        }
+    });
+    ui.separator();
+    match view.side {
+        Side::Tune => tune::show(ui, session, view),
+        Side::Answer => answer::show(ui, session, view),
+        Side::Records => records::show(ui, session, view),
+        Side::Study => study::show(ui, session, view),
+    }
+}
+
+fn centre(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    if !session.has_records() {
+        ui.centered_and_justified(|ui| ui.label(egui::RichText::new(w.drop_here).size(20.0).weak()));
+        return;
+    }
+    let gap = ui.spacing().item_spacing;
+    let half = egui::vec2((ui.available_width() - gap.x) / 2.0, (ui.available_height() - gap.y) / 2.0);
+    let place = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| {
+        ui.allocate_ui_with_layout(half, egui::Layout::top_down(egui::Align::Min), |ui| {
+            ui.set_min_size(half);
+            ui.set_max_size(half);
+            add(ui);
+        });
+    };
+    ui.horizontal(|ui| {
+        place(ui, &mut |ui| plots::loops(ui, session, view, Which::Velocity));
+        place(ui, &mut |ui| plots::loops(ui, session, view, Which::Displacement));
+    });
+    ui.horizontal(|ui| {
+        place(ui, &mut |ui| plots::peaks(ui, session, view));
+        place(ui, &mut |ui| corner(ui, session, view));
+    });
+}
+
+fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let warm = session.campaign.as_ref().is_some_and(|c| c.campaign.records.iter().any(|r| r.temperature.is_some()));
+    ui.horizontal_wrapped(|ui| {
+        ui.selectable_value(&mut view.corner, Corner::Matrix, w.error_matrix);
+        ui.selectable_value(&mut view.corner, Corner::Time, w.force_time);
+        if warm {
+            ui.selectable_value(&mut view.corner, Corner::Temperature, w.temperature);
+        }
+        if session.study.is_some() {
+            ui.selectable_value(&mut view.corner, Corner::Study, w.study);
+        }
+    });
+    match view.corner {
+        Corner::Time => plots::loops(ui, session, view, Which::Time),
+        Corner::Temperature if warm => plots::loops(ui, session, view, Which::Temperature),
+        Corner::Study => study::plot(ui, session, w),
+        _ => matrix::show(ui, session, view),
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.show(ui);
+    }
+}

@@ -1,0 +1,47 @@
+//! `dashpot-window [CAMPAIGN] [MODEL]`: what `dashpot open` starts.
+
+use dashpot_bench::app::App;
+use dashpot_bench::dialogs::Native;
+use eframe::egui;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+const HELP: &str = "The window of dashpot: records and a model, looked at, tuned, fitted and exported\n\n\
+    Usage: dashpot-window [CAMPAIGN] [MODEL]\n\n\
+    CAMPAIGN is a folder of records or record files, MODEL a model file; both can be opened or dropped later.\n\
+    Example: dashpot-window campaign/ damper.toml";
+
+fn main() -> ExitCode {
+    let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    if paths.iter().any(|p| p.as_os_str() == "--help" || p.as_os_str() == "-h") {
+        println!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    if let Some(missing) = paths.iter().find(|p| !p.exists()) {
+        eprintln!("dashpot: {}: there is no such file or folder; check the path", missing.display());
+        return ExitCode::from(2);
+    }
+    let viewport = egui::ViewportBuilder::default()
+        .with_title("dashpot")
+        .with_app_id("dashpot")
+        .with_inner_size([1440.0, 900.0])
+        .with_min_inner_size([900.0, 600.0])
+        .with_drag_and_drop(true);
+    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    let ran = eframe::run_native(
+        "dashpot",
+        options,
+        Box::new(move |creation| {
+            let mut app = App::new(&creation.egui_ctx, Box::new(Native::default()));
+            app.session.open(&paths);
+            Ok(Box::new(app))
+        }),
+    );
+    match ran {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("dashpot: no window can be opened here ({error}); on a machine without a screen use the verbs");
+            ExitCode::from(2)
+        }
+    }
+}

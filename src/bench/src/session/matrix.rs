@@ -1,0 +1,98 @@
+//! The error matrix: amplitudes down, speeds or frequencies across.
+
+use dashpot_records::Record;
+
+/// What runs across.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Across {
+    /// Peak velocity.
+    #[default]
+    Velocity,
+    /// Frequency.
+    Frequency,
+}
+
+/// The tests by amplitude and speed.
+#[derive(Debug, Clone, Default)]
+pub struct Grid {
+    /// Amplitudes of the rows, m.
+    pub rows: Vec<f64>,
+    /// Peak velocities, m/s, or frequencies, Hz, of the columns.
+    pub columns: Vec<f64>,
+    /// Tests in each cell, row by row.
+    pub cells: Vec<Vec<usize>>,
+    /// Tests that have no place: no whole cycles.
+    pub elsewhere: Vec<usize>,
+}
+
+/// Values that lie closer than this share are one row or column; rigs meet their targets within a few percent.
+const SAME: f64 = 0.06;
+
+/// The middle of each cluster of values.
+fn clusters(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_by(f64::total_cmp);
+    let mut groups: Vec<Vec<f64>> = Vec::new();
+    for value in values {
+        match groups.last_mut() {
+            Some(group) if value <= group[0] * (1.0 + SAME) => group.push(value),
+            _ => groups.push(vec![value]),
+        }
+    }
+    groups.into_iter().map(|g| g.iter().sum::<f64>() / g.len() as f64).collect()
+}
+
+fn nearest(of: &[f64], value: f64) -> Option<usize> {
+    (0..of.len()).min_by(|a, b| (of[*a] / value).ln().abs().total_cmp(&(of[*b] / value).ln().abs()))
+}
+
+impl Grid {
+    /// Sorts the tests.
+    pub fn new(records: &[Record], across: Across) -> Grid {
+        let of = |r: &Record| match across {
+            Across::Velocity => r.peak_velocity,
+            Across::Frequency => r.frequency,
+        };
+        let placed = |r: &Record| r.frequency > 0.0 && r.amplitude > 0.0 && of(r) > 0.0;
+        let rows = clusters(records.iter().filter(|r| placed(r)).map(|r| r.amplitude).collect());
+        let columns = clusters(records.iter().filter(|r| placed(r)).map(of).collect());
+        let mut grid =
+            Grid { cells: vec![Vec::new(); rows.len() * columns.len()], rows, columns, elsewhere: Vec::new() };
+        for (k, record) in records.iter().enumerate() {
+            match (nearest(&grid.rows, record.amplitude), nearest(&grid.columns, of(record))) {
+                (Some(row), Some(column)) if placed(record) => grid.cells[row * grid.columns.len() + column].push(k),
+                _ => grid.elsewhere.push(k),
+            }
+        }
+        grid
+    }
+
+    /// The tests of a cell.
+    pub fn cell(&self, row: usize, column: usize) -> &[usize] {
+        self.cells.get(row * self.columns.len() + column).map_or(&[], Vec::as_slice)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_test_has_one_place() {
+        let record = |amplitude: f64, frequency: f64| Record {
+            amplitude,
+            frequency,
+            peak_velocity: std::f64::consts::TAU * frequency * amplitude,
+            ..Record::default()
+        };
+        let records = [record(0.05, 1.0), record(0.0502, 2.0), record(0.005, 10.0), record(0.02, 0.0)];
+        for across in [Across::Velocity, Across::Frequency] {
+            let grid = Grid::new(&records, across);
+            assert_eq!(grid.rows.len(), 2);
+            let mut all: Vec<usize> = grid.cells.concat();
+            all.extend(&grid.elsewhere);
+            all.sort_unstable();
+            assert_eq!(all, [0, 1, 2, 3]);
+            assert_eq!(grid.elsewhere, [3]);
+        }
+    }
+}

@@ -1,0 +1,372 @@
+//! The model that is tuned, beside the one that was identified, with every step back.
+
+use crate::session::history::History;
+use dashpot_core::parameter::{self, Row, Shape};
+use dashpot_core::{Model, Params};
+use dashpot_estimation::priors::{self, Usual};
+use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
+use std::path::{Path, PathBuf};
+
+/// A model file that is open.
+pub struct Tuned {
+    /// Where it was read from or saved last.
+    pub path: Option<PathBuf>,
+    /// As it was read or fitted: what tuning is compared with, and what reset returns to.
+    pub identified: Params,
+    /// What the fit left behind.
+    pub identification: Identification,
+    /// The text that a fit or a diagnosis made, while nothing was tuned since.
+    text: Option<String>,
+    /// Values as they are now, and were.
+    history: History<Params>,
+    /// Values as they were saved last.
+    saved: Option<Params>,
+    /// Why the last change was refused.
+    pub refused: Option<String>,
+}
+
+/// What a change belongs to: changes of one kind in one go are undone together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// A parameter, by its place in the table, and the entry of its list.
+    Value(usize, usize),
+    /// An element switched on or off.
+    Element(usize),
+    /// Everything at once.
+    Whole,
+}
+
+impl Tuned {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// The reader's sentence.
+    pub fn read(path: &Path) -> Result<Tuned, String> {
+        let file = model_file::read(path).map_err(|e| e.to_string())?;
+        Ok(Tuned {
+            path: Some(path.to_owned()),
+            saved: Some(file.params),
+            text: std::fs::read_to_string(path).ok(),
+            ..Tuned::new(file.params, file.identification)
+        })
+    }
+
+    fn new(params: Params, identification: Identification) -> Tuned {
+        Tuned {
+            path: None,
+            identified: params,
+            identification,
+            text: None,
+            history: History::new(params),
+            saved: None,
+            refused: None,
+        }
+    }
+
+    /// A model that was just identified, from the text of its file.
+    ///
+    /// # Errors
+    /// Where the text is no model file; what a fit writes is.
+    pub fn identified(text: String) -> Result<Tuned, String> {
+        let file = model_file::of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
+        Ok(Tuned { text: Some(text), ..Tuned::new(file.params, file.identification) })
+    }
+
+    /// Values as they are now.
+    pub fn params(&self) -> &Params {
+        self.history.now()
+    }
+
+    /// The model of the values.
+    pub fn model(&self) -> Option<Model> {
+        Model::new(self.params()).ok()
+    }
+
+    /// As the file it would be saved to reads.
+    pub fn file(&self) -> ModelFile {
+        ModelFile { params: *self.params(), identification: self.identification.clone() }
+    }
+
+    /// Whether something would be lost by closing.
+    pub fn is_unsaved(&self) -> bool {
+        self.saved.as_ref() != Some(self.params())
+    }
+
+    /// Whether the values are others than those identified.
+    pub fn is_tuned(&self) -> bool {
+        self.identified != *self.params()
+    }
+
+    /// Takes other values where they make a model; says why not otherwise.
+    pub fn change(&mut self, change: Change, params: Params) -> bool {
+        match Model::new(&params) {
+            Ok(_) => {
+                self.refused = None;
+                self.history.change(change, params)
+            }
+            Err(fault) => {
+                let name = parameter::table().nth(fault.parameter as usize).map_or("", |row| row.parameter.name);
+                self.refused = Some(format!("{name} {}", fault.reason.text()));
+                false
+            }
+        }
+    }
+
+    /// Sets a number, or an entry of a list.
+    pub fn set(&mut self, row: &Row, entry: usize, value: f64) -> bool {
+        let p = row.parameter;
+        let mut params = *self.params();
+        let value = value.clamp(p.low, p.high);
+        let done = match p.shape {
+            Shape::List(_) => {
+                let mut list = params.get(row).to_vec();
+                let Some(place) = list.get_mut(entry) else { return false };
+                *place = value;
+                params.set_list(p.name, &list)
+            }
+            _ => params.set(p.name, value),
+        };
+        done.is_ok() && self.change(Change::Value(row.index, entry), params)
+    }
+
+    /// Switches an element.
+    pub fn switch(&mut self, group: usize, on: bool) -> bool {
+        let mut params = *self.params();
+        let done = params.enable(dashpot_core::elements::GROUPS[group].name, on);
+        let changed = done.is_ok() && self.change(Change::Element(group), params);
+        self.seal();
+        changed
+    }
+
+    /// The next change is undone by itself.
+    pub fn seal(&mut self) {
+        self.history.seal();
+    }
+
+    /// Takes the last change back.
+    pub fn undo(&mut self) -> bool {
+        self.refused = None;
+        self.history.undo()
+    }
+
+    /// Does again what was taken back.
+    pub fn redo(&mut self) -> bool {
+        self.refused = None;
+        self.history.redo()
+    }
+
+    /// Whether there is something to take back, and to do again.
+    pub fn can(&self) -> (bool, bool) {
+        self.history.can()
+    }
+
+    /// Back to the identified values; one step that can be taken back.
+    pub fn reset(&mut self) -> bool {
+        self.history.seal();
+        let changed = self.change(Change::Whole, self.identified);
+        self.history.seal();
+        changed
+    }
+
+    /// The text of the model file: that of the fit where nothing was changed since, else the values with a note that they were
+    /// tuned by hand.
+    pub fn text(&self) -> String {
+        match &self.text {
+            Some(text) if !self.is_tuned() => text.clone(),
+            _ => self.tuned_text(),
+        }
+    }
+
+    fn tuned_text(&self) -> String {
+        let flat = model_file::flat(self.params(), |row| {
+            let p = row.parameter;
+            let unit = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
+            let before = self.identified.get(row);
+            let now = self.params().get(row);
+            let changed = match p.shape {
+                Shape::Scalar if before != now => format!("; tuned by hand, was {:?}", before[0]),
+                _ if before != now => "; tuned by hand".to_owned(),
+                _ => String::new(),
+            };
+            format!("{unit}{}{changed}", p.meaning)
+        });
+        let head = "# A damper tuned by hand in dashpot. SI units; extension (rebound) and tension positive.\n\
+                    # The lines up to [identification] are the damper; what follows is for people and tools.\n\n";
+        let mut text = format!("{head}{flat}");
+        // What the fit knew stays: which tests it saw, its plain curve, its intervals, which are those of the identified numbers.
+        if let Some(tables) = self.text.as_ref().and_then(|t| t.find("\n[identification]").map(|at| t[at..].to_owned()))
+        {
+            text += &tables;
+        }
+        text
+    }
+
+    /// Remembers that the values were written to a file.
+    pub fn saved_to(&mut self, path: &Path, params: Params) {
+        self.path = Some(path.to_owned());
+        self.saved = Some(params);
+    }
+
+    /// What the fit says of a number: its 95 % interval.
+    pub fn interval(&self, name: &str, entry: usize) -> Option<[f64; 2]> {
+        match self.identification.intervals.get(name)? {
+            Interval::Number(ends) => Some(*ends),
+            Interval::List(all) => all.get(entry).copied(),
+        }
+        .filter(|[low, high]| low.is_finite() && high.is_finite() && high > low)
+    }
+}
+
+/// Where a slider runs from and to, and whether its steps are factors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Left end.
+    pub low: f64,
+    /// Right end.
+    pub high: f64,
+    /// Whether equal ways are equal factors.
+    pub factors: bool,
+}
+
+/// How many factors of its spread a slider of a size reaches to either side; what dampers show lies within.
+const SPREADS: f64 = 3.0;
+
+impl Reach {
+    /// Of a number: what dampers show of it, the interval of the fit, the identified value and the present one all lie within, and the
+    /// bounds of the table around.
+    pub fn of(row: &Row, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
+        let p = row.parameter;
+        let usual = priors::of(p.name).map(|prior| prior.usual);
+        let (mut low, mut high, factors) = match usual {
+            Some(Usual::Size(median, factor)) => (median / factor.powf(SPREADS), median * factor.powf(SPREADS), true),
+            Some(Usual::Strength(median, factor)) => {
+                (median / (10.0 * factor.powf(SPREADS)), median * factor.powf(SPREADS), true)
+            }
+            Some(Usual::Place(mean, deviation)) => (mean - SPREADS * deviation, mean + SPREADS * deviation, false),
+            None => {
+                let size = identified.abs().max(now.abs());
+                if size > 0.0 {
+                    (identified - 2.0 * size, identified + 2.0 * size, false)
+                } else {
+                    (p.low.max(-1.0), p.high.min(1.0), false)
+                }
+            }
+        };
+        for value in [Some(identified), Some(now), interval.map(|i| i[0]), interval.map(|i| i[1])].into_iter().flatten()
+        {
+            low = low.min(value);
+            high = high.max(value);
+        }
+        (low, high) = (low.max(p.low), high.min(p.high));
+        Reach { low, high, factors: factors && low > 0.0 }
+    }
+
+    /// Place of a value on the slider, 0..1.
+    pub fn place(&self, value: f64) -> f64 {
+        let of = |v: f64| if self.factors { v.max(1e-300).ln() } else { v };
+        let (low, high) = (of(self.low), of(self.high));
+        if high > low { ((of(value) - low) / (high - low)).clamp(0.0, 1.0) } else { 0.5 }
+    }
+}
+
+/// What dampers show of a number: the middle two thirds.
+pub fn usual_band(name: &str) -> Option<[f64; 2]> {
+    Some(match priors::of(name)?.usual {
+        Usual::Size(median, factor) => [median / factor, median * factor],
+        Usual::Strength(median, factor) => [0.0, median * factor],
+        Usual::Place(mean, deviation) => [mean - deviation, mean + deviation],
+    })
+}
+
+/// What an effect usually is: the numbers of an element that dampers with it show, where its own default is another.
+pub fn with_usual(params: &Params, element: &str, strength: f64) -> Params {
+    let mut with = *params;
+    let _ = with.enable(element, true);
+    let Some(group) = dashpot_core::elements::GROUPS.iter().position(|g| g.name == element) else { return with };
+    for row in parameter::table().filter(|r| r.group == group) {
+        let name = row.parameter.name;
+        let value = match priors::of(name).map(|p| p.usual) {
+            Some(Usual::Size(median, _)) => median,
+            Some(Usual::Strength(median, _)) => strength * median,
+            Some(Usual::Place(mean, deviation)) => {
+                if mean == 0.0 {
+                    strength * deviation
+                } else {
+                    mean
+                }
+            }
+            None => continue,
+        };
+        let _ = with.set(name, value.clamp(row.parameter.low, row.parameter.high));
+    }
+    with
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::parameter::find;
+
+    fn tuned() -> Tuned {
+        Tuned::new(Params::new(), Identification::default())
+    }
+
+    #[test]
+    fn a_drag_is_undone_in_one_step_and_two_drags_in_two() {
+        let mut tuned = tuned();
+        let row = find("series_stiffness").unwrap();
+        let first = tuned.params().scalar("series_stiffness");
+        for value in [1e6, 1.1e6, 1.2e6] {
+            assert!(tuned.set(&row, 0, value));
+        }
+        tuned.seal();
+        assert!(tuned.set(&row, 0, 3e6));
+        assert!(tuned.undo());
+        assert_eq!(tuned.params().scalar("series_stiffness"), 1.2e6);
+        assert!(tuned.undo());
+        assert_eq!(tuned.params().scalar("series_stiffness"), first);
+        assert!(!tuned.undo());
+        assert!(tuned.redo() && tuned.redo() && !tuned.redo());
+        assert_eq!(tuned.params().scalar("series_stiffness"), 3e6);
+        assert!(tuned.reset() && !tuned.is_tuned());
+        assert!(tuned.undo() && tuned.is_tuned());
+    }
+
+    #[test]
+    fn what_makes_no_model_is_refused_and_said() {
+        let mut tuned = tuned();
+        let row = find("fv_velocity").unwrap();
+        let before = *tuned.params();
+        // The velocities of a curve increase.
+        let last = tuned.params().get(&row).to_vec().last().copied().unwrap();
+        assert!(!tuned.set(&row, 0, last + 1.0));
+        assert!(tuned.refused.as_ref().unwrap().contains("fv_velocity"), "{:?}", tuned.refused);
+        assert_eq!(*tuned.params(), before);
+    }
+
+    #[test]
+    fn tuned_values_are_written_with_what_they_were_and_read_back() {
+        let mut tuned = tuned();
+        let row = find("gas_force").unwrap();
+        assert!(tuned.set(&row, 0, -210.0));
+        let text = tuned.text();
+        assert!(text.contains("tuned by hand"), "{text}");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.toml");
+        std::fs::write(&path, &text).unwrap();
+        let back = Tuned::read(&path).unwrap();
+        assert_eq!(back.params().scalar("gas_force"), -210.0);
+        assert!(!back.is_unsaved() && tuned.is_unsaved());
+    }
+
+    #[test]
+    fn sliders_reach_from_the_usual_to_the_value() {
+        for row in parameter::table().filter(|r| matches!(r.parameter.shape, Shape::Scalar)) {
+            let default = row.parameter.default[0];
+            let reach = Reach::of(&row, default, default, None);
+            assert!(reach.low <= default && default <= reach.high, "{} {reach:?}", row.parameter.name);
+            assert!(reach.low.is_finite() && reach.high.is_finite() && reach.low <= reach.high);
+            assert!((0.0..=1.0).contains(&reach.place(default)));
+        }
+    }
+}

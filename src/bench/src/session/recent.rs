@@ -1,0 +1,45 @@
+//! Campaigns that were open lately.
+
+use std::path::{Path, PathBuf};
+
+/// How many are kept: as many as a menu shows at a glance.
+const KEPT: usize = 8;
+
+/// The list, and the file that keeps it.
+pub struct Recent {
+    file: Option<PathBuf>,
+    /// Newest first.
+    pub paths: Vec<PathBuf>,
+}
+
+impl Recent {
+    /// Reads the list; none where there is no place for it.
+    pub fn read(file: Option<PathBuf>) -> Recent {
+        let text = file.as_ref().and_then(|f| std::fs::read_to_string(f).ok()).unwrap_or_default();
+        Recent { file, paths: text.lines().filter(|l| !l.is_empty()).map(PathBuf::from).take(KEPT).collect() }
+    }
+
+    /// The user's file for it.
+    pub fn place() -> Option<PathBuf> {
+        let var = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+        let folder = if cfg!(windows) {
+            var("APPDATA")?
+        } else {
+            var("XDG_CONFIG_HOME").or_else(|| Some(var("HOME")?.join(".config")))?
+        };
+        Some(folder.join("dashpot").join("recent.txt"))
+    }
+
+    /// Puts a path first. That the list cannot be written is no reason to disturb anybody.
+    pub fn add(&mut self, path: &Path) {
+        let Ok(path) = std::path::absolute(path) else { return };
+        self.paths.retain(|p| *p != path);
+        self.paths.insert(0, path);
+        self.paths.truncate(KEPT);
+        if let Some(file) = &self.file {
+            let lines: String = self.paths.iter().map(|p| format!("{}\n", p.display())).collect();
+            let _ = file.parent().map(std::fs::create_dir_all);
+            let _ = std::fs::write(file, lines);
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Long work beside the window: reading, fitting, validating, diagnosing, studying, writing. One of a kind at a time; each says how
+//! far it is and can be told to stop.
+
+use crate::session::Waker;
+use crate::session::campaign::Loaded;
+use crate::session::study::Study;
+use dashpot_diagnosis::Diagnosis;
+use dashpot_estimation::cancel::Cancel;
+use dashpot_identification::Fit;
+use dashpot_identification::validation::Validation;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+/// What is being done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Records are read.
+    Read,
+    /// Records of another campaign are read, to compare with.
+    ReadReference,
+    /// A model is identified.
+    Fit,
+    /// The model is validated.
+    Validate,
+    /// The missing effect is sought.
+    Diagnose,
+    /// A number is studied.
+    Study,
+    /// Files for a host, or a report, are written.
+    Write,
+}
+
+/// What came of it.
+pub enum Outcome {
+    /// Records.
+    Read(Loaded),
+    /// Records to compare with.
+    Reference(Loaded),
+    /// A model.
+    Fitted(Box<Fit>),
+    /// Errors.
+    Validated(Box<Validation>),
+    /// An answer, and which tests no refit saw.
+    Diagnosed(Box<Diagnosis>, Vec<bool>),
+    /// A family of loops.
+    Studied(Study),
+    /// A file or folder was written.
+    Written(PathBuf),
+}
+
+/// How far it is.
+#[derive(Debug, Clone, Default)]
+pub struct Progress {
+    /// Share done, 0..1.
+    pub done: f64,
+    /// What is being done.
+    pub text: String,
+}
+
+/// Reports how far work is.
+pub type Report<'a> = &'a (dyn Fn(f64, &str) + Sync);
+
+/// Work under way.
+pub struct Task {
+    /// What it is.
+    pub kind: Kind,
+    /// When it began.
+    pub began: Instant,
+    cancel: Cancel,
+    progress: Arc<Mutex<Progress>>,
+    result: Receiver<Option<Result<Outcome, String>>>,
+}
+
+/// How a task stands.
+pub enum Standing {
+    /// Under way.
+    Working,
+    /// Told to stop, and stopped.
+    Cancelled,
+    /// At its end.
+    Done(Result<Outcome, String>),
+}
+
+impl Task {
+    /// Begins.
+    pub fn begin(
+        kind: Kind,
+        waker: Waker,
+        work: impl FnOnce(Report<'_>) -> Result<Outcome, String> + Send + 'static,
+    ) -> Task {
+        let (cancel, progress) = (Cancel::default(), Arc::new(Mutex::new(Progress::default())));
+        let (send, result) = channel();
+        let (own_cancel, own_progress, own_waker) = (cancel.clone(), progress.clone(), waker.clone());
+        let began = std::thread::Builder::new().name("task".into()).spawn(move || {
+            let report = |done: f64, text: &str| {
+                if let Ok(mut progress) = own_progress.lock() {
+                    progress.done = progress.done.max(done);
+                    if !text.is_empty() {
+                        text.clone_into(&mut progress.text);
+                    }
+                }
+                own_waker();
+            };
+            let done = own_cancel.run(|| work(&report));
+            let _ = send.send(done);
+            own_waker();
+        });
+        // Without a thread the channel is closed, which reads as cancelled.
+        drop(began);
+        Task { kind, began: Instant::now(), cancel, progress, result }
+    }
+
+    /// Tells it to stop.
+    pub fn cancel(&self) {
+        self.cancel.ask();
+    }
+
+    /// Whether it was told to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.asked()
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Progress {
+        self.progress.lock().map(|p| p.clone()).unwrap_or_default()
+    }
+
+    /// How it stands.
+    pub fn standing(&self) -> Standing {
+        match self.result.try_recv() {
+            Ok(Some(result)) => Standing::Done(result),
+            Err(TryRecvError::Empty) => Standing::Working,
+            Ok(None) | Err(TryRecvError::Disconnected) => Standing::Cancelled,
+        }
+    }
+}

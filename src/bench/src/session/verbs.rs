@@ -1,0 +1,120 @@
+//! Fit, validate and diagnose, as the command does them, beside the window.
+
+use crate::session::campaign::Loaded;
+use crate::session::study::{Question, study};
+use crate::session::tasks::{Kind, Outcome};
+use crate::session::{Session, tasks};
+use dashpot_core::{Model, Params};
+use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
+use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_identification::validation::{Compared, validate};
+use dashpot_identification::{Family, FitOptions, fit};
+use dashpot_records::Record;
+use dashpot_simulation::prediction::predict;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+impl Session {
+    /// Fits a model to the ticked tests.
+    pub fn fit(&mut self) {
+        let Some(loaded) = self.campaign.clone() else { return };
+        let ticked = self.ticked();
+        self.begin(Kind::Fit, move |report| {
+            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+            // The progress of a fit comes from the thread that runs it alone.
+            let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, stage.text));
+            found.map(|fit| Outcome::Fitted(Box::new(fit))).map_err(|e| e.to_string())
+        });
+    }
+
+    /// Validates the model as it stands against the ticked tests.
+    pub fn validate(&mut self) {
+        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
+        let (file, ticked) = (model.file(), self.ticked());
+        self.begin(Kind::Validate, move |report| {
+            let compared = compared(&file, &loaded, &ticked, report)?;
+            validate(&compared).map(|v| Outcome::Validated(Box::new(v))).map_err(|e| e.to_string())
+        });
+    }
+
+    /// Seeks the effect that is missing in the model, against the reference campaign where one is open.
+    pub fn diagnose(&mut self) {
+        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
+        let (params, ticked, reference) = (*model.params(), self.ticked(), self.reference.clone());
+        self.begin(Kind::Diagnose, move |report| {
+            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+            let left_out = choose_held_out(&records, 0);
+            let reference = reference.map_or_else(Vec::new, |r| r.campaign.records.clone());
+            let options = DiagnosisOptions { reference, ..DiagnosisOptions::default() };
+            let found = diagnose(&records, &left_out, &params, &options, report).map_err(|e| e.to_string())?;
+            Ok(Outcome::Diagnosed(Box::new(found), left_out))
+        });
+    }
+
+    /// Computes a family of loops.
+    pub fn study(&mut self, question: Question) {
+        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
+        let params = *model.params();
+        self.begin(Kind::Study, move |_| {
+            study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| question.name.to_owned())
+        });
+    }
+
+    /// The model that the diagnosis improved, as the text of its file.
+    pub fn improved_text(&self) -> Option<String> {
+        let (found, left_out) = self.answers.diagnosis.as_ref()?;
+        let model = self.model.as_ref()?;
+        let loaded = self.campaign.as_ref()?;
+        let ticked = self.ticked();
+        let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
+        Some(model_file::write(&found.as_fit(&records, left_out, plain(&model.file()))))
+    }
+}
+
+/// The plain FV curve of a model, to compare with.
+pub fn plain(file: &ModelFile) -> Params {
+    if let Some(Ok(params)) = file.identification.fv_only.as_ref().map(|f| f.params()) {
+        return params;
+    }
+    let mut params = file.params;
+    params.disable_all();
+    let _ = params.enable("fv_curve", true);
+    let _ = params.enable("gas_preload", file.params.is_on("gas_preload"));
+    params
+}
+
+/// The ticked tests with the forces of the model and of the plain FV curve.
+pub fn compared<'a>(
+    file: &ModelFile,
+    loaded: &'a Arc<Loaded>,
+    ticked: &[usize],
+    report: tasks::Report<'_>,
+) -> Result<Vec<Compared<'a>>, String> {
+    let made = |params: &Params| Model::new(params).map_err(|fault| fault.reason.text().to_owned());
+    let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+    // Where the model file brings no plain curve, it is fitted to these tests, as the command does.
+    let fv_only = match &file.identification.fv_only {
+        Some(curve) => curve.params()?,
+        None => {
+            let options = FitOptions { family: Family::Fv, elements: None };
+            fit(&records, &options, |_| ()).map_err(|e| e.to_string())?.params
+        }
+    };
+    let (model, fv_only) = (made(&file.params)?, made(&fv_only)?);
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    Ok(ticked
+        .par_iter()
+        .map(|k| {
+            let (record, seen) = (&loaded.campaign.records[*k], &loaded.tests[*k]);
+            let compared = Compared {
+                record,
+                model: predict(&model, record, &seen.motion),
+                fv_only: predict(&fv_only, record, &seen.motion),
+                used_in_fit: file.identification.used(record),
+            };
+            let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            report(done as f64 / ticked.len() as f64, "");
+            compared
+        })
+        .collect())
+}

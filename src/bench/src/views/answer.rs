@@ -1,0 +1,174 @@
+//! What fit, validation and diagnosis found, in the words of the report.
+
+use crate::dialogs::Ask;
+use crate::session::Session;
+use crate::units::digits;
+use crate::views::View;
+use crate::words::Words;
+use dashpot_diagnosis::Diagnosis;
+use dashpot_identification::validation::{Errors, Validation};
+use dashpot_identification::{Fit, Standing};
+use dashpot_report::diagnosis::headline;
+use dashpot_report::numbers::{share, with_interval};
+use eframe::egui::{self, RichText, Ui};
+
+/// Draws the panel.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]).show(ui, |ui| {
+        let nothing = session.answers.fit.is_none()
+            && session.answers.validation.is_none()
+            && session.answers.diagnosis.is_none();
+        if nothing {
+            wrapped(ui, RichText::new(w.no_answer));
+        }
+        let mut take = false;
+        if let Some((found, _)) = &session.answers.diagnosis {
+            ui.heading(w.diagnosis_answer);
+            diagnosis(ui, found, w);
+            ui.horizontal_wrapped(|ui| {
+                let free = session.task.is_none();
+                let added = found.findings.iter().any(|f| !f.of_the_rig);
+                take = ui.add_enabled(free && added, egui::Button::new(w.take_improved)).clicked();
+                if ui.add_enabled(free, egui::Button::new(w.write_report)).clicked() {
+                    view.asks.push(Ask::DiagnosisReport);
+                }
+            });
+            ui.separator();
+        }
+        if let Some(found) = &session.answers.validation {
+            ui.heading(w.validation_answer);
+            validation(ui, found, w);
+            if ui.add_enabled(session.task.is_none(), egui::Button::new(w.write_report)).clicked() {
+                view.asks.push(Ask::Report);
+            }
+            ui.separator();
+        }
+        if let Some(found) = &session.answers.fit {
+            ui.heading(w.fit_answer);
+            fit(ui, found, w);
+        }
+        if take {
+            session.take_improved();
+        }
+    });
+}
+
+fn wrapped(ui: &mut Ui, text: RichText) {
+    ui.add(egui::Label::new(text).wrap());
+}
+
+fn fit(ui: &mut Ui, found: &Fit, w: &Words) {
+    wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
+    for choice in &found.choices {
+        wrapped(ui, RichText::new(format!("{}: {} — {}", choice.of, choice.chosen, choice.why)));
+    }
+    egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
+        for e in found.estimates.iter().filter(|e| e.index.is_none()) {
+            ui.label(RichText::new(e.name).small());
+            match (&e.standing, e.low, e.high) {
+                (Standing::NotIdentified, ..) => ui.label(RichText::new(w.not_identified).small().weak()),
+                (_, Some(low), Some(high)) => {
+                    let (value, interval) = with_interval(e.value, low, high, e.unit);
+                    ui.label(RichText::new(format!("{value}  ({interval})")).small())
+                }
+                _ => ui.label(RichText::new(format!("{} {}", digits(e.value), e.unit)).small()),
+            };
+            ui.end_row();
+        }
+    });
+    for note in &found.notes {
+        wrapped(ui, RichText::new(format!("• {note}")).weak());
+    }
+}
+
+fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
+    egui::Grid::new("validation").num_columns(4).striped(true).show(ui, |ui| {
+        for heading in ["", w.tests, w.model, w.fv_curve] {
+            ui.strong(heading);
+        }
+        ui.end_row();
+        let mut row = |name: &str, tests: usize, e: &Errors| {
+            ui.label(name);
+            ui.label(tests.to_string());
+            ui.label(format!("{:.2} %", e.model.error_percent))
+                .on_hover_text(format!("{} N", digits(e.model.mean_error_n)));
+            ui.label(format!("{:.2} %", e.fv_only.error_percent))
+                .on_hover_text(format!("{} N", digits(e.fv_only.mean_error_n)));
+            ui.end_row();
+        };
+        for r in found.matrix.by_amplitude.iter().chain(&found.matrix.slow).chain(&found.matrix.not_periodic) {
+            row(&r.label, r.tests, &r.errors);
+        }
+        for (name, summary) in [(w.used_in_fit, &found.used_in_fit), (w.left_out, &found.left_out)] {
+            if let Some(s) = summary {
+                row(name, s.tests, &s.errors);
+            }
+        }
+        row(w.all_tests, found.overall.tests, &found.overall.errors);
+    });
+}
+
+fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words) {
+    wrapped(ui, RichText::new(headline(found)).strong());
+    for finding in &found.findings {
+        ui.add_space(4.0);
+        let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
+        wrapped(
+            ui,
+            RichText::new(format!("{}{form}, {} {}", finding.effect, share(finding.confidence), w.sure)).strong(),
+        );
+        wrapped(ui, RichText::new(&finding.meaning));
+        for (name, value) in &finding.parameters {
+            let (value, interval) = with_interval(value.value, value.low, value.high, value.unit);
+            wrapped(ui, RichText::new(format!("{name}  {value}  ({interval})")).small());
+        }
+        if finding.of_the_rig {
+            wrapped(ui, RichText::new(w.of_the_rig).weak());
+        }
+        for rival in finding.rivals.iter().take(2) {
+            wrapped(ui, RichText::new(format!("• {}: {}", rival.effect, rival.why)).weak());
+        }
+    }
+    for suspect in &found.suspects {
+        wrapped(ui, RichText::new(format!("{}: {}", suspect.effect, suspect.why)));
+    }
+    ui.add_space(4.0);
+    let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", digits(v)));
+    egui::Grid::new("before_after").num_columns(3).striped(true).show(ui, |ui| {
+        for heading in [w.rms, w.fitted, w.left_out] {
+            ui.strong(heading);
+        }
+        ui.end_row();
+        for (name, f) in [(w.before, &found.before), (w.after, &found.after)] {
+            ui.label(name);
+            ui.label(format!("{} N", digits(f.rmse_n)));
+            ui.label(left(f.held_out_rmse_n));
+            ui.end_row();
+        }
+        ui.label(w.noise);
+        ui.label(format!("{} N", digits(found.before.noise_n)));
+        ui.label(left(found.before.held_out_noise_n));
+        ui.end_row();
+    });
+    for region in found.regions.iter().take(5) {
+        wrapped(ui, RichText::new(format!("• {}", region.text)).weak());
+    }
+    if !found.next_tests.is_empty() {
+        ui.strong(w.next_test);
+    }
+    for test in found.next_tests.iter().take(3) {
+        wrapped(ui, RichText::new(&test.text));
+    }
+    if !found.changed.is_empty() {
+        ui.strong(w.changed);
+    }
+    for change in &found.changed {
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+        let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
+        wrapped(ui, RichText::new(format!("{}  {before} → {value}  ({interval})", change.parameter)));
+    }
+    for note in &found.notes {
+        wrapped(ui, RichText::new(format!("• {note}")).weak());
+    }
+}

@@ -1,0 +1,163 @@
+//! Menus and verbs at the top, and the keys that do the same.
+
+use crate::dialogs::Ask;
+use crate::session::Session;
+use crate::session::outputs::Host;
+use crate::views::{Side, View};
+use crate::words::Language;
+use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
+
+const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
+const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
+const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
+const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
+const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+const FIT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F5);
+const VALIDATE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F6);
+const DIAGNOSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F7);
+
+/// Saves where the model lies, or asks where.
+pub fn save(session: &mut Session, view: &mut View) {
+    match session.model.as_ref().map(|m| m.path.clone()) {
+        Some(Some(path)) => {
+            session.save(&path);
+        }
+        Some(None) => view.asks.push(Ask::SaveModel),
+        None => {}
+    }
+}
+
+/// Obeys the keys.
+pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
+    let pressed = |keys: &KeyboardShortcut| ui.ctx().input_mut(|i| i.consume_shortcut(keys));
+    if pressed(&OPEN) {
+        view.asks.push(Ask::Folder);
+    }
+    if pressed(&SAVE) {
+        save(session, view);
+    }
+    // The longer one first: the shorter is part of it.
+    if pressed(&REDO_TOO) || pressed(&REDO) {
+        session.tune(crate::session::model::Tuned::redo);
+    }
+    if pressed(&UNDO) {
+        session.tune(crate::session::model::Tuned::undo);
+    }
+    let (records, model) = (session.has_records(), session.model.is_some());
+    if pressed(&FIT) && records {
+        session.fit();
+    }
+    if pressed(&VALIDATE) && records && model {
+        validate(session, view);
+    }
+    if pressed(&DIAGNOSE) && records && model {
+        diagnose(session, view);
+    }
+}
+
+fn validate(session: &mut Session, view: &mut View) {
+    view.side = Side::Answer;
+    session.validate();
+}
+
+fn diagnose(session: &mut Session, view: &mut View) {
+    view.side = Side::Answer;
+    session.diagnose();
+}
+
+/// Draws the bar.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    egui::MenuBar::new().ui(ui, |ui| {
+        let w = view.words();
+        ui.menu_button(w.file, |ui| files(ui, session, view));
+        ui.separator();
+        let (undo, redo) = session.model.as_ref().map_or((false, false), crate::session::model::Tuned::can);
+        let tuned = session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned);
+        let can = |ui: &mut Ui, on: bool, text: &str, hint: &str| {
+            ui.add_enabled(on, egui::Button::new(text)).on_hover_text(hint).clicked()
+        };
+        if can(ui, undo, w.undo, "Ctrl+Z") {
+            session.tune(crate::session::model::Tuned::undo);
+        }
+        if can(ui, redo, w.redo, "Ctrl+Y") {
+            session.tune(crate::session::model::Tuned::redo);
+        }
+        if can(ui, tuned, w.reset, w.reset_hint) {
+            session.tune(crate::session::model::Tuned::reset);
+        }
+        if can(ui, session.is_unsaved(), w.save, "Ctrl+S") {
+            save(session, view);
+        }
+        ui.separator();
+        let free = session.task.is_none();
+        let (records, model) = (session.has_records() && free, session.model.is_some());
+        if can(ui, records, w.fit, w.fit_hint) {
+            session.fit();
+        }
+        if can(ui, records && model, w.validate, w.validate_hint) {
+            validate(session, view);
+        }
+        if can(ui, records && model, w.diagnose, w.diagnose_hint) {
+            diagnose(session, view);
+        }
+        ui.separator();
+        ui.add_enabled_ui(model && free, |ui| {
+            ui.menu_button(w.export, |ui| {
+                let hosts =
+                    [(Host::Fmu, w.export_fmu), (Host::Adams, w.export_adams), (Host::Property, w.export_property)];
+                for (host, text) in hosts {
+                    if ui.button(text).clicked() {
+                        view.asks.push(Ask::Export(host));
+                        ui.close();
+                    }
+                }
+            });
+        });
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            egui::widgets::global_theme_preference_buttons(ui);
+            egui::ComboBox::from_id_salt("language").selected_text(view.language.name()).width(80.0).show_ui(
+                ui,
+                |ui| {
+                    for language in Language::ALL {
+                        ui.selectable_value(&mut view.language, language, language.name());
+                    }
+                },
+            );
+        });
+    });
+}
+
+fn files(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let mut ask = |ui: &mut Ui, on: bool, text: &str, ask: Ask| {
+        if ui.add_enabled(on, egui::Button::new(text)).clicked() {
+            view.asks.push(ask);
+            ui.close();
+        }
+    };
+    let free = session.task.is_none();
+    ask(ui, free, w.open_folder, Ask::Folder);
+    ask(ui, free, w.open_files, Ask::Files);
+    ask(ui, true, w.open_model, Ask::Model);
+    ask(ui, free && session.has_records(), w.compare_campaign, Ask::Reference);
+    if session.reference.is_some() && ui.button(w.compare_no_more).clicked() {
+        session.reference = None;
+        session.generation += 1;
+        ui.close();
+    }
+    let recent = session.recent.paths.clone();
+    ui.add_enabled_ui(free && !recent.is_empty(), |ui| {
+        ui.menu_button(w.recent, |ui| {
+            for path in recent {
+                if ui.button(path.display().to_string()).clicked() {
+                    session.open(&[path]);
+                    ui.close();
+                }
+            }
+        });
+    });
+    ui.separator();
+    let model = session.model.is_some();
+    ask(ui, model, w.save_as, Ask::SaveModel);
+    ask(ui, model && session.has_records() && free, w.write_report, Ask::Report);
+}

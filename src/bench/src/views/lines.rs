@@ -1,0 +1,171 @@
+//! The lines of the loop plots: thinned to what a screen shows, and made anew only when something changed.
+
+use crate::session::Session;
+use crate::session::simulation::OfTest;
+use crate::words::Words;
+use dashpot_core::Model;
+use egui_plot::PlotPoint;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// Whose forces a line shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Whose {
+    /// The rig's.
+    Measured,
+    /// The same test of the campaign compared with.
+    Reference,
+    /// The identified model's, where it was tuned since.
+    Identified,
+    /// The model's.
+    Model,
+    /// The model's with an effect more.
+    Effect,
+}
+
+/// One line in each of the plots.
+pub struct Line {
+    /// Whose.
+    pub whose: Whose,
+    /// Number among the selected tests.
+    pub place: usize,
+    /// Name under the cursor.
+    pub name: String,
+    /// Force over velocity, m/s and N.
+    pub velocity: Vec<PlotPoint>,
+    /// Force over displacement, mm and N.
+    pub displacement: Vec<PlotPoint>,
+    /// Force over time, s and N.
+    pub time: Vec<PlotPoint>,
+    /// Temperature over time, s and °C, where it was measured.
+    pub temperature: Vec<PlotPoint>,
+}
+
+/// What the lines were made from.
+#[derive(PartialEq, Clone, Default)]
+struct Key {
+    generation: u64,
+    selected: BTreeSet<usize>,
+    effect: Option<(&'static str, u64)>,
+    language: usize,
+}
+
+/// The lines, kept.
+#[derive(Default)]
+pub struct Cache {
+    key: Option<Key>,
+    /// In the order in which they are drawn.
+    pub lines: Arc<Vec<Line>>,
+}
+
+/// Points of all lines together that are drawn without a frame taking long; a single line shows every bend with a few hundred.
+const POINTS: usize = 24_000;
+const MOST: usize = 600;
+const LEAST: usize = 60;
+/// Tests whose loops with an effect more are computed at once, within a frame: a millisecond each.
+const EFFECTS: usize = 6;
+
+impl Cache {
+    /// The lines as the session is now.
+    pub fn lines(&mut self, session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -> Arc<Vec<Line>> {
+        let key = Key {
+            generation: session.generation,
+            selected: session.selected.clone(),
+            effect: effect.map(|(name, strength)| (name, strength.to_bits())),
+            language: std::ptr::from_ref(words) as usize,
+        };
+        if self.key.as_ref() != Some(&key) {
+            self.lines = Arc::new(make(session, effect, words));
+            self.key = Some(key);
+        }
+        self.lines.clone()
+    }
+}
+
+fn make(session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -> Vec<Line> {
+    let Some(loaded) = &session.campaign else { return Vec::new() };
+    let tests: Vec<usize> = session.selected.iter().copied().filter(|k| *k < loaded.tests.len()).collect();
+    let most = (POINTS / (3 * tests.len().max(1))).clamp(LEAST, MOST);
+    let mut lines = Vec::new();
+    for (place, test) in tests.iter().enumerate() {
+        let (record, seen) = (&loaded.campaign.records[*test], &loaded.tests[*test]);
+        let over = |whose: Whose, force: &[f64]| {
+            line(whose, place, format!("{} · {}", record.name, named(whose, words)), record, seen, force, most)
+        };
+        let simulated = |of: &Option<Arc<crate::session::simulation::Simulated>>| {
+            of.as_ref().and_then(|s| s.tests.get(*test)).map(|t| t.shown.clone())
+        };
+        lines.push(over(Whose::Measured, &record.force[seen.shown.clone()]));
+        if let Some(other) = &session.reference {
+            if let Some(k) = other.like(record) {
+                let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
+                let name = format!("{} · {}", record.name, words.reference);
+                lines.push(line(Whose::Reference, place, name, record, seen, &record.force[seen.shown.clone()], most));
+            }
+        }
+        if session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned) {
+            lines.extend(simulated(&session.identified).map(|f| over(Whose::Identified, &f)));
+        }
+        if session.model.is_some() {
+            lines.extend(simulated(&session.simulated).map(|f| over(Whose::Model, &f)));
+        }
+        let with = effect.filter(|_| place < EFFECTS).and_then(|(name, strength)| session.with_effect(name, strength));
+        if let Some(model) = with.and_then(|p| Model::new(&p).ok()) {
+            let force = OfTest::of(&model, record, seen, true).shown;
+            lines.push(over(Whose::Effect, &force));
+        }
+    }
+    // Models over measurements.
+    lines.sort_by_key(|l| l.whose as usize);
+    lines
+}
+
+/// Whose forces, in words.
+pub fn named(whose: Whose, words: &Words) -> &'static str {
+    match whose {
+        Whose::Measured => words.measured,
+        Whose::Reference => words.reference,
+        Whose::Identified => words.identified_model,
+        Whose::Model => words.model,
+        Whose::Effect => words.with_effect,
+    }
+}
+
+fn line(
+    whose: Whose,
+    place: usize,
+    name: String,
+    record: &dashpot_records::Record,
+    seen: &crate::session::campaign::Seen,
+    force: &[f64],
+    most: usize,
+) -> Line {
+    let from = seen.shown.start;
+    let n = seen.shown.len().min(force.len());
+    let step = n.div_ceil(most).max(1);
+    let mut kept: Vec<usize> = (0..n).step_by(step).collect();
+    // A loop is closed.
+    if !record.cycles.is_empty() && n > 0 {
+        kept.push(0);
+    }
+    let start = record.time.get(from).copied().unwrap_or(0.0);
+    let points = |x: &dyn Fn(usize) -> f64| kept.iter().map(|i| PlotPoint::new(x(*i), force[*i])).collect();
+    let in_time: Vec<usize> = (0..n).step_by(step).collect();
+    Line {
+        whose,
+        place,
+        name,
+        velocity: points(&|i| seen.motion.velocity[from + i]),
+        displacement: points(&|i| 1e3 * seen.motion.displacement[from + i]),
+        time: in_time.iter().map(|i| PlotPoint::new(record.time[from + i] - start, force[*i])).collect(),
+        temperature: match (&record.temperature, whose) {
+            (Some(temperature), Whose::Measured) => {
+                let all = 0..record.time.len();
+                all.step_by(record.time.len().div_ceil(most).max(1))
+                    .map(|i| PlotPoint::new(record.time[i], temperature[i]))
+                    .collect()
+            }
+            _ => Vec::new(),
+        },
+    }
+}

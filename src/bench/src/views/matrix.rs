@@ -1,0 +1,96 @@
+//! The error matrix as coloured cells; a click shows the tests behind a cell.
+
+use crate::session::Session;
+use crate::session::matrix::{Across, Grid};
+use crate::units::digits;
+use crate::views::{View, colour};
+use dashpot_report::plot::palette::heat;
+use eframe::egui::{self, Color32, RichText, Ui, Vec2};
+
+/// Draws the matrix.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let Some(loaded) = session.campaign.clone() else { return };
+    ui.horizontal_wrapped(|ui| {
+        ui.strong(w.error_matrix);
+        ui.weak("%").on_hover_text(w.error_hint);
+        ui.selectable_value(&mut view.across, Across::Velocity, w.peak_velocity);
+        ui.selectable_value(&mut view.across, Across::Frequency, w.frequency);
+        if let Some(simulated) = &session.simulated {
+            let mean = simulated.tests.iter().map(|t| t.percent).sum::<f64>() / simulated.tests.len().max(1) as f64;
+            ui.label(format!("{} {mean:.2} %", w.mean));
+        }
+    });
+    let grid = Grid::new(&loaded.campaign.records, view.across);
+    let simulated = session.simulated.clone();
+    let percent = |tests: &[usize]| {
+        let of: Vec<f64> = tests.iter().filter_map(|k| Some(simulated.as_ref()?.tests.get(*k)?.percent)).collect();
+        (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
+    };
+    let columns = grid.columns.len().max(1) as f32;
+    let width = ((ui.available_width() - 60.0) / columns - 2.0).clamp(30.0, 64.0);
+    let mut chosen: Option<Vec<usize>> = None;
+    egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {
+        egui::Grid::new("matrix").spacing([2.0, 2.0]).min_col_width(width).show(ui, |ui| {
+            ui.weak(match view.across {
+                Across::Velocity => "mm \\ m/s",
+                Across::Frequency => "mm \\ Hz",
+            });
+            for column in &grid.columns {
+                ui.label(RichText::new(short(*column)).small());
+            }
+            ui.end_row();
+            for (r, amplitude) in grid.rows.iter().enumerate().rev() {
+                ui.label(RichText::new(short(1e3 * amplitude)).small());
+                for c in 0..grid.columns.len() {
+                    let tests = grid.cell(r, c);
+                    if tests.is_empty() {
+                        ui.label("");
+                        continue;
+                    }
+                    let shown = tests.iter().any(|k| session.selected.contains(k));
+                    if cell(ui, percent(tests), shown, width).clicked() {
+                        chosen = Some(tests.to_vec());
+                    }
+                }
+                ui.end_row();
+            }
+        });
+        if !grid.elsewhere.is_empty() {
+            ui.horizontal(|ui| {
+                ui.label(w.not_periodic);
+                let shown = grid.elsewhere.iter().any(|k| session.selected.contains(k));
+                if cell(ui, percent(&grid.elsewhere), shown, width).clicked() {
+                    chosen = Some(grid.elsewhere.clone());
+                }
+            });
+        }
+    });
+    if let Some(tests) = chosen {
+        let more = ui.input(|i| i.modifiers.command);
+        if !more {
+            session.selected.clear();
+        }
+        session.selected.extend(tests);
+    }
+}
+
+/// A number for the edge of a small table.
+fn short(value: f64) -> String {
+    dashpot_report::numbers::digits(value, 3)
+}
+
+fn cell(ui: &mut Ui, percent: Option<f64>, shown: bool, width: f32) -> egui::Response {
+    let (text, fill, ink) = match percent {
+        Some(percent) => {
+            let (fill, dark_ink) = heat(percent);
+            let text = if percent < 9.995 { format!("{percent:.2}") } else { format!("{percent:.1}") };
+            (text, colour(&fill), if dark_ink { Color32::BLACK } else { Color32::WHITE })
+        }
+        None => ("·".to_owned(), ui.visuals().faint_bg_color, ui.visuals().text_color()),
+    };
+    let stroke = if shown { egui::Stroke::new(2.0, ui.visuals().strong_text_color()) } else { egui::Stroke::NONE };
+    let text = RichText::new(text).color(ink).size(11.0);
+    let button = egui::Button::new(text).fill(fill).stroke(stroke).min_size(Vec2::new(width, 18.0)).corner_radius(1.0);
+    ui.add(button).on_hover_text(percent.map_or_else(String::new, |p| format!("{} %", digits(p))))
+}

@@ -1,0 +1,120 @@
+//! What is drawn, one file a view. A view reads the session, calls what it can do, and keeps nothing but how it is looked at.
+//!
+//! | file | view |
+//! |---|---|
+//! | [`bar`] | menus and verbs at the top |
+//! | [`status`] | progress, cancel and what was said last, at the bottom |
+//! | [`tests`] | the tests with what was noticed about each |
+//! | [`plots`], [`lines`] | loops, force over time, peak forces with the curve that is dragged |
+//! | [`matrix`] | the error matrix |
+//! | [`tune`] | elements and sliders |
+//! | [`answer`] | what fit, validation and diagnosis found |
+//! | [`records`] | how the records are read, corrected by hand |
+//! | [`study`] | one number at several values, and what an effect would look like |
+//! | [`closing`] | asked before anything is lost |
+
+pub mod answer;
+pub mod bar;
+pub mod closing;
+pub mod lines;
+pub mod matrix;
+pub mod plots;
+pub mod records;
+pub mod status;
+pub mod study;
+pub mod tests;
+pub mod tune;
+
+use crate::dialogs::Ask;
+use crate::session::matrix::Across;
+use crate::words::{Language, Words};
+use eframe::egui::Color32;
+
+/// What the right-hand side shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// Sliders.
+    #[default]
+    Tune,
+    /// Answers of the verbs.
+    Answer,
+    /// How records are read.
+    Records,
+    /// Families of loops.
+    Study,
+}
+
+/// What the place at the lower right shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Corner {
+    /// The error matrix.
+    #[default]
+    Matrix,
+    /// Force over time.
+    Time,
+    /// Temperature over time.
+    Temperature,
+    /// The family of loops.
+    Study,
+}
+
+/// How the session is looked at.
+#[derive(Default)]
+pub struct View {
+    /// Language of all texts.
+    pub language: Language,
+    /// Tests whose names hold this are listed.
+    pub filter: String,
+    /// The test that was clicked last: a range begins there.
+    pub anchor: Option<usize>,
+    /// Right-hand side.
+    pub side: Side,
+    /// Lower right.
+    pub corner: Corner,
+    /// What runs across the error matrix.
+    pub across: Across,
+    /// Lines of the plots, kept until something changes.
+    pub lines: lines::Cache,
+    /// Point of the FV curve that is being dragged.
+    pub grabbed: Option<usize>,
+    /// What the study asks.
+    pub question: study::Form,
+    /// Effect that is looked at, and its strength.
+    pub effect: Option<(&'static str, f64)>,
+    /// Questions to put to the user.
+    pub asks: Vec<Ask>,
+    /// Whether the user is being asked whether to close.
+    pub closing: bool,
+    /// Whether the window may close.
+    pub may_close: bool,
+}
+
+impl View {
+    /// All texts.
+    pub fn words(&self) -> &'static Words {
+        self.language.words()
+    }
+}
+
+/// Colour of a `#rrggbb` text of the report's palette.
+pub fn colour(hex: &str) -> Color32 {
+    Color32::from_hex(hex).unwrap_or(Color32::GRAY)
+}
+
+/// Hues of the measured tests: after Okabe & Ito, *Color Universal Design*, 2008, apart for colour-blind readers too; a dark and a light
+/// background take the same.
+const HUES: [Color32; 8] = [
+    Color32::from_rgb(0, 114, 178),
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_rgb(204, 121, 167),
+    Color32::from_rgb(86, 180, 233),
+    Color32::from_rgb(213, 94, 0),
+    Color32::from_rgb(140, 140, 60),
+    Color32::from_rgb(130, 110, 200),
+];
+
+/// Colour of the so manyeth selected test.
+pub fn hue(k: usize) -> Color32 {
+    HUES[k % HUES.len()]
+}

@@ -1,0 +1,111 @@
+//! How the records are read, corrected by hand and kept beside them.
+
+use crate::session::Session;
+use crate::units::typed;
+use crate::views::View;
+use dashpot_records::{Channel, Positive, Unit};
+use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
+
+/// Draws the panel.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
+    let w = view.words();
+    if !session.has_records() {
+        ui.label(w.welcome_hint);
+        return;
+    }
+    ui.heading(w.how_read);
+    ui.add(egui::Label::new(egui::RichText::new(w.how_read_hint).weak()).wrap());
+    let reading = &mut session.reading;
+    egui::Grid::new("reading").num_columns(2).spacing([8.0, 6.0]).show(ui, |ui| {
+        ui.label(w.positive);
+        let direction = |p: Option<Positive>| match p {
+            None => w.from_data,
+            Some(Positive::Rebound) => w.rebound,
+            Some(Positive::Compression) => w.compression,
+        };
+        ComboBox::from_id_salt("positive").selected_text(direction(reading.positive)).show_ui(ui, |ui| {
+            for p in [None, Some(Positive::Rebound), Some(Positive::Compression)] {
+                ui.selectable_value(&mut reading.positive, p, direction(p));
+            }
+        });
+        ui.end_row();
+        for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
+            ui.label(format!("{} {}", w.unit_of, w.channel(channel)));
+            let now = reading.units.get(&channel).copied();
+            let mut chosen = now;
+            let name = |u: Option<Unit>| u.map_or(w.as_file_says, Unit::name);
+            ComboBox::from_id_salt(channel.name()).selected_text(name(now)).show_ui(ui, |ui| {
+                let units = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
+                for unit in std::iter::once(None).chain(units) {
+                    ui.selectable_value(&mut chosen, unit, name(unit));
+                }
+            });
+            if chosen != now {
+                match chosen {
+                    Some(unit) => reading.units.insert(channel, unit),
+                    None => reading.units.remove(&channel),
+                };
+            }
+            ui.end_row();
+        }
+        ui.label("");
+        ui.checkbox(&mut reading.flip_force, w.flip_force);
+        ui.end_row();
+        ui.label("");
+        ui.checkbox(&mut reading.flip_motion, w.flip_motion);
+        ui.end_row();
+        let mut field = |name: &str, value: &mut f64, factor: f64, unit: &str, speed: f64| {
+            ui.label(name);
+            ui.horizontal(|ui| {
+                let mut shown = *value * factor;
+                let field = ui.add(egui::DragValue::new(&mut shown).speed(speed).custom_formatter(|v, _| typed(v)));
+                field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+                if field.changed() {
+                    *value = shown / factor;
+                }
+                ui.label(unit);
+            });
+            ui.end_row();
+        };
+        field(w.delay, &mut reading.delay_s, 1e3, "ms", 0.05);
+        field(w.force_zero, &mut reading.force_zero_n, 1.0, "N", 0.5);
+        field(w.displacement_zero, &mut reading.displacement_zero_m, 1e3, "mm", 0.05);
+        field(w.gain, &mut reading.gain, 1.0, "", 0.001);
+    });
+    if !reading.exclude.is_empty() {
+        ui.label(w.excluded);
+    }
+    let mut back = None;
+    for (k, name) in reading.exclude.iter().enumerate() {
+        ui.horizontal(|ui| {
+            ui.label(name);
+            if ui.small_button("✖").on_hover_text(w.take_back).clicked() {
+                back = Some(k);
+            }
+        });
+    }
+    if let Some(k) = back {
+        reading.exclude.remove(k);
+    }
+    let wrong = reading.check().err();
+    if let Some(wrong) = &wrong {
+        ui.colored_label(ui.visuals().error_fg_color, wrong);
+    }
+    ui.horizontal_wrapped(|ui| {
+        let can = session.task.is_none() && wrong.is_none();
+        if ui.add_enabled(can, egui::Button::new(w.read_again)).on_hover_text(w.read_again_hint).clicked() {
+            session.read_again();
+        }
+        if ui.add_enabled(can, egui::Button::new(w.keep_reading)).on_hover_text(w.keep_reading_hint).clicked() {
+            session.keep_reading();
+        }
+    });
+    ui.separator();
+    let notes = session.campaign.as_ref().map_or_else(Vec::new, |c| c.campaign.notes.clone());
+    let reasons = session.campaign.as_ref().map_or_else(Vec::new, |c| c.campaign.sign.reasons.clone());
+    egui::ScrollArea::vertical().id_salt("notes").auto_shrink([false, false]).show(ui, |ui| {
+        for text in reasons.iter().chain(notes.iter().map(|n| &n.text)) {
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {text}")).weak()).wrap());
+        }
+    });
+}

@@ -1,0 +1,176 @@
+//! One number at several values, as the source's chapter 3 shows them; and what an effect would look like over the measured loops.
+
+use crate::session::Session;
+use crate::session::model::Reach;
+use crate::session::study::{Question, Study};
+use crate::units::{digits, shown};
+use crate::views::{Corner, View, hue};
+use crate::words::Words;
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Row, Shape, find};
+use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
+use egui_plot::{Line, Plot, PlotPoints};
+
+/// What is asked, as it stands in the panel.
+pub struct Form {
+    name: &'static str,
+    /// From and to, SI; the slider's reach until it was set.
+    range: Option<[f64; 2]>,
+    count: usize,
+}
+
+impl Default for Form {
+    fn default() -> Self {
+        // Seven loops are told apart, and have a middle.
+        Form { name: "", range: None, count: 7 }
+    }
+}
+
+/// Draws the panel.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let Some(model) = &session.model else {
+        ui.label(w.no_model);
+        return;
+    };
+    let params = *model.params();
+    let on = |row: &Row| row.group < elements::COUNT && params.is_on(GROUPS[row.group].name);
+    let rows: Vec<Row> = parameter::table().filter(|r| on(r) && matches!(r.parameter.shape, Shape::Scalar)).collect();
+    ui.heading(w.study);
+    ui.add(egui::Label::new(RichText::new(w.study_hint).weak()).wrap());
+    let form = &mut view.question;
+    if !rows.iter().any(|r| r.parameter.name == form.name) {
+        form.name = rows.first().map_or("", |r| r.parameter.name);
+        form.range = None;
+    }
+    ComboBox::from_id_salt("parameter").selected_text(form.name).width(220.0).show_ui(ui, |ui| {
+        for row in &rows {
+            if ui.selectable_label(form.name == row.parameter.name, row.parameter.name).clicked() {
+                form.name = row.parameter.name;
+                form.range = None;
+            }
+        }
+    });
+    if let Some(row) = find(form.name) {
+        let value = params.scalar(form.name);
+        let reach = Reach::of(&row, value, value, model.interval(form.name, 0));
+        let [low, high] = form.range.unwrap_or(around(value, &reach));
+        let unit = shown(row.parameter.unit);
+        let (mut from, mut to) = (low, high);
+        for (text, end) in [(w.from, &mut from), (w.to, &mut to)] {
+            ui.horizontal(|ui| {
+                ui.label(text);
+                let mut shown_value = unit.factor * *end;
+                let speed = (shown_value.abs() * 0.01).max(1e-9);
+                let field =
+                    egui::DragValue::new(&mut shown_value).speed(speed).custom_formatter(|v, _| crate::units::typed(v));
+                if ui.add(field).changed() {
+                    *end = (shown_value / unit.factor).clamp(row.parameter.low, row.parameter.high);
+                }
+                ui.label(&unit.symbol);
+            });
+        }
+        form.range = Some([from, to]);
+        ui.add(Slider::new(&mut form.count, 2..=15).text(w.loops));
+        let test = session.selected.iter().next_back().copied();
+        let can = session.task.is_none() && session.has_records() && test.is_some() && from < to;
+        let (name, count) = (form.name, form.count);
+        if ui.add_enabled(can, egui::Button::new(w.compute)).clicked() {
+            if let Some(test) = test {
+                view.corner = Corner::Study;
+                session.study(Question { name, range: [from, to], factors: reach.factors, count, test });
+            }
+        }
+    }
+    if let Some(study) = &session.study {
+        table(ui, study, w);
+    }
+    ui.separator();
+    effect(ui, session, view, w);
+}
+
+/// A range about a value that shows something: a factor of three to either side, or the reach of the slider.
+fn around(value: f64, reach: &Reach) -> [f64; 2] {
+    if reach.factors && value > 0.0 {
+        [(value / 3.0).max(reach.low), (3.0 * value).min(reach.high)]
+    } else {
+        [reach.low, reach.high]
+    }
+}
+
+fn table(ui: &mut Ui, study: &Study, w: &Words) {
+    let Some(row) = find(study.question.name) else { return };
+    let unit = shown(row.parameter.unit);
+    egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
+        ui.strong(format!("{} [{}]", study.question.name, unit.symbol));
+        ui.strong(format!("{} [J]", w.area));
+        ui.strong(format!("{} [N]", w.gap));
+        ui.end_row();
+        for (k, member) in study.members.iter().enumerate() {
+            ui.label(RichText::new(digits(unit.factor * member.value)).color(hue(k)));
+            ui.label(digits(member.area));
+            ui.label(digits(member.gap));
+            ui.end_row();
+        }
+        ui.label(w.measured);
+        ui.label(digits(study.measured[0]));
+        ui.label(digits(study.measured[1]));
+        ui.end_row();
+    });
+}
+
+fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
+    let Some(model) = &session.model else { return };
+    ui.heading(w.effect_look);
+    ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
+    let mut chosen = view.effect.map(|(name, _)| name);
+    ComboBox::from_id_salt("effect")
+        .selected_text(chosen.map_or(w.none.to_owned(), |n| n.replace('_', " ")))
+        .width(220.0)
+        .show_ui(ui, |ui| {
+            ui.selectable_value(&mut chosen, None, w.none);
+            for group in GROUPS[..elements::COUNT].iter().filter(|g| !model.params().is_on(g.name)) {
+                ui.selectable_value(&mut chosen, Some(group.name), group.name.replace('_', " "))
+                    .on_hover_text(group.meaning);
+            }
+        });
+    let mut strength = view.effect.map_or(1.0, |(_, s)| s);
+    if chosen.is_some() {
+        let slider = ui.add(Slider::new(&mut strength, 0.05..=10.0).logarithmic(true).text(w.strength));
+        slider.widget_info(|| WidgetInfo::slider(true, strength, w.strength));
+    }
+    if let Some(name) = chosen {
+        let group = GROUPS.iter().find(|g| g.name == name);
+        ui.add(egui::Label::new(RichText::new(group.map_or("", |g| g.meaning)).small().weak()).wrap());
+    }
+    view.effect = chosen.map(|name| (name, strength));
+}
+
+/// Draws the family of loops.
+pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
+    let (Some(study), Some(loaded)) = (&session.study, &session.campaign) else {
+        ui.label(w.study_hint);
+        return;
+    };
+    let Some(seen) = loaded.tests.get(study.question.test) else { return };
+    let unit = find(study.question.name).map(|r| shown(r.parameter.unit)).unwrap_or(shown("-"));
+    ui.strong(format!("{} · {}", study.question.name, loaded.campaign.records[study.question.test].name));
+    let velocity = &seen.cycle_motion.velocity;
+    let step = seen.shown.len().div_ceil(400).max(1);
+    let points = |force: &[f64]| -> Vec<[f64; 2]> {
+        (0..force.len().min(seen.shown.len())).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
+    };
+    Plot::new("study")
+        .x_axis_label(format!("{} [m/s]", w.velocity))
+        .y_axis_label(format!("{} [N]", w.force))
+        .y_axis_min_width(54.0)
+        .show(ui, |plot| {
+            let weak = plot.ctx().global_style().visuals.weak_text_color();
+            let measured = points(&seen.cycle.force[..seen.shown.len()]);
+            plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
+            for (k, member) in study.members.iter().enumerate() {
+                let name = format!("{} {}", digits(unit.factor * member.value), unit.symbol);
+                plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
+            }
+        });
+}

@@ -1,0 +1,214 @@
+//! The tests: what each is, how far the model is from it, what was noticed, and which are used.
+
+use crate::session::Session;
+use crate::units::digits;
+use crate::views::{View, hue};
+use dashpot_records::{Positive, Record};
+use eframe::egui::{self, Role, Ui, WidgetInfo};
+
+/// Kinds of notes that tell of damage to a record, not of routine.
+const DAMAGE: [&str; 9] = [
+    "clipped",
+    "duplicated",
+    "missing",
+    "out_of_order",
+    "outlier",
+    "time_resolution",
+    "noisy_last_cycle",
+    "frozen",
+    "gap",
+];
+
+/// Whether something about a test deserves a look.
+fn is_damaged(record: &Record) -> bool {
+    record.notes.iter().any(|n| DAMAGE.contains(&n.kind))
+}
+
+/// Draws the list and what is known of the chosen test.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let Some(loaded) = session.campaign.clone() else {
+        welcome(ui, session, view);
+        return;
+    };
+    let records = &loaded.campaign.records;
+    ui.horizontal(|ui| {
+        ui.heading(w.tests);
+        ui.weak(format!("{}", records.len()));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.small_button(w.all).on_hover_text(w.all_hint).clicked() {
+                session.selected = (0..records.len()).collect();
+            }
+        });
+    });
+    let sign = &loaded.campaign.sign;
+    let direction = match sign.positive {
+        Positive::Rebound => w.rebound_positive,
+        Positive::Compression => w.compression_positive,
+    };
+    let sure = if sign.given { String::new() } else { format!(" ({:.0} %)", 100.0 * sign.confidence) };
+    ui.weak(format!("{direction}{sure}")).on_hover_text(sign.reasons.join("\n"));
+    let filter = ui.add(egui::TextEdit::singleline(&mut view.filter).hint_text(w.filter).desired_width(f32::INFINITY));
+    filter.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, w.filter));
+    let wanted = view.filter.to_lowercase();
+    let listed: Vec<usize> =
+        (0..records.len()).filter(|k| wanted.is_empty() || records[*k].name.to_lowercase().contains(&wanted)).collect();
+    let details = session.selected.iter().next_back().copied();
+    let room = (ui.available_height() - if details.is_some() { 220.0 } else { 0.0 }).max(120.0);
+    let height = ui.spacing().interact_size.y;
+    egui::ScrollArea::vertical()
+        .id_salt("tests")
+        .max_height(room)
+        .min_scrolled_height(room)
+        .auto_shrink([false, false])
+        .show_rows(ui, height, listed.len(), |ui, range| {
+            for k in &listed[range] {
+                row(ui, session, view, &records[*k], *k, &listed);
+            }
+        });
+    ui.separator();
+    egui::ScrollArea::vertical().id_salt("details").auto_shrink([false, false]).show(ui, |ui| {
+        if let Some(k) = details.filter(|k| *k < records.len()) {
+            detail(ui, session, view, k);
+        }
+        for note in &loaded.campaign.notes {
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", note.text)).weak()).wrap());
+        }
+    });
+}
+
+fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: usize, listed: &[usize]) {
+    let w = view.words();
+    ui.horizontal(|ui| {
+        let mut ticked = !session.unticked.contains(&k);
+        let tick = ui.checkbox(&mut ticked, "").on_hover_text(w.tick_hint);
+        tick.widget_info(|| {
+            WidgetInfo::selected(Role::CheckBox, true, ticked, format!("{} {}", w.use_test, record.name))
+        });
+        if tick.changed() {
+            if ticked {
+                session.unticked.remove(&k);
+            } else {
+                session.unticked.insert(k);
+            }
+        }
+        let place = session.selected.iter().position(|s| *s == k);
+        let error = session.simulated.as_ref().and_then(|s| s.tests.get(k)).map(|t| t.percent);
+        let figures = match error {
+            Some(percent) => format!("{percent:.2} %"),
+            None => format!("{} Hz", digits(record.frequency)),
+        };
+        let warning = if is_damaged(record) { "⚠ " } else { "" };
+        let text = format!("{warning}{}", record.name);
+        let width = (ui.available_width() - 66.0).max(60.0);
+        let label = egui::Button::selectable(place.is_some(), text).truncate().min_size(egui::vec2(width, 0.0));
+        let response = ui.scope(|ui| {
+            ui.set_max_width(width);
+            ui.add(label)
+        });
+        let response = response.inner.on_hover_text(describe(record, w));
+        if let Some(place) = place {
+            let rect = response.rect;
+            let mark = egui::Rect::from_min_max(rect.left_top(), egui::pos2(rect.left() + 3.0, rect.bottom()));
+            ui.painter().rect_filled(mark, 1.0, hue(place));
+        }
+        if response.clicked() {
+            let keys = ui.input(|i| i.modifiers);
+            choose(session, view, k, keys, listed);
+        }
+        ui.weak(figures);
+    });
+}
+
+/// Chooses a test as lists are used everywhere: alone, more with Ctrl, a range with Shift.
+pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modifiers, listed: &[usize]) {
+    let place = |k: usize| listed.iter().position(|l| *l == k);
+    match (keys.shift, view.anchor.and_then(place), place(k)) {
+        (true, Some(from), Some(to)) => session.selected.extend(&listed[from.min(to)..=from.max(to)]),
+        _ if keys.command => {
+            if !session.selected.remove(&k) {
+                session.selected.insert(k);
+            }
+            view.anchor = Some(k);
+        }
+        _ => {
+            session.selected = [k].into();
+            view.anchor = Some(k);
+        }
+    }
+}
+
+fn describe(record: &Record, w: &crate::words::Words) -> String {
+    format!(
+        "{} {} mm\n{} {} Hz\n{} {} m/s",
+        w.amplitude,
+        digits(1e3 * record.amplitude),
+        w.frequency,
+        digits(record.frequency),
+        w.peak_velocity,
+        digits(record.peak_velocity)
+    )
+}
+
+fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
+    let w = view.words();
+    let Some(loaded) = session.campaign.clone() else { return };
+    let (record, seen) = (&loaded.campaign.records[k], &loaded.tests[k]);
+    ui.strong(&record.name);
+    ui.add(egui::Label::new(egui::RichText::new(&record.source).weak()).wrap());
+    let n = seen.shown.len();
+    let area = crate::session::study::loop_area(&seen.cycle.displacement[..n], &seen.cycle.force[..n]);
+    let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
+    egui::Grid::new("detail").num_columns(2).show(ui, |ui| {
+        let mut line = |name: &str, value: String| {
+            ui.label(name);
+            ui.label(value);
+            ui.end_row();
+        };
+        line(w.amplitude, format!("{} mm", digits(1e3 * record.amplitude)));
+        line(w.frequency, format!("{} Hz", digits(record.frequency)));
+        line(w.peak_velocity, format!("{} m/s", digits(record.peak_velocity)));
+        line(w.largest_force, format!("{} N", digits(seen.max_force)));
+        if !record.cycles.is_empty() {
+            line(w.cycles, record.cycles.len().to_string());
+            line(w.work, format!("{} J", digits(area)));
+        }
+        line(w.noise, format!("{} N", digits(record.noise.force_rms)));
+        if let Some(of) = simulated {
+            line(w.mean_error, format!("{} N, {:.2} %", digits(of.mean_error), of.percent));
+        }
+    });
+    for note in &record.notes {
+        let text = egui::RichText::new(format!("• {}", note.text));
+        let text = if DAMAGE.contains(&note.kind) { text.color(ui.visuals().warn_fg_color) } else { text.weak() };
+        ui.add(egui::Label::new(text).wrap());
+    }
+    if ui.add_enabled(session.task.is_none(), egui::Button::new(w.exclude)).on_hover_text(w.exclude_hint).clicked() {
+        session.exclude(k);
+    }
+    ui.separator();
+}
+
+fn welcome(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    ui.heading(w.welcome);
+    ui.label(w.welcome_hint);
+    ui.add_space(8.0);
+    let free = session.task.is_none();
+    if ui.add_enabled(free, egui::Button::new(w.open_folder)).clicked() {
+        view.asks.push(crate::dialogs::Ask::Folder);
+    }
+    if ui.button(w.open_model).clicked() {
+        view.asks.push(crate::dialogs::Ask::Model);
+    }
+    let recent = session.recent.paths.clone();
+    if !recent.is_empty() {
+        ui.add_space(8.0);
+        ui.label(w.recent);
+    }
+    for path in recent {
+        if ui.add_enabled(free, egui::Button::new(path.display().to_string()).truncate()).clicked() {
+            session.open(&[path]);
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! Elements on and off, and a slider for every number, with what dampers show and what the fit left open marked.
+
+use crate::session::Session;
+use crate::session::model::{Reach, Tuned, usual_band};
+use crate::units::{shown, typed};
+use crate::views::View;
+use crate::words::Words;
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Row, Shape};
+use eframe::egui::collapsing_header::CollapsingState;
+use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
+
+/// Draws the panel.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
+    let w = view.words();
+    let Some(model) = &session.model else {
+        ui.label(w.no_model);
+        let can = session.has_records() && session.task.is_none();
+        if ui.add_enabled(can, egui::Button::new(w.fit)).on_hover_text(w.fit_hint).clicked() {
+            session.fit();
+        }
+        return;
+    };
+    let name = model
+        .path
+        .as_ref()
+        .and_then(|p| p.file_name())
+        .map_or_else(|| w.unsaved_model.to_owned(), |n| n.to_string_lossy().into_owned());
+    ui.horizontal(|ui| {
+        ui.heading(name);
+        if model.is_unsaved() {
+            ui.label("●").on_hover_text(w.not_saved);
+        }
+    });
+    errors(ui, session, w);
+    if let Some(refused) = session.model.as_ref().and_then(|m| m.refused.clone()) {
+        ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.refused));
+    }
+    legend(ui, w);
+    ui.separator();
+    let rows: Vec<Row> = parameter::table().filter(|r| r.group < elements::COUNT).collect();
+    egui::ScrollArea::vertical().id_salt("tune").auto_shrink([false, false]).show(ui, |ui| {
+        let on: Vec<bool> = GROUPS[..elements::COUNT]
+            .iter()
+            .map(|g| session.model.as_ref().is_some_and(|m| m.params().is_on(g.name)))
+            .collect();
+        // What is on stands first; what could be added follows.
+        let order = (0..elements::COUNT).filter(|g| on[*g]).chain((0..elements::COUNT).filter(|g| !on[*g]));
+        let mut off_told = false;
+        for g in order {
+            if !on[g] && !off_told {
+                off_told = true;
+                ui.add_space(6.0);
+                ui.weak(w.elements_off);
+            }
+            element(ui, session, w, g, on[g], &rows);
+        }
+    });
+}
+
+/// The error as it is, beside that of the identified model.
+fn errors(ui: &mut Ui, session: &Session, w: &Words) {
+    let mean = |s: &crate::session::simulation::Simulated| {
+        s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
+    };
+    if let Some(now) = &session.simulated {
+        let before = session.identified.as_ref().map(|i| format!(" ({} {:.2} %)", w.identified, mean(i)));
+        ui.label(format!("{} {:.2} %{}", w.mean_error, mean(now), before.unwrap_or_default()));
+    }
+}
+
+const USUAL: Color32 = Color32::from_rgb(150, 150, 150);
+const INTERVAL: Color32 = Color32::from_rgb(0, 114, 178);
+const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
+
+fn legend(ui: &mut Ui, w: &Words) {
+    ui.horizontal_wrapped(|ui| {
+        for (colour, text) in [(USUAL, w.usual), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
+            ui.label(RichText::new("▬").color(colour));
+            ui.label(RichText::new(text).small());
+        }
+    });
+}
+
+fn element(ui: &mut Ui, session: &mut Session, w: &Words, g: usize, on: bool, rows: &[Row]) {
+    let group = &GROUPS[g];
+    let id = Id::unique(("element", g));
+    let mut switched = on;
+    CollapsingState::load_with_default_open(ui.ctx(), id, on)
+        .show_header(ui, |ui| {
+            let label = group.name.replace('_', " ");
+            ui.checkbox(&mut switched, if on { RichText::new(label).strong() } else { RichText::new(label) })
+                .on_hover_text(group.meaning);
+        })
+        .body(|ui| {
+            ui.add(egui::Label::new(RichText::new(group.meaning).small().weak()).wrap());
+            ui.add_enabled_ui(on, |ui| {
+                let table = session.model.as_ref().is_some_and(|m| m.params().scalar("fv_form") == 0.0);
+                for row in rows.iter().filter(|r| r.group == g && is_of_form(r, table)) {
+                    match row.parameter.shape {
+                        Shape::Scalar => number(ui, session, w, row, 0),
+                        Shape::Choice(words) => choice(ui, session, row, words),
+                        Shape::List(_) => list(ui, session, w, row),
+                    }
+                }
+            });
+        });
+    if switched != on {
+        session.tune(|m| m.switch(g, switched));
+    }
+}
+
+/// Width of a slider, px: fine enough for a percent a pixel.
+const WIDTH: f32 = 140.0;
+
+/// One number: its name, a slider with marks, and a field.
+fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize) {
+    let Some(model) = &session.model else { return };
+    let p = row.parameter;
+    let (Some(now), Some(identified)) = (
+        model.params().get(row).get(entry).copied(),
+        model.identified.get(row).get(entry).or(p.default.first()).copied(),
+    ) else {
+        return;
+    };
+    let interval = model.interval(p.name, entry);
+    let reach = Reach::of(row, identified, now, interval);
+    let unit = shown(p.unit);
+    let name = match p.shape {
+        Shape::List(_) => format!("{}[{entry}]", p.name),
+        _ => p.name.to_owned(),
+    };
+    let loose = model.identification.not_identified.iter().any(|n| *n == name);
+    let title = if loose {
+        RichText::new(format!("{name} ({})", w.not_identified)).small().weak()
+    } else {
+        RichText::new(&name).small()
+    };
+    ui.label(title).on_hover_text(p.meaning);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().slider_width = WIDTH;
+        let mut value = now;
+        let slider = Slider::from_get_set(reach.low..=reach.high, |set| {
+            if let Some(set) = set {
+                value = set;
+            }
+            value
+        });
+        let slider = slider.logarithmic(reach.factors).smallest_positive(reach.low.max(1e-300)).show_value(false);
+        let slider = ui.add(slider.clamping(SliderClamping::Never));
+        slider.widget_info(|| WidgetInfo::slider(true, unit.factor * value, format!("{name} {}", unit.symbol)));
+        marks(ui, slider.rect, &reach, usual_band(p.name), interval, identified);
+        let mut in_unit = unit.factor * value;
+        let speed = (in_unit.abs() * 0.005).max(1e-9);
+        let field = egui::DragValue::new(&mut in_unit).speed(speed).custom_formatter(|v, _| typed(v));
+        let field = ui.add(field.update_while_editing(false));
+        field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, format!("{name} {}", unit.symbol)));
+        if field.changed() {
+            value = in_unit / unit.factor;
+        }
+        ui.label(RichText::new(&unit.symbol).small());
+        if now != identified && ui.small_button("⟲").on_hover_text(w.back_to_identified).clicked() {
+            value = identified;
+        }
+        let ended = |r: &egui::Response| r.drag_stopped() || r.lost_focus();
+        if value != now {
+            session.tune(|m| m.set(row, entry, value));
+        }
+        if ended(&slider) || ended(&field) {
+            if let Some(model) = &mut session.model {
+                model.seal();
+            }
+        }
+    });
+}
+
+/// Marks under a slider: what dampers show, the 95 % band, the identified value.
+fn marks(ui: &Ui, rect: Rect, reach: &Reach, usual: Option<[f64; 2]>, interval: Option<[f64; 2]>, identified: f64) {
+    // The slider's own handle stops this far from its ends.
+    let inside = rect.shrink2(egui::vec2(rect.height() / 2.5, 0.0));
+    let x = |value: f64| inside.left() + inside.width() * reach.place(value) as f32;
+    let painter = ui.painter();
+    let band = |[low, high]: [f64; 2], top: f32, bottom: f32, colour: Color32| {
+        let (from, to) = (x(low), x(high).max(x(low) + 1.5));
+        let rect = Rect::from_min_max(pos2(from, rect.bottom() - top), pos2(to, rect.bottom() - bottom));
+        painter.rect_filled(rect, 0.0, colour);
+    };
+    if let Some(usual) = usual {
+        band(usual, 3.0, 1.0, USUAL);
+    }
+    if let Some(interval) = interval {
+        band(interval, 4.0, 0.0, INTERVAL);
+    }
+    band([identified, identified], 6.0, 0.0, IDENTIFIED);
+}
+
+fn choice(ui: &mut Ui, session: &mut Session, row: &Row, words: &[&str]) {
+    let Some(model) = &session.model else { return };
+    let now = model.params().get(row).first().copied().unwrap_or(0.0) as usize;
+    let mut chosen = now;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(row.parameter.name).small()).on_hover_text(row.parameter.meaning);
+        let shown = words.get(now).copied().unwrap_or("");
+        egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
+            for (k, word) in words.iter().enumerate() {
+                ui.selectable_value(&mut chosen, k, *word);
+            }
+        });
+    });
+    if chosen != now {
+        session.tune(|m| {
+            let changed = m.set(row, 0, chosen as f64);
+            m.seal();
+            changed
+        });
+    }
+}
+
+/// A curve: its forces as sliders, its places as they are; on the plot its points are dragged.
+fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
+    let p = row.parameter;
+    let count = session.model.as_ref().map_or(0, |m| m.params().get(row).len());
+    if count == 0 {
+        return;
+    }
+    // Places of a curve's points are dragged with its forces, or typed.
+    let places = p.name.ends_with("_velocity") || p.name.ends_with("_displacement");
+    egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", p.name)).small())
+        .id_salt(p.name)
+        .default_open(false)
+        .show(ui, |ui| {
+            if places {
+                ui.weak(w.drag_points);
+            }
+            for entry in 0..count {
+                if is_free(session.model.as_ref(), row, entry) {
+                    number(ui, session, w, row, entry);
+                }
+            }
+        });
+}
+
+/// A curve has no force at rest: that point stays.
+fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
+    let Some(model) = model else { return false };
+    match row.parameter.name {
+        "fv_force" | "fv_velocity" => model.params().list("fv_velocity").get(entry).is_some_and(|v| *v != 0.0),
+        _ => true,
+    }
+}
+
+/// The FV curve is a table of points or has slopes and knees: the numbers of the other form say nothing.
+fn is_of_form(row: &Row, table: bool) -> bool {
+    let name = row.parameter.name;
+    let knees = name.starts_with("fv_rebound") || name.starts_with("fv_compression");
+    let points = matches!(name, "fv_velocity" | "fv_force" | "fv_interpolation");
+    if table { !knees } else { !points }
+}

@@ -1,0 +1,247 @@
+//! Every text of the window, in every language; one file a language. A text that a language lacks does not compile.
+
+mod chinese;
+mod english;
+mod french;
+mod german;
+
+use dashpot_records::Channel;
+
+/// The languages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Language {
+    /// English.
+    #[default]
+    English,
+    /// German.
+    German,
+    /// French.
+    French,
+    /// Chinese.
+    Chinese,
+}
+
+impl Language {
+    /// All, in the order in which they are offered.
+    pub const ALL: [Language; 4] = [Language::English, Language::German, Language::French, Language::Chinese];
+
+    /// Its own name of itself.
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::English => "English",
+            Language::German => "Deutsch",
+            Language::French => "Français",
+            Language::Chinese => "中文",
+        }
+    }
+
+    /// Its texts.
+    pub fn words(self) -> &'static Words {
+        match self {
+            Language::English => &english::WORDS,
+            Language::German => &german::WORDS,
+            Language::French => &french::WORDS,
+            Language::Chinese => &chinese::WORDS,
+        }
+    }
+
+    /// The language that the system speaks, as its environment says; English where it says nothing known.
+    pub fn of_system() -> Language {
+        let said = ["LC_ALL", "LC_MESSAGES", "LANG"]
+            .iter()
+            .find_map(|name| std::env::var(name).ok().filter(|v| !v.is_empty()));
+        Language::of_locale(&said.unwrap_or_default())
+    }
+
+    fn of_locale(locale: &str) -> Language {
+        match locale.get(..2).unwrap_or_default().to_ascii_lowercase().as_str() {
+            "de" => Language::German,
+            "fr" => Language::French,
+            "zh" => Language::Chinese,
+            _ => Language::English,
+        }
+    }
+}
+
+impl Words {
+    /// The name of a channel.
+    pub fn channel(&self, channel: Channel) -> &'static str {
+        match channel {
+            Channel::Time => self.time,
+            Channel::Displacement => self.displacement,
+            Channel::Velocity => self.velocity,
+            Channel::Force => self.force,
+            Channel::SideForce => self.side_force,
+            Channel::Temperature => self.temperature,
+        }
+    }
+}
+
+/// The texts; the English ones say what each is.
+#[allow(missing_docs)] // the texts are their meaning
+pub struct Words {
+    pub file: &'static str,
+    pub open_folder: &'static str,
+    pub open_files: &'static str,
+    pub open_model: &'static str,
+    pub compare_campaign: &'static str,
+    pub compare_no_more: &'static str,
+    pub recent: &'static str,
+    pub save: &'static str,
+    pub save_as: &'static str,
+    pub write_report: &'static str,
+    pub undo: &'static str,
+    pub redo: &'static str,
+    pub reset: &'static str,
+    pub reset_hint: &'static str,
+    pub fit: &'static str,
+    pub fit_hint: &'static str,
+    pub validate: &'static str,
+    pub validate_hint: &'static str,
+    pub diagnose: &'static str,
+    pub diagnose_hint: &'static str,
+    pub export: &'static str,
+    pub export_fmu: &'static str,
+    pub export_adams: &'static str,
+    pub export_property: &'static str,
+    pub cancel: &'static str,
+    pub reading: &'static str,
+    pub fitting: &'static str,
+    pub validating: &'static str,
+    pub diagnosing: &'static str,
+    pub studying: &'static str,
+    pub writing: &'static str,
+    pub stopping: &'static str,
+    pub tests_in: &'static str,
+    pub computed_in: &'static str,
+    pub tests: &'static str,
+    pub all: &'static str,
+    pub all_hint: &'static str,
+    pub filter: &'static str,
+    pub tick_hint: &'static str,
+    pub use_test: &'static str,
+    pub exclude: &'static str,
+    pub exclude_hint: &'static str,
+    pub welcome: &'static str,
+    pub welcome_hint: &'static str,
+    pub drop_here: &'static str,
+    pub amplitude: &'static str,
+    pub frequency: &'static str,
+    pub peak_velocity: &'static str,
+    pub largest_force: &'static str,
+    pub cycles: &'static str,
+    pub work: &'static str,
+    pub noise: &'static str,
+    pub mean_error: &'static str,
+    pub mean: &'static str,
+    pub rebound_positive: &'static str,
+    pub compression_positive: &'static str,
+    pub force: &'static str,
+    pub velocity: &'static str,
+    pub displacement: &'static str,
+    pub time: &'static str,
+    pub temperature: &'static str,
+    pub force_velocity: &'static str,
+    pub force_displacement: &'static str,
+    pub force_time: &'static str,
+    pub peaks: &'static str,
+    pub measured: &'static str,
+    pub reference: &'static str,
+    pub model: &'static str,
+    pub identified_model: &'static str,
+    pub with_effect: &'static str,
+    pub fv_curve: &'static str,
+    pub fv_points: &'static str,
+    pub save_plot: &'static str,
+    pub error_matrix: &'static str,
+    pub error_hint: &'static str,
+    pub not_periodic: &'static str,
+    pub tune: &'static str,
+    pub answer: &'static str,
+    pub records: &'static str,
+    pub study: &'static str,
+    pub no_model: &'static str,
+    pub unsaved_model: &'static str,
+    pub not_saved: &'static str,
+    pub refused: &'static str,
+    pub usual: &'static str,
+    pub interval: &'static str,
+    pub identified: &'static str,
+    pub not_identified: &'static str,
+    pub back_to_identified: &'static str,
+    pub elements_off: &'static str,
+    pub drag_points: &'static str,
+    pub no_answer: &'static str,
+    pub fit_answer: &'static str,
+    pub validation_answer: &'static str,
+    pub diagnosis_answer: &'static str,
+    pub tests_fitted: &'static str,
+    pub used_in_fit: &'static str,
+    pub left_out: &'static str,
+    pub all_tests: &'static str,
+    pub fitted: &'static str,
+    pub before: &'static str,
+    pub after: &'static str,
+    pub rms: &'static str,
+    pub sure: &'static str,
+    pub of_the_rig: &'static str,
+    pub next_test: &'static str,
+    pub changed: &'static str,
+    pub take_improved: &'static str,
+    pub how_read: &'static str,
+    pub how_read_hint: &'static str,
+    pub positive: &'static str,
+    pub from_data: &'static str,
+    pub rebound: &'static str,
+    pub compression: &'static str,
+    pub flip_force: &'static str,
+    pub flip_motion: &'static str,
+    pub delay: &'static str,
+    pub force_zero: &'static str,
+    pub displacement_zero: &'static str,
+    pub gain: &'static str,
+    pub unit_of: &'static str,
+    pub as_file_says: &'static str,
+    pub excluded: &'static str,
+    pub take_back: &'static str,
+    pub read_again: &'static str,
+    pub read_again_hint: &'static str,
+    pub keep_reading: &'static str,
+    pub keep_reading_hint: &'static str,
+    pub study_hint: &'static str,
+    pub from: &'static str,
+    pub to: &'static str,
+    pub loops: &'static str,
+    pub compute: &'static str,
+    pub area: &'static str,
+    pub gap: &'static str,
+    pub effect_look: &'static str,
+    pub effect_hint: &'static str,
+    pub strength: &'static str,
+    pub none: &'static str,
+    pub closing: &'static str,
+    pub closing_task: &'static str,
+    pub closing_unsaved: &'static str,
+    pub stay: &'static str,
+    pub save_first: &'static str,
+    pub close_anyway: &'static str,
+    pub side_force: &'static str,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_locale_chooses_the_language() {
+        for (locale, wanted) in [
+            ("de_DE.UTF-8", Language::German),
+            ("fr", Language::French),
+            ("zh_CN", Language::Chinese),
+            ("C.UTF-8", Language::English),
+            ("", Language::English),
+        ] {
+            assert_eq!(Language::of_locale(locale), wanted, "{locale}");
+        }
+    }
+}

@@ -1,0 +1,498 @@
+//! The window as its user works it, without a screen: widgets are found by what a screen reader says of them.
+
+mod common;
+
+use common::{campaign, model, until, window};
+use dashpot_bench::app::App;
+use dashpot_bench::session::model::Tuned;
+use dashpot_bench::session::simulation::Simulated;
+use dashpot_bench::session::tasks::Kind;
+use dashpot_bench::views::lines::Whose;
+use dashpot_bench::words::Language;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{self, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
+use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
+use egui_kittest::{Harness, Node};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A window with records and a model open, all forces computed.
+fn opened(folder: &Path, tests: usize, answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
+    campaign(folder, tests);
+    let models = folder.join("models");
+    std::fs::create_dir(&models).unwrap();
+    let file = model(&models);
+    let mut harness = window(answers);
+    harness.state_mut().session.open(&[folder.to_owned(), file]);
+    until(&mut harness, "forces of all tests", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    harness
+}
+
+fn stiffness(harness: &Harness<'_, App>) -> f64 {
+    harness.state().session.model.as_ref().unwrap().params().scalar("series_stiffness")
+}
+
+fn message(harness: &Harness<'_, App>) -> (String, bool) {
+    harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.clone(), m.wrong))
+}
+
+/// The widget of a kind with this name; labels beside it that read the same are others.
+#[track_caller]
+fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
+    let found = harness.query_all(by().role(role).label(label)).next();
+    found.unwrap_or_else(|| panic!("there is no {role:?} called {label:?}"))
+}
+
+/// Clicks a button and lets the window draw what comes of it.
+#[track_caller]
+fn press(harness: &mut Harness<'_, App>, label: &str) {
+    widget(harness, Role::Button, label).click();
+    harness.step();
+    harness.step();
+}
+
+fn has(harness: &Harness<'_, App>, role: Role, label: &str) -> bool {
+    harness.query_all(by().role(role).label(label)).next().is_some()
+}
+
+fn says(harness: &Harness<'_, App>, text: &str) -> bool {
+    harness.query_all(by().label(text)).next().is_some()
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|e| e.to_string())
+    }
+}
+
+fn drop_files(harness: &mut Harness<'_, App>, paths: &[PathBuf]) {
+    let files = paths.iter().map(|p| Arc::new(Dropped(p.clone())) as egui::DroppedFileHandle);
+    harness.input_mut().dropped_files = files.collect();
+    harness.step();
+}
+
+#[test]
+fn a_folder_is_opened_by_its_button_and_its_loops_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 9);
+    let mut harness = window(vec![vec![folder.path().to_owned()]]);
+    harness.step();
+    assert!(says(&harness, "No records open"));
+    press(&mut harness, "Open folder of records…");
+    until(&mut harness, "the records", |app| app.session.has_records());
+    assert!(has(&harness, Role::Button, "a40_000"));
+    let lines = harness.state_mut().view.lines.lines.clone();
+    assert_eq!(lines.len(), 3, "all speeds of one amplitude");
+    assert!(lines.iter().all(|l| l.whose == Whose::Measured && l.velocity.len() > 100));
+    // Clicking a test shows it alone, with Ctrl one more.
+    press(&mut harness, "a20_001");
+    assert_eq!(harness.state().session.selected.len(), 1);
+    widget(&harness, Role::Button, "a08_002").click_modifiers(Modifiers::COMMAND);
+    harness.step();
+    harness.step();
+    assert_eq!(harness.state().session.selected.len(), 2);
+}
+
+#[test]
+fn records_and_a_model_are_dropped_onto_the_window() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 6);
+    let models = tempfile::tempdir().unwrap();
+    let file = model(models.path());
+    let mut harness = window(vec![]);
+    drop_files(&mut harness, &[folder.path().to_owned(), file]);
+    until(&mut harness, "forces", |app| app.session.simulated.is_some());
+    let session = &harness.state().session;
+    assert_eq!(session.simulated.as_ref().unwrap().tests.len(), 6);
+    // The model is another damper than the measured one, and the matrix says so.
+    assert!(session.simulated.as_ref().unwrap().tests.iter().any(|t| t.percent > 0.1));
+}
+
+#[test]
+fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let before = stiffness(&harness);
+    // The row may lie below the part of the panel that is shown.
+    widget(&harness, Role::Slider, "series_stiffness N/mm").scroll_to_me();
+    harness.step();
+    harness.step();
+    let slider = widget(&harness, Role::Slider, "series_stiffness N/mm").rect();
+    harness.drag_at(slider.center());
+    harness.step();
+    let generation = harness.state().session.generation;
+    for part in [0.6, 0.7, 0.8] {
+        harness.hover_at(egui::pos2(slider.left() + part * slider.width(), slider.center().y));
+        harness.step();
+    }
+    harness.drop_at(egui::pos2(slider.left() + 0.8 * slider.width(), slider.center().y));
+    harness.step();
+    let after = stiffness(&harness);
+    assert!(after > 1.5 * before, "{before} {after}");
+    until(&mut harness, "forces of the tuned model", |app| {
+        app.session.simulated.as_ref().is_some_and(|s| s.params.scalar("series_stiffness") == after && !s.quick)
+    });
+    assert!(harness.state().session.generation > generation);
+    until(&mut harness, "forces of the identified model", |app| app.session.identified.is_some());
+    harness.step();
+    let lines = harness.state_mut().view.lines.lines.clone();
+    assert!(lines.iter().any(|l| l.whose == Whose::Identified) && lines.iter().any(|l| l.whose == Whose::Model));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.step();
+    assert_eq!(stiffness(&harness), before, "the drag is one step");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
+    harness.step();
+    assert_eq!(stiffness(&harness), after);
+    press(&mut harness, "Reset");
+    assert_eq!(stiffness(&harness), before);
+}
+
+#[test]
+fn an_element_is_switched_and_shows_in_every_force() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let before = harness.state().session.simulated.clone().unwrap();
+    assert!(harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
+    widget(&harness, Role::CheckBox, "series compliance").click();
+    harness.step();
+    harness.step();
+    assert!(!harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
+    until(&mut harness, "forces without it", |app| {
+        app.session.simulated.as_ref().is_some_and(|s| !s.params.is_on("series_compliance") && !s.quick)
+    });
+    let after = harness.state().session.simulated.clone().unwrap();
+    assert!(before.tests.iter().zip(&after.tests).any(|(a, b)| (a.percent - b.percent).abs() > 0.01));
+}
+
+#[test]
+fn a_point_of_the_curve_is_dragged_on_the_plot_and_stops_at_its_neighbours() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let session = &mut harness.state_mut().session;
+    let before = session.model.as_ref().unwrap().params().list("fv_force").to_vec();
+    session.tune(|m| dashpot_bench::views::plots::drag(m, 3, [0.0, 1e5], false));
+    let after = session.model.as_ref().unwrap().params().list("fv_force").to_vec();
+    assert_eq!(after[3], before[4], "no further than its neighbour");
+    session.tune(|m| dashpot_bench::views::plots::drag(m, 6, [0.0, 50.0], false));
+    assert_eq!(session.model.as_ref().unwrap().params().list("fv_force")[6], 0.0, "no force at rest");
+}
+
+#[test]
+fn a_tuned_model_is_saved_and_opened_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let path = out.path().join("tuned.toml");
+    let mut harness = opened(folder.path(), 6, vec![vec![path.clone()]]);
+    let row = dashpot_core::parameter::find("series_stiffness").unwrap();
+    harness.state_mut().session.tune(|m| m.set(&row, 0, 2.5e6));
+    assert!(harness.state().session.is_unsaved());
+    press(&mut harness, "File");
+    press(&mut harness, "Save model as…");
+    assert!(!harness.state().session.is_unsaved(), "{:?}", message(&harness));
+    assert_eq!(Tuned::read(&path).unwrap().params().scalar("series_stiffness"), 2.5e6);
+    // A record is never replaced by a model.
+    let record = folder.path().join("a40_000.csv");
+    let text = std::fs::read_to_string(&record).unwrap();
+    assert!(!harness.state_mut().session.save(&record));
+    assert_eq!(std::fs::read_to_string(&record).unwrap(), text);
+    assert!(message(&harness).1);
+}
+
+#[test]
+fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 24, vec![]);
+    let before = *harness.state().session.model.as_ref().unwrap().params();
+    press(&mut harness, "Fit");
+    assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
+    press(&mut harness, "Cancel");
+    let asked = Instant::now();
+    until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
+    let took = asked.elapsed();
+    assert_eq!(*harness.state().session.model.as_ref().unwrap().params(), before);
+    assert!(harness.state().session.answers.fit.is_none());
+    assert!(took.as_secs() < 30, "{took:?}");
+}
+
+#[test]
+fn a_model_is_fitted_validated_and_its_answer_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 12);
+    let mut harness = window(vec![]);
+    harness.state_mut().session.open(&[folder.path().to_owned()]);
+    until(&mut harness, "the records", |app| app.session.has_records());
+    harness.key_press(Key::F5);
+    until(&mut harness, "the fit", |app| app.session.answers.fit.is_some());
+    until(&mut harness, "its forces", |app| app.session.simulated.is_some());
+    let errors = harness.state().session.simulated.as_ref().unwrap().tests.clone();
+    assert!(errors.iter().all(|t| t.percent < 2.0), "{errors:?}");
+    assert!(harness.state().session.is_unsaved(), "a new model is not saved yet");
+    harness.key_press(Key::F6);
+    until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
+    assert!(says(&harness, "all tests"));
+    // The same figures as the window's own, which come from the same forces.
+    let validation = harness.state().session.answers.validation.as_ref().unwrap();
+    for (of, own) in validation.tests.iter().zip(&errors) {
+        assert!((of.errors.model.error_percent - own.percent).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_broken_file_is_named_and_what_was_open_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let broken = tempfile::tempdir().unwrap();
+    let record = broken.path().join("broken.csv");
+    std::fs::write(&record, "time_s,displacement_mm,force_N\n0,1,2\n0.1,x,3\n").unwrap();
+    drop_files(&mut harness, &[record]);
+    until(&mut harness, "an answer", |app| app.session.task.is_none());
+    let (text, wrong) = message(&harness);
+    assert!(wrong && text.contains("broken.csv"), "{text}");
+    assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 6);
+    let file = broken.path().join("m.toml");
+    std::fs::write(&file, "format = 1\nelements = []\nseries_stifness = 1\n").unwrap();
+    drop_files(&mut harness, &[file]);
+    let (text, wrong) = message(&harness);
+    assert!(wrong && text.contains("line 3"), "{text}");
+    assert!(harness.state().session.model.is_some());
+}
+
+#[test]
+fn a_folder_that_vanishes_is_named_and_what_was_read_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let gone = folder.path().join("gone");
+    std::fs::create_dir(&gone).unwrap();
+    let mut harness = opened(&gone, 6, vec![]);
+    std::fs::remove_dir_all(&gone).unwrap();
+    harness.state_mut().session.read_again();
+    until(&mut harness, "an answer", |app| app.session.task.is_none());
+    let (text, wrong) = message(&harness);
+    assert!(wrong && text.contains("gone"), "{text}");
+    assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 6);
+    assert!(!harness.state_mut().session.keep_reading());
+}
+
+#[test]
+fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let before = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
+    press(&mut harness, "Records");
+    harness.state_mut().session.reading.gain = 2.0;
+    press(&mut harness, "Read again");
+    until(&mut harness, "the records again", |app| app.session.task.is_none());
+    let after = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
+    assert!((after / before - 2.0).abs() < 1e-6, "{before} {after}");
+    press(&mut harness, "Keep as campaign.toml");
+    let profile = dashpot_records::Profile::of(folder.path()).unwrap().unwrap();
+    assert_eq!(profile.gain, 2.0);
+    // A test that is excluded is out when the folder is read anew.
+    harness.state_mut().session.exclude(0);
+    until(&mut harness, "the records again", |app| app.session.task.is_none());
+    assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 5, "{:?}", message(&harness));
+}
+
+#[test]
+fn five_hundred_tests_are_listed_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 500, vec![]);
+    assert_eq!(harness.state().session.simulated.as_ref().unwrap().tests.len(), 500);
+    let count = harness.state().session.campaign.as_ref().unwrap().tests.len();
+    harness.state_mut().session.selected = (0..count).collect();
+    harness.step();
+    let points: usize = harness.state().view.lines.lines.iter().map(|l| l.velocity.len()).sum();
+    assert!(points < 80_000, "thinned to what a frame can draw: {points}");
+    widget(&harness, Role::TextInput, "Filter by name").click();
+    harness.step();
+    widget(&harness, Role::TextInput, "Filter by name").type_text("a08_002");
+    harness.step();
+    harness.step();
+    assert!(has(&harness, Role::CheckBox, "Use a08_002") && !has(&harness, Role::CheckBox, "Use a08_005"));
+}
+
+#[test]
+fn closing_in_the_middle_of_a_fit_asks_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 24, vec![]);
+    press(&mut harness, "Fit");
+    let close = |harness: &mut Harness<'_, App>| {
+        let viewport = harness.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+        viewport.events.push(ViewportEvent::Close);
+        harness.step();
+    };
+    let sent = |harness: &Harness<'_, App>, wanted: &ViewportCommand| {
+        harness.output().viewport_output.values().any(|v| v.commands.contains(wanted))
+    };
+    close(&mut harness);
+    assert!(sent(&harness, &ViewportCommand::CancelClose));
+    harness.step();
+    assert!(says(&harness, "Close dashpot?"));
+    press(&mut harness, "Stay");
+    assert!(!says(&harness, "Close dashpot?"));
+    assert!(harness.state().session.task.is_some(), "the fit goes on");
+    close(&mut harness);
+    harness.step();
+    press(&mut harness, "Close anyway");
+    assert!(harness.state().view.may_close);
+    until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
+    assert!(harness.state().session.answers.fit.is_none());
+}
+
+#[test]
+fn closing_with_nothing_to_lose_does_not_ask() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 3, vec![]);
+    let viewport = harness.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    viewport.events.push(ViewportEvent::Close);
+    harness.step();
+    assert!(harness.state().view.may_close && !harness.state().view.closing);
+}
+
+#[test]
+fn every_language_draws_every_view() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    for language in Language::ALL {
+        harness.state_mut().view.language = language;
+        let words = language.words();
+        for side in [words.tune, words.answer, words.records, words.study] {
+            harness.step();
+            harness.step();
+            press(&mut harness, side);
+        }
+        harness.step();
+        assert!(has(&harness, Role::Button, words.study));
+    }
+}
+
+#[test]
+fn a_number_is_studied_and_an_effect_is_looked_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    press(&mut harness, "Study");
+    press(&mut harness, "Compute");
+    until(&mut harness, "the family", |app| app.session.study.is_some());
+    let study = harness.state().session.study.clone().unwrap();
+    assert_eq!(study.members.len(), 7);
+    harness.state_mut().view.effect = Some(("gas_spring", 2.0));
+    harness.step();
+    assert!(harness.state().view.lines.lines.iter().any(|l| l.whose == Whose::Effect));
+}
+
+#[test]
+fn a_campaign_is_compared_with_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let other = tempfile::tempdir().unwrap();
+    campaign(other.path(), 6);
+    let mut harness = opened(folder.path(), 6, vec![]);
+    harness.state_mut().session.open_reference(vec![other.path().to_owned()]);
+    until(&mut harness, "the other campaign", |app| app.session.reference.is_some());
+    harness.step();
+    let lines = harness.state().view.lines.lines.clone();
+    let count = |whose: Whose| lines.iter().filter(|l| l.whose == whose).count();
+    assert!(count(Whose::Reference) > 0 && count(Whose::Reference) == count(Whose::Measured));
+}
+
+#[test]
+fn a_plot_is_saved_as_a_table_and_as_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let (csv, svg) = (out.path().join("p.csv"), out.path().join("p.svg"));
+    let mut harness = opened(folder.path(), 3, vec![vec![csv.clone()], vec![svg.clone()]]);
+    for kind in ["CSV", "SVG"] {
+        press(&mut harness, "Save plot Force over velocity");
+        press(&mut harness, kind);
+    }
+    let table = std::fs::read_to_string(&csv).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
+    assert!(table.starts_with("line,\"Velocity [m/s]\",\"Force [N]\"\n") && table.lines().count() > 100);
+    let figure = std::fs::read_to_string(&svg).unwrap();
+    assert!(figure.starts_with("<svg") && figure.contains("Force over velocity"));
+}
+
+#[test]
+fn a_property_file_and_an_adams_folder_are_exported() {
+    use dashpot_bench::session::outputs::Host;
+    let folder = tempfile::tempdir().unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 3, vec![]);
+    for (host, name, inside) in [(Host::Property, "d.dpr", "d.dpr"), (Host::Adams, "run", "run/README.txt")] {
+        harness.state_mut().session.export(host, out.path().join(name));
+        until(&mut harness, "the export", |app| app.session.task.is_none());
+        assert!(!message(&harness).1, "{:?}", message(&harness));
+        assert!(out.path().join(inside).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn everything_that_can_be_clicked_has_a_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let harness = opened(folder.path(), 6, vec![]);
+    let acts = [Role::Button, Role::CheckBox, Role::Slider, Role::ComboBox, Role::TextInput, Role::SpinButton];
+    let found = harness.query_all(by().predicate(move |node| acts.contains(&node.role())));
+    let (mut count, mut nameless) = (0, Vec::new());
+    for node in found {
+        count += 1;
+        let node = node.accesskit_node();
+        if node.label().is_none_or(|l| l.trim().is_empty()) && node.value().is_none_or(|v| v.trim().is_empty()) {
+            nameless.push(format!("{:?} at {:?}", node.role(), node.bounding_box()));
+        }
+    }
+    assert!(count > 40 && nameless.is_empty(), "{count}: {nameless:?}");
+}
+
+/// How long the window takes, on a campaign and a model of one's own: reading and preparing the records until the first loops can be
+/// drawn; from a slider's move until loops and errors of all tests are there; a frame meanwhile, without the graphics card.
+///
+/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-bench --test window latency -- --ignored --nocapture`
+#[test]
+#[ignore = "measures, and needs a campaign and a model"]
+fn latency() {
+    let given = |name: &str| std::env::var_os(name).map(PathBuf::from);
+    let (Some(records), Some(model)) = (given("DASHPOT_CAMPAIGN"), given("DASHPOT_MODEL")) else {
+        println!("skipped: DASHPOT_CAMPAIGN and DASHPOT_MODEL name no campaign and no model");
+        return;
+    };
+    const MOVES: usize = 60;
+    let mut harness = window(vec![]);
+    let began = Instant::now();
+    harness.state_mut().session.open(&[records, model]);
+    until(&mut harness, "the records", |app| app.session.has_records());
+    let tests = harness.state().session.campaign.as_ref().unwrap().tests.len();
+    println!("{tests} tests: {:.0} ms from opening to the first loops", 1e3 * began.elapsed().as_secs_f64());
+    until(&mut harness, "the forces", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    println!("{:.0} ms until model and errors stand beside them", 1e3 * began.elapsed().as_secs_f64());
+    let row = dashpot_core::parameter::find("series_stiffness").unwrap();
+    let value = stiffness(&harness);
+    let (mut follows, mut frames) = (Vec::new(), Vec::new());
+    for k in 1..=MOVES {
+        let wanted = value * (1.0 + 0.01 * k as f64);
+        let moved = Instant::now();
+        harness.state_mut().session.tune(|m| m.set(&row, 0, wanted));
+        loop {
+            let frame = Instant::now();
+            harness.step();
+            frames.push(frame.elapsed().as_secs_f64());
+            let there = |s: &Arc<Simulated>| s.params.scalar("series_stiffness") == wanted;
+            if harness.state().session.simulated.as_ref().is_some_and(there) {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        follows.push(moved.elapsed().as_secs_f64());
+    }
+    let told = |name: &str, mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        let at = |part: f64| 1e3 * times[((times.len() - 1) as f64 * part) as usize];
+        println!("{name}: median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms", at(0.5), at(0.95), at(1.0));
+    };
+    told("from a slider's move to the loops and errors of all tests", follows);
+    told("a frame meanwhile", frames);
+}
