@@ -1,6 +1,7 @@
 //! The verbs of the command, one file each.
 
 pub mod bench;
+pub mod completions;
 mod data;
 pub mod demo;
 pub mod diagnose;
@@ -8,6 +9,7 @@ pub mod export;
 pub mod fit;
 pub mod import;
 pub mod import_profile;
+pub mod man;
 pub mod manoeuvre;
 pub mod matrix;
 pub mod rig;
