@@ -9,8 +9,8 @@ put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot" bin/dashpot
 put 644 "$CARGO_TARGET_DIR/release/libdashpot.so" lib/libdashpot.so
 put 644 "$CARGO_TARGET_DIR/release/libdashpot.a" lib/libdashpot.a
 put 644 include/dashpot.h include/dashpot.h
-put 644 "$CARGO_TARGET_DIR/runtimes/linux64/dashpot_adams.so" lib/dashpot/dashpot_adams.so
-put 644 "$CARGO_TARGET_DIR/runtimes/linux64/dashpot_damper.so" lib/dashpot/dashpot_damper.so
+put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_adams.so" lib/dashpot/dashpot_adams.so
+put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_damper.so" lib/dashpot/dashpot_damper.so
 for file in dashpotConfig.cmake dashpotConfigVersion.cmake; do
     sed "s/@VERSION@/$version/" "dist/cmake/$file" >"$work/$file"
     put 644 "$work/$file" "lib/cmake/dashpot/$file"

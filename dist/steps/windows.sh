@@ -42,8 +42,8 @@ for file in dashpotConfig.cmake dashpotConfigVersion.cmake; do
     sed "s/@VERSION@/$version/" "dist/cmake/$file" >"$work/$file"
     put 644 "$work/$file" "sdk/lib/cmake/dashpot/$file"
 done
-put 755 "$CARGO_TARGET_DIR/runtimes/win64/dashpot_adams.dll" adams/dashpot_adams.dll
-put 755 "$CARGO_TARGET_DIR/runtimes/win64/dashpot_damper.dll" fmu/dashpot_damper.dll
+put 755 "$DASHPOT_RUNTIMES/win64/dashpot_adams.dll" adams/dashpot_adams.dll
+put 755 "$DASHPOT_RUNTIMES/win64/dashpot_damper.dll" fmu/dashpot_damper.dll
 text adams-usersub/README.md adams/README.md
 for file in examples/*; do text "$file" "$file"; done
 for file in dist/windows/*; do text "$file" "${file##*/}"; done
