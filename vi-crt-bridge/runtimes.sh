@@ -60,6 +60,7 @@ windows() {
     # cannot, but unlike elsewhere the linker keeps it.
     # shellcheck disable=SC2086
     $gcc $flags -shared -static-libgcc $face "$build/$target/release/libdashpot.a" -Wl,--defsym=dashpot_panic_path_exists=abort -s \
+        -Wl,--no-insert-timestamp \
         -o "$here/dashpot_damper.dll"
     make -s -C adams-usersub windows WINDOWS_OUTPUT="$(realpath "$here")/dashpot_adams.dll" \
         WINDOWS_LIBRARY="$(realpath "$build/$target/release/libdashpot.a")"

@@ -5,13 +5,16 @@ mod progress;
 mod verbs;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 /// Identify a suspension damper from rig records, validate the model, and run it.
 ///
 /// Units are SI; extension (rebound) velocity and tension force are positive everywhere but in your own files.
 #[derive(Parser)]
 #[command(
+    name = "dashpot",
     version,
     arg_required_else_help = true,
     after_help = "First steps:\n  dashpot demo                         everything once, on a virtual rig\n  dashpot fit RECORDS/ -o damper.toml  your own records\n  dashpot validate damper.toml RECORDS/ --report report.html\n  dashpot open RECORDS/                the window"
@@ -40,10 +43,21 @@ enum Verb {
     ImportProfile(verbs::import_profile::Args),
     Manoeuvre(verbs::manoeuvre::Args),
     Open(verbs::open::Args),
+    Completions(verbs::completions::Args),
+    Man(verbs::man::Args),
+}
+
+/// The version of the command and of the C interface that it is built on: what a report of a fault needs.
+static VERSION: LazyLock<String> =
+    LazyLock::new(|| format!("{} (interface version {DASHPOT_ABI_VERSION})", env!("CARGO_PKG_VERSION")));
+
+/// The whole command line.
+fn command() -> clap::Command {
+    Cli::command().version(VERSION.as_str())
 }
 
 fn main() -> ExitCode {
-    let parsed = Cli::command().try_get_matches();
+    let parsed = command().try_get_matches();
     let parsed = parsed.and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -70,6 +84,8 @@ fn main() -> ExitCode {
         Verb::ImportProfile(args) => verbs::import_profile::run(&args),
         Verb::Manoeuvre(args) => verbs::manoeuvre::run(&args),
         Verb::Open(args) => verbs::open::run(&args),
+        Verb::Completions(args) => verbs::completions::run(&args, command()),
+        Verb::Man(args) => verbs::man::run(&args, command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

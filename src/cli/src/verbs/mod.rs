@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod check;
+pub mod completions;
 mod data;
 pub mod demo;
 pub mod diagnose;
@@ -11,6 +12,7 @@ mod groups;
 mod host_step;
 pub mod import;
 pub mod import_profile;
+pub mod man;
 pub mod manoeuvre;
 pub mod matrix;
 pub mod open;

@@ -1,0 +1,45 @@
+# What all steps share: folders, names, and the flags that make the same sources give the same bytes.
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
+root=$PWD
+work=$root/target/dist
+staged=$work/staged
+packages=$work/packages
+cargo_home=${CARGO_HOME:-$HOME/.cargo}
+# The newest glibc whose symbols a program may ask for: RHEL 8, which Adams and VI-CarRealTime support.
+glibc=2.28
+linux_target=x86_64-unknown-linux-gnu
+windows_target=x86_64-pc-windows-gnu
+linux_name=dashpot-$version-linux-x86_64
+windows_name=dashpot-$version-windows-x86_64
+
+# The time of the commit stands for the time of building in every archive.
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH CARGO_TARGET_DIR=$work/cargo LC_ALL=C TZ=UTC
+# Said, because a build for a named target looks below that target's folder.
+export DASHPOT_RUNTIMES=$CARGO_TARGET_DIR/runtimes
+# Panic messages hold the paths of sources: without the folders of this machine.
+maps="--remap-path-prefix=$root=/dashpot --remap-path-prefix=$cargo_home=/cargo"
+# Only a release build without its names: they would be a third of the file.
+profile=(--config profile.release.strip=true)
+fail() {
+    echo "$1" >&2
+    exit 1
+}
+say() { echo "dist: $1"; }
+case $root in *[[:space:]]*) fail "dist/build: cargo's flags cannot name a folder with spaces; clone into another one than $root" ;; esac
+
+missing=()
+# command:package
+need_debian() {
+    local pair
+    for pair in "$@"; do command -v "${pair%%:*}" >/dev/null || missing+=("${pair#*:}"); done
+}
+settle_missing() {
+    [ ${#missing[@]} -gt 0 ] || return 0
+    if [ "${install_missing:-no}" = yes ]; then
+        apt-get update -q
+        apt-get install -qy --no-install-recommends "${missing[@]}"
+    else
+        fail "dist/build: missing here: apt-get install ${missing[*]}  (or dist/build --install)"
+    fi
+}

@@ -1,0 +1,57 @@
+# The Linux package as a tree below a prefix: what /usr or an unpacked folder holds.
+say "command for Linux with glibc $glibc"
+PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli --target "$linux_target.$glibc" "${profile[@]}"
+
+tree=$staged/linux
+rm -rf "$tree"
+put() { install -D -m "$1" "$2" "$tree/$3"; }
+put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot" bin/dashpot
+put 644 "$CARGO_TARGET_DIR/release/libdashpot.so" lib/libdashpot.so
+put 644 "$CARGO_TARGET_DIR/release/libdashpot.a" lib/libdashpot.a
+put 644 include/dashpot.h include/dashpot.h
+put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_adams.so" lib/dashpot/dashpot_adams.so
+put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_damper.so" lib/dashpot/dashpot_damper.so
+for file in dashpotConfig.cmake dashpotConfigVersion.cmake; do
+    sed "s/@VERSION@/$version/" "dist/cmake/$file" >"$work/$file"
+    put 644 "$work/$file" "lib/cmake/dashpot/$file"
+done
+sed "s/@VERSION@/$version/" dist/linux/dashpot.pc >"$work/dashpot.pc"
+put 644 "$work/dashpot.pc" lib/pkgconfig/dashpot.pc
+for file in examples/*; do put 644 "$file" "share/dashpot/$file"; done
+
+command=$tree/bin/dashpot
+rm -rf "$work/said"
+mkdir -p "$work/said"
+"$command" man "$work/said/man1" >/dev/null
+for page in "$work"/said/man1/*; do put 644 "$page" "share/man/man1/${page##*/}"; done
+complete() {
+    "$command" completions "$1" -o "$work/said/$1"
+    put 644 "$work/said/$1" "$2"
+}
+complete bash share/bash-completion/completions/dashpot
+complete zsh share/zsh/site-functions/_dashpot
+complete fish share/fish/vendor_completions.d/dashpot.fish
+
+documents=share/doc/dashpot
+for file in README.md CHANGELOG.md VERSIONING.md SECURITY.md LICENSE-MIT LICENSE-APACHE; do put 644 "$file" "$documents/$file"; done
+find docs -name '*.md' -o -name '*.svg' | while read -r file; do put 644 "$file" "$documents/$file"; done
+python3 dist/licences.py texts "$linux_target" dashpot-cli dashpot-dll >"$work/said/licences"
+put 644 "$work/said/licences" "$documents/THIRD-PARTY.txt"
+"$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-dll >"$work/said/bill"
+put 644 "$work/said/bill" "$documents/dashpot.cdx.json"
+
+# What a program asks of the system it starts on: refused here rather than there.
+for file in bin/dashpot lib/libdashpot.so lib/dashpot/dashpot_adams.so lib/dashpot/dashpot_damper.so; do
+    newest=$(objdump -T "$tree/$file" | sed -n 's/.*GLIBC_\([0-9.]*\).*/\1/p' | sort -Vu | tail -1)
+    needed=$(objdump -p "$tree/$file" | sed -n 's/^ *NEEDED *//p' | tr '\n' ' ')
+    say "$file asks for glibc ${newest:-of any version}, libraries: ${needed:-none}"
+    if [ "$(printf '%s\n' "${newest:-0}" $glibc | sort -V | tail -1)" != $glibc ]; then
+        fail "dist/build: $file needs glibc $newest, and $glibc is promised"
+    fi
+    for library in $needed; do
+        case $library in
+            libc.so.6 | libm.so.6 | libpthread.so.0 | libdl.so.2 | librt.so.1 | ld-linux-x86-64.so.2) ;;
+            *) fail "dist/build: $file needs $library, which not every Linux has" ;;
+        esac
+    done
+done

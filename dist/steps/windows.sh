@@ -1,0 +1,71 @@
+# The Windows package as a folder, built on Linux by Debian's second compiler, which brings the sources of its library: rustup's brings
+# only those compiled for this system. Its version moves with Debian and is never pinned.
+say "command and library for Windows"
+sources=$(realpath "$(/usr/bin/rustc --print sysroot)/lib/rustlib/src/rust")
+for_windows() {
+    # Without a time in the programs, the same sources give the same bytes.
+    env -u RUSTUP_TOOLCHAIN -u CARGO RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 \
+        CARGO_TARGET_X86_64_PC_WINDOWS_GNU_LINKER=x86_64-w64-mingw32-gcc \
+        RUSTFLAGS="$maps --remap-path-prefix=$sources=/rust -Clink-arg=-Wl,--no-insert-timestamp" \
+        /usr/bin/cargo build --quiet --release --target $windows_target "${profile[@]}" "$@"
+}
+for_windows -p dashpot-cli -Zbuild-std=std,panic_abort
+# The library has no std: with the flags of the command's build it would bring std's panic handler a second time.
+for_windows -p dashpot-dll -Zbuild-std=core
+
+tree=$staged/windows
+rm -rf "$tree"
+put() { install -D -m "$1" "$2" "$tree/$3"; }
+# Editors on Windows want their line ends.
+text() {
+    mkdir -p "$tree/$(dirname "$2")"
+    sed 's/\r$//; s/$/\r/' "$1" >"$tree/$2"
+}
+built=$CARGO_TARGET_DIR/$windows_target/release
+put 755 "$built/dashpot.exe" dashpot.exe
+put 755 "$built/dashpot.dll" sdk/bin/dashpot.dll
+# What a linker of mingw takes, and what Microsoft's link.exe takes: lists of the functions, both made from the library itself.
+mkdir -p "$work/import"
+{
+    echo "LIBRARY dashpot.dll"
+    echo "EXPORTS"
+    x86_64-w64-mingw32-objdump -p "$built/dashpot.dll" | sed -n '/\[Ordinal\/Name Pointer\] Table/,/^$/s/.* \(dashpot_[a-z_0-9]*\)$/    \1/p' | sort
+} >"$work/import/dashpot.def"
+[ "$(wc -l <"$work/import/dashpot.def")" -gt 12 ] || fail "dist/build: dashpot.dll exports next to nothing; see $work/import/dashpot.def"
+zig dlltool -m i386:x86-64 -d "$work/import/dashpot.def" -D dashpot.dll -l "$work/import/dashpot.lib"
+x86_64-w64-mingw32-dlltool --deterministic-libraries -m i386:x86-64 -d "$work/import/dashpot.def" -D dashpot.dll -l "$work/import/libdashpot.dll.a"
+put 644 "$work/import/dashpot.lib" sdk/lib/dashpot.lib
+put 644 "$work/import/libdashpot.dll.a" sdk/lib/libdashpot.dll.a
+put 644 "$work/import/dashpot.def" sdk/lib/dashpot.def
+text include/dashpot.h sdk/include/dashpot.h
+for file in dashpotConfig.cmake dashpotConfigVersion.cmake; do
+    sed "s/@VERSION@/$version/" "dist/cmake/$file" >"$work/$file"
+    put 644 "$work/$file" "sdk/lib/cmake/dashpot/$file"
+done
+put 755 "$DASHPOT_RUNTIMES/win64/dashpot_adams.dll" adams/dashpot_adams.dll
+put 755 "$DASHPOT_RUNTIMES/win64/dashpot_damper.dll" fmu/dashpot_damper.dll
+text adams-usersub/README.md adams/README.md
+for file in examples/*; do text "$file" "$file"; done
+for file in dist/windows/*; do text "$file" "${file##*/}"; done
+for file in CHANGELOG.md VERSIONING.md SECURITY.md; do text "$file" "documents/$file"; done
+text README.md documents/README.md
+find docs -name '*.md' | while read -r file; do text "$file" "documents/$file"; done
+find docs -name '*.svg' | while read -r file; do put 644 "$file" "documents/$file"; done
+for file in LICENSE-MIT LICENSE-APACHE; do text "$file" "licences/$file.txt"; done
+mkdir -p "$work/said"
+python3 dist/licences.py texts $windows_target dashpot-cli dashpot-dll >"$work/said/licences.windows"
+text "$work/said/licences.windows" licences/THIRD-PARTY.txt
+"$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-dll >"$work/said/bill.windows"
+put 644 "$work/said/bill.windows" licences/dashpot.cdx.json
+
+# Nothing but what every 64-bit Windows 10 has.
+for file in dashpot.exe sdk/bin/dashpot.dll adams/dashpot_adams.dll fmu/dashpot_damper.dll; do
+    needed=$(x86_64-w64-mingw32-objdump -p "$tree/$file" | sed -n 's/^.*DLL Name: //p' | tr 'A-Z\n' 'a-z ')
+    say "$file needs $needed"
+    for library in $needed; do
+        case $library in
+            kernel32.dll | msvcrt.dll | ntdll.dll | advapi32.dll | bcrypt.dll | bcryptprimitives.dll | userenv.dll | ws2_32.dll | api-ms-win-*) ;;
+            *) fail "dist/build: $file needs $library, which Windows may not have" ;;
+        esac
+    done
+done

@@ -1,0 +1,94 @@
+//! What of the packages is quick to check: that archives follow from their files alone, that every licence is one that may be shipped, and that
+//! the scripts are scripts. The packages themselves take long to build; `dist/check` uses them.
+
+use dashpot_tests::library::{root, succeed};
+use std::path::Path;
+use std::process::Command;
+
+fn has(program: &str) -> bool {
+    let there = Command::new(program).arg("--version").output().is_ok();
+    if !there {
+        println!("skipped: no {program}");
+    }
+    there
+}
+
+fn pack(kind: &str, folder: &Path, archive: &Path) -> Vec<u8> {
+    let mut python = Command::new("python3");
+    python.arg(root().join("dist/archive.py")).args([
+        kind.as_ref(),
+        folder.as_os_str(),
+        "name-1".as_ref(),
+        archive.as_os_str(),
+    ]);
+    succeed(python.env("SOURCE_DATE_EPOCH", "1700000000"));
+    std::fs::read(archive).expect("an archive")
+}
+
+#[test]
+fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
+    if !has("python3") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let files = [("b/zwei.txt", "2"), ("a.txt", "1"), ("b/a/drei", "3")];
+    let lay = |name: &str, order: [usize; 3], age: u64| {
+        let tree = folder.path().join(name);
+        for i in order {
+            let path = tree.join(files[i].0);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(&path, files[i].1).unwrap();
+            let time = std::time::SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(age);
+            std::fs::File::options().write(true).open(&path).unwrap().set_modified(time).unwrap();
+        }
+        tree
+    };
+    let (one, two) = (lay("one", [0, 1, 2], 1_000_000_000), lay("two", [2, 0, 1], 1_600_000_000));
+    for kind in ["tar", "zip"] {
+        let first = pack(kind, &one, &folder.path().join("first"));
+        assert!(first == pack(kind, &two, &folder.path().join("second")), "{kind}");
+        std::fs::write(two.join("a.txt"), "other").unwrap();
+        assert!(first != pack(kind, &two, &folder.path().join("second")), "{kind}: other files, the same archive");
+        std::fs::write(two.join("a.txt"), "1").unwrap();
+    }
+    let mut list = Command::new("tar");
+    let told = succeed(list.arg("-tzf").arg({
+        pack("tar", &one, &folder.path().join("first"));
+        folder.path().join("first")
+    }));
+    assert_eq!(
+        told.lines().collect::<Vec<_>>(),
+        ["name-1/", "name-1/b/", "name-1/b/a/", "name-1/a.txt", "name-1/b/a/drei", "name-1/b/zwei.txt"]
+    );
+}
+
+/// A crate under a licence that nobody has looked at stops the build of a package; better to know before.
+#[test]
+fn every_licence_may_be_shipped() {
+    if !has("python3") {
+        return;
+    }
+    let mut python = Command::new("python3");
+    python.arg(root().join("dist/licences.py")).args([
+        "texts",
+        "x86_64-unknown-linux-gnu",
+        "dashpot-cli",
+        "dashpot-dll",
+    ]);
+    let told = succeed(python.current_dir(root()));
+    for name in ["clap ", "nalgebra ", "libm ", "Rust standard library"] {
+        assert!(told.contains(name), "{name} is missing");
+    }
+}
+
+#[test]
+fn the_scripts_are_scripts() {
+    let mut scripts = vec![root().join("dist/build"), root().join("dist/check")];
+    for folder in ["dist/steps", "dist/checks"] {
+        scripts.extend(std::fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path()));
+    }
+    assert!(scripts.len() > 8);
+    for script in scripts {
+        succeed(Command::new("bash").arg("-n").arg(script));
+    }
+}
