@@ -317,3 +317,48 @@ fn what_people_read_is_short_and_in_their_units() {
     let long = |w: &&str| w.contains('.') && digits(w) > 7 && !w.contains("mm_s") && !w.contains("hz");
     assert_eq!(told.split_whitespace().find(long), None);
 }
+
+#[test]
+fn groups_are_compared_with_one_reference() {
+    let folder = copy();
+    let dir = folder.path();
+    for (group, force) in [("fleet/a", 1.0), ("fleet/b", 1.0), ("fleet/c", 1.3)] {
+        let to = dir.join(group);
+        std::fs::create_dir_all(&to).unwrap();
+        for entry in std::fs::read_dir(dir.join("records")).unwrap() {
+            let path = entry.unwrap().path();
+            // A third more force at every speed: nothing is missing, but numbers are others.
+            let text = std::fs::read_to_string(&path).unwrap();
+            let heading = text.lines().find(|l| l.contains("force")).unwrap();
+            let place = heading.split(',').position(|h| h.contains("force")).unwrap();
+            let scaled = text.lines().map(|line| {
+                let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+                if let Some(value) = cells.get(place).and_then(|c| c.parse::<f64>().ok()) {
+                    cells[place] = format!("{}", force * value);
+                }
+                cells.join(",") + "\n"
+            });
+            let scaled: String = scaled.collect();
+            std::fs::write(to.join(path.file_name().unwrap()), scaled).unwrap();
+        }
+    }
+    let told =
+        done(dir, &["diagnose", "plain.toml", "fleet", "--group", "folders", "--json", "g.json", "--report", "g.html"]);
+    assert!(told.contains("Compared with a:") && told.contains("  b: ") && told.contains("  c: "), "{told}");
+    let all = json(&dir.join("g.json"));
+    let groups = list(&all, "groups");
+    assert_eq!(groups.iter().map(|g| word(g, "group")).collect::<Vec<_>>(), ["b", "c"]);
+    assert!(
+        list(&groups[0]["diagnosis"], "findings").is_empty(),
+        "the same records: {}",
+        groups[0]["diagnosis"]["summary"]
+    );
+    assert!(list(&groups[0]["diagnosis"], "changed").is_empty());
+    assert!(std::fs::read_to_string(dir.join("g.html")).unwrap().contains("What changed in which group"));
+    assert!(
+        refused(dir, &["diagnose", "plain.toml", "records", "--group", "folders"]).contains("no folder in records")
+    );
+    assert!(
+        refused(dir, &["diagnose", "plain.toml", "records", "--group", "a*"]).contains("once where the group stands")
+    );
+}

@@ -265,10 +265,10 @@ impl Search {
                     place += 1;
                 }
                 Some(best) => match less.with(&best, ground.tests, look) {
-                    // Names that were held together before would only give way again.
+                    // Names that were held together before would only give way again: which of the two it is stays open.
                     Some(other) if !held.insert(other.set()) => {
-                        self.found.added[place].look = look;
-                        place += 1;
+                        self.found = less;
+                        self.last_look = Some(look);
                     }
                     Some(other) => {
                         self.found = other;

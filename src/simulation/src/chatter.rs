@@ -11,6 +11,7 @@
 //! The slopes are those of the damper's own step of the length h, so that a series spring and presliding friction soften what they carry.
 
 use dashpot_core::elements::names;
+use dashpot_core::parameter::find;
 use dashpot_core::step::step;
 use dashpot_core::{Fault, Input, Model, Output, Params};
 
@@ -52,6 +53,9 @@ const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
 const STEPS: usize = 4000;
 /// Share of the gain that must go with an element to be its doing.
 const ITS_DOING: f64 = 0.3;
+/// Elements that [`softened`] can replace, with the name of their level.
+const FRICTION: [(&str, &str); 2] =
+    [("coulomb_friction", "coulomb_force"), ("stribeck_friction", "stribeck_coulomb_force")];
 
 /// The largest gain over all motions, with the answer that has it and its velocity.
 fn largest(model: &Model, host: Host) -> (f64, f64, Output) {
@@ -135,8 +139,10 @@ pub struct Softened {
     pub gain: f64,
 }
 
-/// Length over which presliding friction of seals usually turns, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimetre).
+/// Length over which presliding friction of seals usually turns, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimetre): none
+/// longer is tried, and of the shorter ones, which are nearer to friction that turns at once, the shortest of this gain.
 const LENGTH: f64 = 2e-4;
+const QUIET: f64 = 0.3;
 /// Step at which the two are compared, s, and the velocity below which nothing is compared: between two standstills both are right.
 const FINE: f64 = 1e-4;
 
@@ -148,11 +154,8 @@ const FINE: f64 = 1e-4;
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let found = chatter(params, host)?;
     let Some((replaced, _)) = found.element.filter(|_| found.gain >= RINGS) else { return Ok(None) };
-    let level = match replaced {
-        "coulomb_friction" => params.scalar("coulomb_force"),
-        "stribeck_friction" => params.scalar("stribeck_coulomb_force"),
-        _ => return Ok(None),
-    };
+    let Some((_, level)) = FRICTION.iter().find(|(name, _)| *name == replaced) else { return Ok(None) };
+    let level = params.scalar(level);
     if params.is_on("presliding_friction") {
         return Ok(None);
     }
@@ -161,9 +164,20 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     soft.enable("presliding_friction", true)?;
     soft.set("presliding_force", level)?;
     soft.set("presliding_length", LENGTH)?;
-    let gain = chatter(&soft, host)?.gain;
+    let mut gain = chatter(&soft, host)?.gain;
     if gain >= RINGS {
         return Ok(None);
+    }
+    let mut length = LENGTH;
+    let shortest = find("presliding_length").map_or(LENGTH, |row| row.parameter.low);
+    while 0.5 * length >= shortest {
+        let mut shorter = soft;
+        shorter.set("presliding_length", 0.5 * length)?;
+        let there = chatter(&shorter, host)?.gain;
+        if there > QUIET.max(gain) {
+            break;
+        }
+        (soft, gain, length) = (shorter, there, 0.5 * length);
     }
     let (before, after) = (Model::new(params)?, Model::new(&soft)?);
     let (mut squares, mut count, mut largest_error) = (0.0, 0.0, 0.0f64);
@@ -190,7 +204,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
         }
     }
     let rms_error = (squares / f64::max(count, 1.0)).sqrt();
-    Ok(Some(Softened { params: soft, replaced, force: level, length: LENGTH, rms_error, largest_error, gain }))
+    Ok(Some(Softened { params: soft, replaced, force: level, length, rms_error, largest_error, gain }))
 }
 
 impl Chatter {
@@ -217,9 +231,11 @@ impl Chatter {
         } else {
             "the force swings from step to step"
         };
+        let is_friction = self.element.is_some_and(|(name, _)| FRICTION.iter().any(|f| f.0 == name));
+        let softer = if is_friction { format!(", or export with --for-step {step}") } else { String::new() };
         format!(
-            "{head}{by}: in a host that holds the force over a step (explicit) {how}. Take steps of {:.2} ms or less, let the host solve with the \
-             slopes that dashpot_step gives (implicit), or export with --for-step {step}.",
+            "{head}{by}: in a host that holds the force over a step (explicit) {how}. Take steps of {:.2} ms or less, let the host solve with \
+             the slopes that dashpot_step gives (implicit){softer}.",
             1e3 * self.quiet_step
         )
     }
@@ -229,7 +245,7 @@ impl Softened {
     /// What was done and what it costs, in a sentence.
     pub fn told(&self) -> String {
         format!(
-            "{} was replaced by presliding friction of {:.1} N that turns over {:.2} mm: the gain is {:.2} now; the force differs by {:.2} N rms and \
+            "{} was replaced by presliding friction of {:.1} N that turns over {:.4} mm: the gain is {:.2} now; the force differs by {:.2} N rms and \
              {:.1} N at most over motions of 0.2 to 20 mm at 2 mm/s to 1 m/s, at reversals.",
             self.replaced,
             self.force,

@@ -39,6 +39,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;
+    let notes = ready.notes();
     let libraries = libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),
@@ -54,7 +55,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for file in files {
         // Who opens the folder later has not seen what the command said.
         let missing = libraries.is_empty() && file.name == "README.txt";
-        let note = if missing { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
+        let mut note = if missing { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
+        if file.name == "README.txt" {
+            note.extend(notes.iter().map(|n| format!("{n}\n\n")));
+        }
         put(file.name, (note + &file.text).as_bytes())?;
     }
     if let Some(reason) = no_native {
@@ -67,7 +71,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         dashpot_output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
     }
     // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
-    for note in ready.notes() {
+    for note in &notes {
         dashpot_output::say(None, &format!("note: {note}"))?;
     }
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))

@@ -1,0 +1,83 @@
+//! `dashpot check` and what exports say of chatter: the words, the figures, the damper made ready.
+
+use dashpot_tests::cli::{done, json, number, refused};
+use std::path::Path;
+
+/// A damper with friction that turns over within a millimetre per second.
+const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
+     fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
+
+fn steep() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("steep.toml"), STEEP).unwrap();
+    folder
+}
+
+fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
+    done(dir, &[&["check", "steep.toml", "--json", "c.json"], more].concat());
+    let found = json(&dir.join("c.json"));
+    std::fs::remove_file(dir.join("c.json")).unwrap();
+    found
+}
+
+#[test]
+fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
+    let folder = steep();
+    let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
+    // h/m times the slope of the friction and of the curve at standstill.
+    let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
+    assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
+    assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
+    // Half of a step that is quiet is quiet, twice of it is not.
+    let quiet = number(&found, "quiet_step_s");
+    for (times, chatters) in [(0.5, false), (2.0, true)] {
+        let step = format!("{}", times * quiet);
+        assert_eq!(checked(folder.path(), &["--host-step", &step])["chatters"], chatters, "{times}");
+    }
+    // A heavier mass takes it.
+    assert_eq!(checked(folder.path(), &["--wheel-mass", "1000"])["chatters"], false);
+}
+
+#[test]
+fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it() {
+    let folder = steep();
+    let dir = folder.path();
+    let told = done(dir, &["check", "steep.toml", "--for-step", "0.001", "-o", "ready.toml"]);
+    assert!(
+        told.contains("coulomb_friction was replaced") && told.contains("N rms") && told.contains("does not chatter"),
+        "{told}"
+    );
+    let text = std::fs::read_to_string(dir.join("ready.toml")).unwrap();
+    assert!(text.contains("presliding_friction") && text.contains("# coulomb_friction was replaced"), "{text}");
+    let again = done(dir, &["check", "ready.toml"]);
+    assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
+}
+
+#[test]
+fn exports_say_it_too_and_take_the_same_option() {
+    let folder = steep();
+    let dir = folder.path();
+    let told = done(dir, &["export", "adams", "steep.toml", "-o", "run"]);
+    assert!(told.contains("coulomb_friction makes it") && told.contains("--for-step"), "{told}");
+    assert_eq!(std::fs::read_to_string(dir.join("run/damper.toml")).unwrap(), STEEP);
+    let told = done(dir, &["export", "adams", "steep.toml", "-o", "soft", "--for-step", "0.001"]);
+    assert!(told.contains("was replaced"), "{told}");
+    assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
+    assert!(std::fs::read_to_string(dir.join("soft/README.txt")).unwrap().contains("was replaced"));
+}
+
+#[test]
+fn impossible_hosts_are_refused() {
+    let folder = steep();
+    let dir = folder.path();
+    for (args, wanted) in [
+        (["--host-step", "0"], "--host-step is in s"),
+        (["--host-step", "5"], "--host-step is in s"),
+        (["--wheel-mass", "0"], "--wheel-mass is in kg"),
+        (["--for-step", "nan"], "--for-step is in s"),
+    ] {
+        let message = refused(dir, &[&["check", "steep.toml"][..], &args].concat());
+        assert!(message.contains(wanted), "{message}");
+    }
+    assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
+}
