@@ -9,9 +9,9 @@ for_windows() {
         RUSTFLAGS="$maps --remap-path-prefix=$sources=/rust -Clink-arg=-Wl,--no-insert-timestamp" \
         /usr/bin/cargo build --quiet --release --target $windows_target "${profile[@]}" "$@"
 }
-for_windows -p dashpot-cli -Zbuild-std=std,panic_abort
-# The library has no std: with the flags of the command's build it would bring std's panic handler a second time.
+# The library has no std: with that of the command's build it would bring a second panic handler. It is the quicker one of the two.
 for_windows -p dashpot-dll -Zbuild-std=core
+for_windows -p dashpot-cli -Zbuild-std=std,panic_abort
 
 tree=$staged/windows
 rm -rf "$tree"
