@@ -23,6 +23,7 @@ pytest.importorskip("distributed")
 
 from dashpot.fleet import Limit, find_jobs, read_limits, write_report  # noqa: E402
 from dashpot.fleet.examine import Plan, examine  # noqa: E402
+from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
 #: Elements of the dampers made here: a fit with them takes a fifth of a second.
@@ -111,13 +112,45 @@ def test_bad_campaigns_are_rows_and_the_others_have_their_numbers(campaigns: Pat
 def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
     measure(damper(), tmp_path / "good", seed=99)
     out = tmp_path / "changed.parquet"
-    run(campaigns.parent / "d00013", "--elements", ELEMENTS, "--reference", tmp_path / "good",
-        "--candidates", "free_play", "--out", out, "--quiet", *cluster)  # fmt: skip
-    (row,) = rows(out)
+    few = [campaigns.parent / f"d{k:05d}" for k in range(10, 20) if k != 11]
+    run(
+        *few, "--elements", ELEMENTS, "--reference", tmp_path / "good", "--candidates", "free_play",
+        "--out", out, "--report", tmp_path / "r.html", "--quiet", *cluster,
+    )  # fmt: skip
+    row = next(r for r in rows(out) if r["serial"] == "d00013")
     assert row["verdict"] is not None and row["summary"]
     changed = {c["parameter"]: c for c in row["changed"]}
     assert changed["coulomb_force"]["low"] <= 90 <= changed["coulomb_force"]["high"]
     assert changed["coulomb_force"]["reference"] == pytest.approx(30, abs=5)
+    report = (tmp_path / "r.html").read_text()
+    outlier = report[report.index("<h2>Outliers") :].split("d00013")[1].split("</tr>")[0]
+    assert "changed: coulomb_force" in outlier
+
+
+def test_a_report_tells_a_drift(tmp_path: Path) -> None:
+    """A table as a run writes it, of dampers whose friction rises with their serial numbers, listed in another order."""
+    pytest.importorskip("matplotlib")
+    noise = np.random.default_rng(5)
+    store = Store(tmp_path / "t.parquet")
+    order = noise.permutation(60).tolist()
+    number = {"name": "coulomb_force", "index": None, "unit": "N", "standing": "identified"}
+    store.add(
+        [
+            {
+                "key": f"k{k}", "campaign": f"c{k}", "serial": f"D{k}", "batch": "", "date": "", "status": "ok",
+                "parameters": [{**number, "value": v, "low": v - 1, "high": v + 1}],
+            }
+            for k in order
+            for v in [30 + 0.2 * k + float(noise.normal())]
+        ]
+    )  # fmt: skip
+    store.table([f"k{k}" for k in order])
+    store.close()
+    write_report(tmp_path / "t.parquet", tmp_path / "t.html")
+    text = (tmp_path / "t.html").read_text()
+    assert "in 100 serial numbers" in text and "in 30 days" not in text
+    slope = float(text.split("drifts by ")[1].split(" ")[0])
+    assert slope == pytest.approx(20, abs=3)
 
 
 def kill(process: subprocess.Popen[str]) -> None:

@@ -7,6 +7,7 @@ import datetime
 import html
 import io
 import os
+import re
 import tempfile
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -69,21 +70,22 @@ def report(results: str | os.PathLike[str]) -> str:
     file = pq.ParquetFile(results)
     schema = file.schema_arrow
     said = ["campaign", "serial", "batch", "date", "status", "reason", "judgement", "missed", "verdict", "effect",
-            "effect_confidence", "suspect"]  # fmt: skip
+            "effect_confidence", "suspect", "changed"]  # fmt: skip
     table = file.read(columns=said).to_pydict()
     count = len(table["campaign"])
     if not count:
         raise DashpotError(f"{results}: there is no damper in it")
     quantities = list(_quantities(file, schema))
     dates = np.array([_day(d) for d in table["date"]])
-    # The order in which they were made: by date where there is one, else as listed.
-    order = np.argsort(np.where(np.isfinite(dates), dates, np.inf), kind="stable")
+    serials = np.array(sorted(range(count), key=lambda k: _natural(table["serial"][k])), dtype=np.intp)
+    # The order in which they were made: by date where there is one, then by serial number.
+    order = serials[np.argsort(np.where(np.isfinite(dates), dates, np.inf)[serials], kind="stable")]
     parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count)]
     parts.append(_outliers(table, quantities))
     parts.append("<h2>Every quantity</h2><p>Left: how often which value. Then over date and over the order of making with the limits "
                  "of an individuals chart (centre ± 2.66 mean moving ranges; red: outside, orange: ninth in a row on one side); "
                  "right: mean of every batch with its 95 % interval.</p>")  # fmt: skip
-    parts.extend(_quantity(q, dates, order, table["batch"]) for q in quantities)
+    parts.extend(_quantity(q, dates, serials, order, table["batch"]) for q in quantities)
     parts.append("</body></html>\n")
     return "".join(parts)
 
@@ -97,6 +99,11 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
         values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
         if np.isfinite(values).any():
             yield Quantity(name, unit, values)
+
+
+def _natural(text: str) -> list[tuple[int, int, str]]:
+    """Orders D9 before D10."""
+    return [(0, int(part), "") if part.isdigit() else (1, 0, part) for part in re.split(r"(\d+)", text or "")]
 
 
 def _day(date: str | None) -> float:
@@ -139,7 +146,13 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
         return f"{table['effect'][k]} ({100 * table['effect_confidence'][k]:.0f} % sure)"
     if table["suspect"][k]:
         return f"suspect: {table['suspect'][k]}"
-    words = {"nothing_missing": "the same effects as the reference, other numbers", "unknown_effect": "no known effect"}
+    # The same effects as the reference: then it is numbers that differ, those first that differ by most of what they leave open.
+    changed = sorted(table["changed"][k] or (), key=lambda c: -abs(c["value"] - c["reference"]) / max(c["high"] - c["low"], 1e-300))
+    if changed:
+        return "changed: " + ", ".join(
+            f"{c['parameter']} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
+        )
+    words = {"nothing_missing": "nothing that the tests show", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
     return words.get(table["verdict"][k] or "", "not diagnosed")
 
 
@@ -165,7 +178,7 @@ def _outliers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> st
     return f"{text}<table>{head}{''.join(rows)}</table>"
 
 
-def _quantity(q: Quantity, dates: Numbers, order: Places, names: Sequence[str]) -> str:
+def _quantity(q: Quantity, dates: Numbers, serials: Places, order: Places, names: Sequence[str]) -> str:
     usual = spread(q.values)
     slope = drift(dates, q.values)
     chart = control(q.values[order])
@@ -175,6 +188,10 @@ def _quantity(q: Quantity, dates: Numbers, order: Places, names: Sequence[str]) 
     if slope is not None and slope.stands_out:
         half = 30 * 1.96 * slope.deviation
         said.append(f"drifts by {30 * slope.slope:+.3g} ± {half:.2g} {q.unit} in 30 days")
+    slope = drift(np.arange(len(serials), dtype=float), q.values[serials])
+    if slope is not None and slope.stands_out:
+        half = 100 * 1.96 * slope.deviation
+        said.append(f"drifts by {100 * slope.slope:+.3g} ± {half:.2g} {q.unit} in 100 serial numbers")
     if chart is not None and (chart.beyond or chart.shifted):
         said.append(f"{len(chart.beyond)} outside the limits of the control chart, {len(chart.shifted)} in runs")
     picture = _picture(q, dates, order, chart, groups)
