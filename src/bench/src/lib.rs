@@ -16,3 +16,6 @@ pub mod session;
 pub mod units;
 pub mod views;
 pub mod words;
+
+#[cfg(test)]
+mod worked;

@@ -20,7 +20,7 @@ pub fn shown(unit: &str) -> Shown {
         "N/m^4" => (1e-12, "N/mm⁴"),
         "-" => (1.0, ""),
         other => {
-            let raised = other.replace("^2", "²").replace("^3", "³").replace("^4", "⁴");
+            let raised = other.replace("^2", "²").replace("^3", "³").replace("^4", "⁴").replace("^k", "ᵏ");
             return Shown { factor: 1.0, symbol: raised.replace(' ', "·") };
         }
     };

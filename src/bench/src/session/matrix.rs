@@ -1,5 +1,6 @@
 //! The error matrix: amplitudes down, speeds or frequencies across.
 
+use dashpot_identification::validation::SLOW_PEAK_VELOCITY;
 use dashpot_records::Record;
 
 /// What runs across.
@@ -21,6 +22,8 @@ pub struct Grid {
     pub columns: Vec<f64>,
     /// Tests in each cell, row by row.
     pub cells: Vec<Vec<usize>>,
+    /// Slow tests for friction and gas force: apart, as in the report, for their many speeds would crowd out the others.
+    pub slow: Vec<usize>,
     /// Tests that have no place: no whole cycles.
     pub elsewhere: Vec<usize>,
 }
@@ -52,14 +55,22 @@ impl Grid {
             Across::Velocity => r.peak_velocity,
             Across::Frequency => r.frequency,
         };
-        let placed = |r: &Record| r.frequency > 0.0 && r.amplitude > 0.0 && of(r) > 0.0;
+        let periodic = |r: &Record| r.frequency > 0.0 && r.amplitude > 0.0 && of(r) > 0.0;
+        let is_slow = |r: &Record| periodic(r) && r.peak_velocity < SLOW_PEAK_VELOCITY;
+        let placed = |r: &Record| periodic(r) && !is_slow(r);
         let rows = clusters(records.iter().filter(|r| placed(r)).map(|r| r.amplitude).collect());
         let columns = clusters(records.iter().filter(|r| placed(r)).map(of).collect());
-        let mut grid =
-            Grid { cells: vec![Vec::new(); rows.len() * columns.len()], rows, columns, elsewhere: Vec::new() };
+        let mut grid = Grid {
+            cells: vec![Vec::new(); rows.len() * columns.len()],
+            rows,
+            columns,
+            slow: Vec::new(),
+            elsewhere: Vec::new(),
+        };
         for (k, record) in records.iter().enumerate() {
             match (nearest(&grid.rows, record.amplitude), nearest(&grid.columns, of(record))) {
                 (Some(row), Some(column)) if placed(record) => grid.cells[row * grid.columns.len() + column].push(k),
+                _ if is_slow(record) => grid.slow.push(k),
                 _ => grid.elsewhere.push(k),
             }
         }
@@ -84,15 +95,16 @@ mod tests {
             peak_velocity: std::f64::consts::TAU * frequency * amplitude,
             ..Record::default()
         };
-        let records = [record(0.05, 1.0), record(0.0502, 2.0), record(0.005, 10.0), record(0.02, 0.0)];
+        let slow = record(0.02, 0.01);
+        let records = [record(0.05, 1.0), record(0.0502, 2.0), record(0.005, 10.0), record(0.02, 0.0), slow];
         for across in [Across::Velocity, Across::Frequency] {
             let grid = Grid::new(&records, across);
             assert_eq!(grid.rows.len(), 2);
             let mut all: Vec<usize> = grid.cells.concat();
-            all.extend(&grid.elsewhere);
+            all.extend(grid.elsewhere.iter().chain(&grid.slow));
             all.sort_unstable();
-            assert_eq!(all, [0, 1, 2, 3]);
-            assert_eq!(grid.elsewhere, [3]);
+            assert_eq!(all, [0, 1, 2, 3, 4]);
+            assert_eq!((&grid.elsewhere[..], &grid.slow[..]), (&[3][..], &[4][..]));
         }
     }
 }

@@ -320,14 +320,14 @@ mod tests {
             assert!(tuned.set(&row, 0, value));
         }
         tuned.seal();
-        assert!(tuned.set(&row, 0, 3e6));
+        assert!(tuned.set(&row, 0, 4e6));
         assert!(tuned.undo());
         assert_eq!(tuned.params().scalar("series_stiffness"), 1.2e6);
         assert!(tuned.undo());
         assert_eq!(tuned.params().scalar("series_stiffness"), first);
         assert!(!tuned.undo());
         assert!(tuned.redo() && tuned.redo() && !tuned.redo());
-        assert_eq!(tuned.params().scalar("series_stiffness"), 3e6);
+        assert_eq!(tuned.params().scalar("series_stiffness"), 4e6);
         assert!(tuned.reset() && !tuned.is_tuned());
         assert!(tuned.undo() && tuned.is_tuned());
     }

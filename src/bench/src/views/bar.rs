@@ -3,7 +3,7 @@
 use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::outputs::Host;
-use crate::views::{Side, View};
+use crate::views::{Side, View, named_list};
 use crate::words::Language;
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
 
@@ -114,15 +114,19 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             });
         });
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            egui::widgets::global_theme_preference_buttons(ui);
-            egui::ComboBox::from_id_salt("language").selected_text(view.language.name()).width(80.0).show_ui(
-                ui,
-                |ui| {
+            let dark = ui.visuals().dark_mode;
+            if ui.button(if dark { w.light } else { w.dark }).clicked() {
+                ui.ctx().set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
+            }
+            let list = egui::ComboBox::from_id_salt("language")
+                .selected_text(view.language.name())
+                .width(80.0)
+                .show_ui(ui, |ui| {
                     for language in Language::ALL {
                         ui.selectable_value(&mut view.language, language, language.name());
                     }
-                },
-            );
+                });
+            named_list(list, w.language);
         });
     });
 }

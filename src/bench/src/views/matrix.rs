@@ -56,13 +56,16 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 ui.end_row();
             }
         });
-        if !grid.elsewhere.is_empty() {
+        for (name, tests) in [(w.slow_tests, &grid.slow), (w.not_periodic, &grid.elsewhere)] {
+            if tests.is_empty() {
+                continue;
+            }
             ui.horizontal(|ui| {
-                ui.label(w.not_periodic);
-                let shown = grid.elsewhere.iter().any(|k| session.selected.contains(k));
-                if cell(ui, percent(&grid.elsewhere), shown, width).clicked() {
-                    chosen = Some(grid.elsewhere.clone());
+                let shown = tests.iter().any(|k| session.selected.contains(k));
+                if cell(ui, percent(tests), shown, width).clicked() {
+                    chosen = Some(tests.clone());
                 }
+                ui.label(RichText::new(format!("{name} ({})", tests.len())).small());
             });
         }
     });

@@ -28,7 +28,7 @@ pub mod tune;
 use crate::dialogs::Ask;
 use crate::session::matrix::Across;
 use crate::words::{Language, Words};
-use eframe::egui::Color32;
+use eframe::egui::{self, Color32};
 
 /// What the right-hand side shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -117,4 +117,10 @@ const HUES: [Color32; 8] = [
 /// Colour of the so manyeth selected test.
 pub fn hue(k: usize) -> Color32 {
     HUES[k % HUES.len()]
+}
+
+/// Tells a screen reader what a drop-down list is for.
+pub fn named_list<R>(list: egui::InnerResponse<R>, name: &str) -> egui::Response {
+    list.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, name));
+    list.response
 }

@@ -68,7 +68,7 @@ fn heading(
     ui.horizontal(|ui| {
         ui.strong(title);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let menu = ui.menu_button("💾", |ui| {
+            let menu = ui.menu_button("…", |ui| {
                 if ui.button("CSV").clicked() {
                     let named: Vec<_> = lines().into_iter().map(|(_, name, points)| (name, points)).collect();
                     let text = table([&Axes::label(axes.x), &Axes::label(axes.y)], &named);

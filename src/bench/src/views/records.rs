@@ -2,7 +2,7 @@
 
 use crate::session::Session;
 use crate::units::typed;
-use crate::views::View;
+use crate::views::{View, named_list};
 use dashpot_records::{Channel, Positive, Unit};
 use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
 
@@ -23,23 +23,25 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             Some(Positive::Rebound) => w.rebound,
             Some(Positive::Compression) => w.compression,
         };
-        ComboBox::from_id_salt("positive").selected_text(direction(reading.positive)).show_ui(ui, |ui| {
+        let list = ComboBox::from_id_salt("positive").selected_text(direction(reading.positive)).show_ui(ui, |ui| {
             for p in [None, Some(Positive::Rebound), Some(Positive::Compression)] {
                 ui.selectable_value(&mut reading.positive, p, direction(p));
             }
         });
+        named_list(list, w.positive);
         ui.end_row();
         for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
             ui.label(format!("{} {}", w.unit_of, w.channel(channel)));
             let now = reading.units.get(&channel).copied();
             let mut chosen = now;
             let name = |u: Option<Unit>| u.map_or(w.as_file_says, Unit::name);
-            ComboBox::from_id_salt(channel.name()).selected_text(name(now)).show_ui(ui, |ui| {
+            let list = ComboBox::from_id_salt(channel.name()).selected_text(name(now)).show_ui(ui, |ui| {
                 let units = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
                 for unit in std::iter::once(None).chain(units) {
                     ui.selectable_value(&mut chosen, unit, name(unit));
                 }
             });
+            named_list(list, &format!("{} {}", w.unit_of, w.channel(channel)));
             if chosen != now {
                 match chosen {
                     Some(unit) => reading.units.insert(channel, unit),

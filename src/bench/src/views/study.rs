@@ -4,7 +4,7 @@ use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
 use crate::units::{digits, shown};
-use crate::views::{Corner, View, hue};
+use crate::views::{Corner, View, hue, named_list};
 use crate::words::Words;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Row, Shape, find};
@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         form.name = rows.first().map_or("", |r| r.parameter.name);
         form.range = None;
     }
-    ComboBox::from_id_salt("parameter").selected_text(form.name).width(220.0).show_ui(ui, |ui| {
+    let list = ComboBox::from_id_salt("parameter").selected_text(form.name).width(220.0).show_ui(ui, |ui| {
         for row in &rows {
             if ui.selectable_label(form.name == row.parameter.name, row.parameter.name).clicked() {
                 form.name = row.parameter.name;
@@ -51,6 +51,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             }
         }
     });
+    named_list(list, w.study);
     if let Some(row) = find(form.name) {
         let value = params.scalar(form.name);
         let reach = Reach::of(&row, value, value, model.interval(form.name, 0));
@@ -64,7 +65,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 let speed = (shown_value.abs() * 0.01).max(1e-9);
                 let field =
                     egui::DragValue::new(&mut shown_value).speed(speed).custom_formatter(|v, _| crate::units::typed(v));
-                if ui.add(field).changed() {
+                let field = ui.add(field);
+                field.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, text));
+                if field.changed() {
                     *end = (shown_value / unit.factor).clamp(row.parameter.low, row.parameter.high);
                 }
                 ui.label(&unit.symbol);
@@ -124,7 +127,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     ui.heading(w.effect_look);
     ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
     let mut chosen = view.effect.map(|(name, _)| name);
-    ComboBox::from_id_salt("effect")
+    let list = ComboBox::from_id_salt("effect")
         .selected_text(chosen.map_or(w.none.to_owned(), |n| n.replace('_', " ")))
         .width(220.0)
         .show_ui(ui, |ui| {
@@ -134,6 +137,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
                     .on_hover_text(group.meaning);
             }
         });
+    named_list(list, w.effect_look);
     let mut strength = view.effect.map_or(1.0, |(_, s)| s);
     if chosen.is_some() {
         let slider = ui.add(Slider::new(&mut strength, 0.05..=10.0).logarithmic(true).text(w.strength));

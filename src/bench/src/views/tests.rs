@@ -54,7 +54,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let listed: Vec<usize> =
         (0..records.len()).filter(|k| wanted.is_empty() || records[*k].name.to_lowercase().contains(&wanted)).collect();
     let details = session.selected.iter().next_back().copied();
-    let room = (ui.available_height() - if details.is_some() { 220.0 } else { 0.0 }).max(120.0);
+    let room = (ui.available_height() - if details.is_some() { 250.0 } else { 0.0 }).max(120.0);
     let height = ui.spacing().interact_size.y;
     egui::ScrollArea::vertical()
         .id_salt("tests")
@@ -165,6 +165,9 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
             ui.label(value);
             ui.end_row();
         };
+        if let Some(of) = simulated {
+            line(w.mean_error, format!("{} N, {:.2} %", digits(of.mean_error), of.percent));
+        }
         line(w.amplitude, format!("{} mm", digits(1e3 * record.amplitude)));
         line(w.frequency, format!("{} Hz", digits(record.frequency)));
         line(w.peak_velocity, format!("{} m/s", digits(record.peak_velocity)));
@@ -174,9 +177,6 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
             line(w.work, format!("{} J", digits(area)));
         }
         line(w.noise, format!("{} N", digits(record.noise.force_rms)));
-        if let Some(of) = simulated {
-            line(w.mean_error, format!("{} N, {:.2} %", digits(of.mean_error), of.percent));
-        }
     });
     for note in &record.notes {
         let text = egui::RichText::new(format!("• {}", note.text));

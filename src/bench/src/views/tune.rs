@@ -3,7 +3,7 @@
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, usual_band};
 use crate::units::{shown, typed};
-use crate::views::View;
+use crate::views::{View, named_list};
 use crate::words::Words;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Row, Shape};
@@ -201,11 +201,12 @@ fn choice(ui: &mut Ui, session: &mut Session, row: &Row, words: &[&str]) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(row.parameter.name).small()).on_hover_text(row.parameter.meaning);
         let shown = words.get(now).copied().unwrap_or("");
-        egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
+        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
             for (k, word) in words.iter().enumerate() {
                 ui.selectable_value(&mut chosen, k, *word);
             }
         });
+        named_list(list, row.parameter.name);
     });
     if chosen != now {
         session.tune(|m| {

@@ -1,8 +1,8 @@
 //! Records of a damper that the kernel itself makes, and a window without a screen.
 
-use dashpot_bench::app::App;
-use dashpot_bench::dialogs::Told;
-use dashpot_bench::session::recent::Recent;
+use crate::app::App;
+use crate::dialogs::Told;
+use crate::session::recent::Recent;
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use eframe::egui;
@@ -64,7 +64,7 @@ pub fn model(folder: &Path) -> PathBuf {
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
         let mut app = App::with_recent(&creation.egui_ctx, Box::new(Told::naming(answers)), Recent::read(None));
-        app.view.language = dashpot_bench::words::Language::English;
+        app.view.language = crate::words::Language::English;
         app
     })
 }
