@@ -11,7 +11,16 @@ use std::process::Command;
 /// What builds the wheel, and what its tests need.
 const BUILD: &str = "maturin>=1.9,<2";
 const PACKAGES: [&str; 11] = [
-    "numpy", "pytest", "mypy", "pandas", "matplotlib", "pyarrow", "dask", "distributed", "dask-jobqueue", "nbclient",
+    "numpy",
+    "pytest",
+    "mypy",
+    "pandas",
+    "matplotlib",
+    "pyarrow",
+    "dask",
+    "distributed",
+    "dask-jobqueue",
+    "nbclient",
     "ipykernel",
 ];
 
@@ -31,9 +40,8 @@ fn environment(target: &Path) -> Option<PathBuf> {
     if std::fs::read_to_string(&done).is_ok_and(|had| had == wanted.join("\n")) {
         return Some(bin);
     }
-    let made = runs(Command::new("python3").args(["-m", "venv"]).arg(&folder)).and_then(|()| {
-        runs(Command::new(bin.join("python")).args(["-m", "pip", "install", "--quiet"]).args(&wanted))
-    });
+    let made = runs(Command::new("python3").args(["-m", "venv"]).arg(&folder))
+        .and_then(|()| runs(Command::new(bin.join("python")).args(["-m", "pip", "install", "--quiet"]).args(&wanted)));
     if let Err(told) = made {
         println!("skipped: Python with {} does not install here: {}", wanted.join(", "), told.replace('\n', " "));
         return None;
