@@ -114,7 +114,7 @@ impl Dampers {
                 initial_position.len()
             )));
         }
-        if let Some(x) = initial_position.iter().find(|x| !(x.abs() <= LARGEST)) {
+        if let Some(x) = initial_position.iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
             return Err(say::<StepError>(format!("the initial position is {x} m, which is no position")));
         }
         let at_rest = |(k, x): (usize, &f64)| {
