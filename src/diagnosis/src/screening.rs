@@ -6,8 +6,8 @@
 use super::extend::extend;
 use super::nearby::Nearby;
 use super::vocabulary::{Candidate, Fresh, Start};
-use dashpot_estimation::hypothesis::{Free, Hypothesis, Residual};
 use dashpot_estimation::cancel;
+use dashpot_estimation::hypothesis::{Free, Hypothesis, Residual};
 use dashpot_estimation::refit::{Refit, gram, weights};
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::Unknown;

@@ -24,7 +24,19 @@ impl Curve {
         } else {
             let of = |name: &str| params.scalar(name);
             let (r1, r2, c1) = (of("fv_rebound_v1"), of("fv_rebound_v2"), of("fv_compression_v1"));
-            vec![-3.0 * c1.max(r2), -2.0 * c1, -c1, -0.5 * c1, 0.0, 0.5 * r1, r1, 0.5 * (r1 + r2), r2, 1.5 * r2, 3.0 * r2]
+            vec![
+                -3.0 * c1.max(r2),
+                -2.0 * c1,
+                -c1,
+                -0.5 * c1,
+                0.0,
+                0.5 * r1,
+                r1,
+                0.5 * (r1 + r2),
+                r2,
+                1.5 * r2,
+                3.0 * r2,
+            ]
         };
         let forces = velocities.iter().map(|v| fv.at(*v).value).collect();
         Curve { velocities, forces }
