@@ -26,8 +26,12 @@ pub struct Seen {
     pub motion: Motion,
     /// The samples that are drawn: one whole cycle, or all where there is none.
     pub shown: Range<usize>,
-    /// The shown cycle as a record of its own, for a quick answer while a slider moves.
+    /// The shown cycle as a record of its own, thinned, for a quick answer while a slider moves.
     pub cycle: Record,
+    /// Samples of the shown cycle in it; one more closes the cycle.
+    pub cycle_samples: usize,
+    /// Every so manyeth sample of the record is in it.
+    pub stride: usize,
     /// Its motion.
     pub cycle_motion: Motion,
     /// Largest measured force, N.
@@ -42,10 +46,16 @@ impl Seen {
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
         // One sample more than the cycle: so the model settles on it before the cycle that is shown, as it does on whole records.
-        let taken = shown.start..(shown.end + 1).min(n);
-        let (cycle, cycle_motion) = part(record, &motion, taken, shown.len());
+        // A motion without cycles, such as a road, is left as it is: it may turn within any sample.
+        let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
+        let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
+        let cycle_samples = taken.len();
+        taken.extend((shown.end < n).then_some(shown.end));
+        let (cycle, cycle_motion) = part(record, &motion, &taken, cycle_samples);
         Seen {
             cycle,
+            cycle_samples,
+            stride,
             cycle_motion,
             max_force: record.force.iter().fold(0.0, |m, f| f.abs().max(m)),
             peaks: peaks(record, &motion),
@@ -55,12 +65,14 @@ impl Seen {
     }
 }
 
-/// A stretch of a record that holds one cycle from its first sample.
-fn part(record: &Record, motion: &Motion, taken: Range<usize>, cycle: usize) -> (Record, Motion) {
-    let cut = |values: &[f64]| values[taken.clone()].to_vec();
-    let whole = taken.len() == record.time.len();
+/// Most samples of a cycle for a quick answer: a loop of so many looks the same, and slow tests have thousands.
+const QUICK: usize = 300;
+
+/// Samples of a record that hold one cycle from their first.
+fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Record, Motion) {
+    let cut = |values: &[f64]| taken.iter().map(|i| values[*i]).collect();
     #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
-    let cycles = if whole { record.cycles.clone() } else { vec![0..cycle] };
+    let cycles = if record.cycles.is_empty() { Vec::new() } else { vec![0..cycle] };
     let short = Record {
         time: cut(&record.time),
         displacement: cut(&record.displacement),

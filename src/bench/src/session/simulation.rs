@@ -39,6 +39,8 @@ pub struct Simulated {
 pub struct OfTest {
     /// Forces over the shown cycle, N.
     pub shown: Vec<f64>,
+    /// They stand at every so manyeth sample of it.
+    pub stride: usize,
     /// Mean of |computed − measured|, N.
     pub mean_error: f64,
     /// The same in percent of the largest measured force.
@@ -49,12 +51,13 @@ pub struct OfTest {
 
 impl OfTest {
     /// Compares forces with a record; `shown` is where the shown cycle lies in it.
-    fn new(forces: &[f64], record: &Record, shown: std::ops::Range<usize>, max_force: f64) -> OfTest {
+    fn new(forces: &[f64], record: &Record, shown: std::ops::Range<usize>, stride: usize, max_force: f64) -> OfTest {
         let n = record.force.len().min(forces.len()).max(1) as f64;
         let errors = || forces.iter().zip(&record.force).map(|(f, m)| f - m);
         let mean_error = errors().map(f64::abs).sum::<f64>() / n;
         OfTest {
             shown: forces.get(shown).map(<[f64]>::to_vec).unwrap_or_default(),
+            stride,
             mean_error,
             percent: 100.0 * mean_error / max_force.max(1e-9),
             rmse: (errors().map(|e| e * e).sum::<f64>() / n).sqrt(),
@@ -65,9 +68,9 @@ impl OfTest {
     pub fn of(model: &Model, record: &Record, seen: &Seen, quick: bool) -> OfTest {
         if quick {
             let forces = predict(model, &seen.cycle, &seen.cycle_motion);
-            OfTest::new(&forces, &seen.cycle, 0..seen.shown.len(), seen.max_force)
+            OfTest::new(&forces, &seen.cycle, 0..seen.cycle_samples, seen.stride, seen.max_force)
         } else {
-            OfTest::new(&predict(model, record, &seen.motion), record, seen.shown.clone(), seen.max_force)
+            OfTest::new(&predict(model, record, &seen.motion), record, seen.shown.clone(), 1, seen.max_force)
         }
     }
 }

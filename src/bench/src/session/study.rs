@@ -55,7 +55,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
         if question.factors && low > 0.0 { low * (high / low).powf(part) } else { low + part * (high - low) }
     };
     let cycle = &seen.cycle;
-    let n = seen.shown.len();
+    let n = seen.cycle_samples;
     let figures =
         |force: &[f64]| [loop_area(&cycle.displacement[..n], force), gap(&seen.cycle_motion.velocity[..n], force)];
     let members = (0..question.count.max(2))

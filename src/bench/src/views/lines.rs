@@ -89,30 +89,46 @@ fn make(session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -
     let mut lines = Vec::new();
     for (place, test) in tests.iter().enumerate() {
         let (record, seen) = (&loaded.campaign.records[*test], &loaded.tests[*test]);
-        let over = |whose: Whose, force: &[f64]| {
-            line(whose, place, format!("{} · {}", record.name, named(whose, words)), record, seen, force, most)
+        let over = |whose: Whose, force: &[f64], stride: usize| {
+            line(
+                whose,
+                place,
+                format!("{} · {}", record.name, named(whose, words)),
+                record,
+                seen,
+                (force, stride),
+                most,
+            )
         };
         let simulated = |of: &Option<Arc<crate::session::simulation::Simulated>>| {
-            of.as_ref().and_then(|s| s.tests.get(*test)).map(|t| t.shown.clone())
+            of.as_ref().and_then(|s| s.tests.get(*test)).map(|t| (t.shown.clone(), t.stride))
         };
-        lines.push(over(Whose::Measured, &record.force[seen.shown.clone()]));
+        lines.push(over(Whose::Measured, &record.force[seen.shown.clone()], 1));
         if let Some(other) = &session.reference {
             if let Some(k) = other.like(record) {
                 let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
                 let name = format!("{} · {}", record.name, words.reference);
-                lines.push(line(Whose::Reference, place, name, record, seen, &record.force[seen.shown.clone()], most));
+                lines.push(line(
+                    Whose::Reference,
+                    place,
+                    name,
+                    record,
+                    seen,
+                    (&record.force[seen.shown.clone()], 1),
+                    most,
+                ));
             }
         }
         if session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned) {
-            lines.extend(simulated(&session.identified).map(|f| over(Whose::Identified, &f)));
+            lines.extend(simulated(&session.identified).map(|(f, stride)| over(Whose::Identified, &f, stride)));
         }
         if session.model.is_some() {
-            lines.extend(simulated(&session.simulated).map(|f| over(Whose::Model, &f)));
+            lines.extend(simulated(&session.simulated).map(|(f, stride)| over(Whose::Model, &f, stride)));
         }
         let with = effect.filter(|_| place < EFFECTS).and_then(|(name, strength)| session.with_effect(name, strength));
         if let Some(model) = with.and_then(|p| Model::new(&p).ok()) {
-            let force = OfTest::of(&model, record, seen, true).shown;
-            lines.push(over(Whose::Effect, &force));
+            let of = OfTest::of(&model, record, seen, true);
+            lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }
     // Models over measurements.
@@ -137,11 +153,13 @@ fn line(
     name: String,
     record: &dashpot_records::Record,
     seen: &crate::session::campaign::Seen,
-    force: &[f64],
+    (force, stride): (&[f64], usize),
     most: usize,
 ) -> Line {
     let from = seen.shown.start;
-    let n = seen.shown.len().min(force.len());
+    // Forces are counted by their own samples, the motion by those of the record.
+    let n = seen.shown.len().div_ceil(stride).min(force.len());
+    let at = |i: usize| from + i * stride;
     let step = n.div_ceil(most).max(1);
     let mut kept: Vec<usize> = (0..n).step_by(step).collect();
     // A loop is closed.
@@ -155,9 +173,9 @@ fn line(
         whose,
         place,
         name,
-        velocity: points(&|i| seen.motion.velocity[from + i]),
-        displacement: points(&|i| 1e3 * seen.motion.displacement[from + i]),
-        time: in_time.iter().map(|i| PlotPoint::new(record.time[from + i] - start, force[*i])).collect(),
+        velocity: points(&|i| seen.motion.velocity[at(i)]),
+        displacement: points(&|i| 1e3 * seen.motion.displacement[at(i)]),
+        time: in_time.iter().map(|i| PlotPoint::new(record.time[at(*i)] - start, force[*i])).collect(),
         temperature: match (&record.temperature, whose) {
             (Some(temperature), Whose::Measured) => {
                 let all = 0..record.time.len();

@@ -4,6 +4,7 @@ use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
 use crate::units::{digits, shown};
+use crate::views::tune::is_of_form;
 use crate::views::{Corner, View, hue, named_list};
 use crate::words::Words;
 use dashpot_core::elements::{self, GROUPS};
@@ -34,7 +35,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         return;
     };
     let params = *model.params();
-    let on = |row: &Row| row.group < elements::COUNT && params.is_on(GROUPS[row.group].name);
+    let points = params.scalar("fv_form") == 0.0;
+    let on = |row: &Row| row.group < elements::COUNT && params.is_on(GROUPS[row.group].name) && is_of_form(row, points);
     let rows: Vec<Row> = parameter::table().filter(|r| on(r) && matches!(r.parameter.shape, Shape::Scalar)).collect();
     ui.heading(w.study);
     ui.add(egui::Label::new(RichText::new(w.study_hint).weak()).wrap());
@@ -160,9 +162,9 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
     let unit = find(study.question.name).map(|r| shown(r.parameter.unit)).unwrap_or(shown("-"));
     ui.strong(format!("{} · {}", study.question.name, loaded.campaign.records[study.question.test].name));
     let velocity = &seen.cycle_motion.velocity;
-    let step = seen.shown.len().div_ceil(400).max(1);
+    let step = seen.cycle_samples.div_ceil(400).max(1);
     let points = |force: &[f64]| -> Vec<[f64; 2]> {
-        (0..force.len().min(seen.shown.len())).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
+        (0..force.len().min(seen.cycle_samples)).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
     };
     Plot::new("study")
         .x_axis_label(format!("{} [m/s]", w.velocity))
@@ -170,7 +172,7 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
         .y_axis_min_width(54.0)
         .show(ui, |plot| {
             let weak = plot.ctx().global_style().visuals.weak_text_color();
-            let measured = points(&seen.cycle.force[..seen.shown.len()]);
+            let measured = points(&seen.cycle.force[..seen.cycle_samples]);
             plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
             for (k, member) in study.members.iter().enumerate() {
                 let name = format!("{} {}", digits(unit.factor * member.value), unit.symbol);

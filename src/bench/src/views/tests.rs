@@ -156,7 +156,7 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
     let (record, seen) = (&loaded.campaign.records[k], &loaded.tests[k]);
     ui.strong(&record.name);
     ui.add(egui::Label::new(egui::RichText::new(&record.source).weak()).wrap());
-    let n = seen.shown.len();
+    let n = seen.cycle_samples;
     let area = crate::session::study::loop_area(&seen.cycle.displacement[..n], &seen.cycle.force[..n]);
     let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
     egui::Grid::new("detail").num_columns(2).show(ui, |ui| {

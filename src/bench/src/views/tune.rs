@@ -251,7 +251,7 @@ fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
 }
 
 /// The FV curve is a table of points or has slopes and knees: the numbers of the other form say nothing.
-fn is_of_form(row: &Row, table: bool) -> bool {
+pub fn is_of_form(row: &Row, table: bool) -> bool {
     let name = row.parameter.name;
     let knees = name.starts_with("fv_rebound") || name.starts_with("fv_compression");
     let points = matches!(name, "fv_velocity" | "fv_force" | "fv_interpolation");
