@@ -241,7 +241,7 @@ fn the_report_tells_everything_and_asks_nobody() {
         assert_eq!(open, report.matches(&format!("</{tag}>")).count(), "{tag}");
     }
     let figures = std::fs::read_dir(dir.join("figures")).unwrap().count();
-    assert_eq!(figures, report.matches("<svg").count());
+    assert_eq!(figures, report.matches("<svg xmlns").count());
 }
 
 #[test]

@@ -25,12 +25,25 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
             assert!((0.0..=1.0).contains(&number(corner, "share_inside_tests")), "{name}: {corner}");
         }
         let page = std::fs::read_to_string(at.join("m.html")).expect("the report");
-        assert!(page.contains("Operating region") && page.matches("<svg").count() == 12, "{name}");
+        assert!(page.contains("Operating region") && page.matches("<svg xmlns").count() == 21, "{name}");
         assert!(!page.contains("NaN") || page.matches("NaN").count() == page.matches("isNaN").count(), "{name}");
         let first = page;
         done(at, &args);
         assert!(std::fs::read_to_string(at.join("m.html")).expect("the report") == first, "the same bytes");
     }
+    // A heavier vehicle of one's own, in another language.
+    std::fs::write(at.join("car.toml"), "sprung_mass = 2200\n").expect("a vehicle");
+    let own =
+        ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml", "--json", "own.json", "--report", "own.html"];
+    done(at, &[&own[..], &["--language", "de"]].concat());
+    done(at, &["manoeuvre", "bump", "model.toml", "--json", "usual.json"]);
+    let rms = |file: &str| json(&at.join(file))["rms_heave_acceleration_m_s2"][0].as_f64().expect("a number");
+    assert!(rms("own.json") < 0.9 * rms("usual.json"), "{} {}", rms("own.json"), rms("usual.json"));
+    let page = std::fs::read_to_string(at.join("own.html")).expect("the report");
+    assert!(page.contains("Straße unter den Vorderrädern") && page.contains("car.toml") && page.contains("2200"));
+    std::fs::write(at.join("car.toml"), "wheels = 3\n").expect("a vehicle");
+    let told = refused(at, &["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"]);
+    assert!(told.contains("car.toml") && told.contains("line 1") && told.contains("\"wheels\""), "{told}");
     assert!(refused(at, &["manoeuvre", "bump", "model.toml", "--step", "0.1"]).contains("0.0001 to 0.005"));
     assert!(refused(at, &["manoeuvre", "loop", "model.toml"]).contains("step-steer"));
 }

@@ -1,27 +1,7 @@
 //! Mistakes of a hurried engineer: each ends in a message that names the cause, or in a model that says what it lacks.
 
-use dashpot_tests::cli::{done, json, refused, rewrite, run, small_campaign, table};
+use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::path::Path;
-use std::sync::OnceLock;
-
-const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
-
-fn row(r: [f64; 4]) -> String {
-    r.map(|v| format!("{v:.9}")).join(",")
-}
-
-/// A campaign measured once, copied for every test.
-fn folder() -> tempfile::TempDir {
-    static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
-    let measured = RECORDS.get_or_init(|| {
-        let folder = tempfile::tempdir().unwrap();
-        small_campaign(folder.path());
-        folder
-    });
-    let folder = tempfile::tempdir().unwrap();
-    rewrite(&measured.path().join("records"), &folder.path().join("records"), HEADER, row);
-    folder
-}
 
 fn fit_refused(dir: &Path) -> String {
     refused(dir, &["fit", "data", "-o", "m.toml"])
@@ -29,7 +9,7 @@ fn fit_refused(dir: &Path) -> String {
 
 #[test]
 fn wrong_units_are_refused_or_told() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let (records, data) = (dir.join("records"), dir.join("data"));
     type Slip = (&'static str, fn([f64; 4]) -> String, &'static str);
@@ -71,7 +51,7 @@ fn wrong_units_are_refused_or_told() {
 
 #[test]
 fn a_load_cell_that_is_turned_or_dead_is_refused() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let (records, data) = (dir.join("records"), dir.join("data"));
     rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, -f]));
@@ -89,7 +69,7 @@ fn a_load_cell_that_is_turned_or_dead_is_refused() {
 
 #[test]
 fn gaps_stubs_and_strays_are_named() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let (records, data) = (dir.join("records"), dir.join("data"));
     let copy = || rewrite(&records, &data, HEADER, row);
@@ -124,7 +104,7 @@ fn gaps_stubs_and_strays_are_named() {
 
 #[test]
 fn a_few_tests_give_a_model_that_says_what_it_lacks() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     for name in ["a50mm_v0262mm_s", "a01mm_v0052mm_s", "slow_0.0118hz"] {
         let data = format!("records/{name}.csv");
@@ -145,7 +125,7 @@ fn a_few_tests_give_a_model_that_says_what_it_lacks() {
 
 #[test]
 fn flags_that_leave_nothing_are_refused() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     for (more, wanted) in [
         (&["--hold-out", "*"][..], "leaves no test"),
@@ -175,7 +155,7 @@ fn flags_that_leave_nothing_are_refused() {
 
 #[test]
 fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     done(dir, &["fit", "records", "-o", "m.toml"]);
     let text = std::fs::read_to_string(dir.join("m.toml")).unwrap();
@@ -212,7 +192,7 @@ fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
 
 #[test]
 fn what_is_no_record_is_refused() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     for name in ["noise.csv", "noise.xlsx", "noise.mat", "noise.pdf"] {
         std::fs::write(dir.join(name), (0..4000_u32).map(|i| (i * i / 7 % 251) as u8).collect::<Vec<_>>()).unwrap();

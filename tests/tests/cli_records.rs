@@ -1,27 +1,8 @@
 //! Records as rigs write them, through the command: profiles, late channels, gaps, one file by two paths.
 
-use dashpot_tests::cli::{done, json, refused, rewrite, run, small_campaign, table};
+use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::fs;
 use std::path::Path;
-use std::sync::OnceLock;
-
-fn folder() -> tempfile::TempDir {
-    static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
-    let measured = RECORDS.get_or_init(|| {
-        let folder = tempfile::tempdir().unwrap();
-        small_campaign(folder.path());
-        folder
-    });
-    let folder = tempfile::tempdir().unwrap();
-    rewrite(&measured.path().join("records"), &folder.path().join("records"), HEADER, row);
-    folder
-}
-
-const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
-
-fn row(r: [f64; 4]) -> String {
-    r.map(|v| format!("{v:.9}")).join(",")
-}
 
 fn tests(dir: &Path, data: &[&str]) -> usize {
     let args = [&["fit", "-o", "m.toml", "--model", "fv", "--json", "f.json"], data].concat();
@@ -31,7 +12,7 @@ fn tests(dir: &Path, data: &[&str]) -> usize {
 
 #[test]
 fn a_mapping_is_said_once_and_every_verb_obeys_it() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let german = "Zeit [s];Kolbenweg;Kanal 7;Kraft";
     rewrite(&dir.join("records"), &dir.join("data"), german, |[t, x, _, f]| {
@@ -78,7 +59,7 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
 
 #[test]
 fn one_file_by_two_paths_is_one_test() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let (a, b) = ("records/a50mm_v0262mm_s.csv", "./records/../records/a50mm_v0262mm_s.csv");
     assert_eq!(tests(dir, &[a, b]), 1);
@@ -87,7 +68,7 @@ fn one_file_by_two_paths_is_one_test() {
 
 #[test]
 fn a_late_force_is_told_and_corrected() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let late = 0.015;
     fs::create_dir(dir.join("data")).unwrap();
@@ -116,7 +97,7 @@ fn a_late_force_is_told_and_corrected() {
 
 #[test]
 fn a_gap_in_time_is_said_first_and_split() {
-    let folder = folder();
+    let folder = campaign_folder();
     let dir = folder.path();
     let data = dir.join("data");
     rewrite(&dir.join("records"), &data, HEADER, row);

@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use std::path::PathBuf;
 
 /// Options that name an output, in every verb.
-const OUTPUTS: [&str; 4] = ["output", "json", "report", "svg"];
+const OUTPUTS: [&str; 5] = ["output", "json", "report", "svg", "certificate"];
 
 /// Every value given outside the output options that may be a file or a folder.
 pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {

@@ -1,6 +1,8 @@
 //! `dashpot`: from rig records to a damper that a simulator can run.
 
 mod inputs;
+mod limits;
+mod page;
 mod progress;
 mod verbs;
 
@@ -71,7 +73,11 @@ fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Fit(args) => verbs::fit::run(&args),
-        Verb::Validate(args) => verbs::validate::run(&args),
+        // The only verb with a verdict: 1 says that the damper does not keep its limits.
+        Verb::Validate(args) => match verbs::validate::run(&args) {
+            Ok(verbs::validate::Verdict::Failed) => return ExitCode::FAILURE,
+            other => other.map(|_| ()),
+        },
         Verb::Check(args) => verbs::check::run(&args),
         Verb::Diagnose(args) => verbs::diagnose::run(&args),
         Verb::Simulate(args) => verbs::simulate::run(&args),

@@ -27,14 +27,11 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
-pub fn dry(segments: &[Segment]) -> Dry {
-    let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
-    let limit = SLOW.max(1.5 * slowest);
-    let side = |sign: f64, low: f64, high: f64| {
+/// Median force of both strokes of the segments, where their velocity is between two shares of the peak velocity.
+fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
+    let side = |sign: f64| {
         let forces = segments
-            .iter()
-            .filter(|s| s.peak_velocity <= limit)
+            .clone()
             .flat_map(|s| {
                 s.input.iter().zip(&s.force).filter_map(move |(i, f)| {
                     let part = sign * i.velocity / s.peak_velocity;
@@ -44,11 +41,25 @@ pub fn dry(segments: &[Segment]) -> Dry {
             .collect();
         median(forces)
     };
+    let (up, down) = (side(1.0)?, side(-1.0)?);
+    Some(Dry { friction: 0.5 * (up - down), gas: -0.5 * (up + down) })
+}
+
+/// Friction and gas force of tests that are all slow, as measured.
+pub fn sliding(slow: &[Segment]) -> Option<Dry> {
+    strokes(slow.iter(), 0.5, f64::INFINITY)
+}
+
+/// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
+pub fn dry(segments: &[Segment]) -> Dry {
+    let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
+    let limit = SLOW.max(1.5 * slowest);
+    let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
     // At full speed where the test is slow; near reversal where even the slowest test is fast.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
-    match (side(1.0, low, high), side(-1.0, low, high)) {
-        (Some(up), Some(down)) => Dry { friction: (0.5 * (up - down)).max(1.0), gas: -0.5 * (up + down) },
-        _ => Dry { friction: 1.0, gas: 0.0 },
+    match strokes(slow, low, high) {
+        Some(dry) => Dry { friction: dry.friction.max(1.0), ..dry },
+        None => Dry { friction: 1.0, gas: 0.0 },
     }
 }
 

@@ -7,8 +7,10 @@
 pub mod first_guess;
 mod fit;
 mod intervals;
+pub mod limits;
 pub mod literature;
 pub mod model_file;
+pub mod peaks;
 pub mod validation;
 mod variants;
 

@@ -18,7 +18,7 @@ use super::profile::{self, Profile};
 use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sign::{self, SignFinding};
-use super::{csv, glob, mat, rpc, slips, xlsx};
+use super::{csv, glob, mat, mdf, rpc, slips, tdms, xlsx};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
 #[derive(Debug, Clone, Serialize)]
@@ -31,6 +31,9 @@ pub struct Campaign {
     pub delay: Option<Delay>,
     /// What concerns the campaign as a whole.
     pub notes: Vec<Note>,
+    /// Every file that was read, profiles too, in the order of reading.
+    #[serde(skip)]
+    pub files: Vec<PathBuf>,
 }
 
 /// How far loading has come.
@@ -116,7 +119,9 @@ pub fn load(
     unique_names(&mut records);
     slips::refuse(&records, options)?;
     plausibility::remark(&records, &mut notes)?;
-    Ok(Campaign { records, sign, delay, notes })
+    let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
+    let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
+    Ok(Campaign { records, sign, delay, notes, files })
 }
 
 /// Files that are no records, met on the way.
@@ -336,7 +341,20 @@ fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Ve
 pub fn is_record_name(path: &Path) -> bool {
     matches!(
         extension(path).as_str(),
-        "csv" | "txt" | "tsv" | "asc" | "dat" | "xlsx" | "xlsm" | "mat" | "rsp" | "drv" | "tim"
+        "csv"
+            | "txt"
+            | "tsv"
+            | "asc"
+            | "dat"
+            | "xlsx"
+            | "xlsm"
+            | "mat"
+            | "mf4"
+            | "mdf"
+            | "tdms"
+            | "rsp"
+            | "drv"
+            | "tim"
     )
 }
 
@@ -355,6 +373,8 @@ pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, 
         "csv" | "txt" | "tsv" | "asc" | "dat" => csv::read(file, &name, options),
         "xlsx" | "xlsm" => xlsx::read(file, &name, options),
         "mat" => mat::read(file, &name, options),
+        "mf4" | "mdf" => mdf::read(file, &name, options),
+        "tdms" => tdms::read(file, &name, options),
         "rsp" | "drv" | "tim" => rpc::read(file, &name, options),
         _ => Err(RecordError::UnknownType { file: file.into() }),
     }

@@ -32,6 +32,23 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     read
 }
 
+/// The cells of a short table of text, line by line with its number, under the delimiter that makes most columns of its first
+/// line.
+pub(crate) fn cells_of_text(file: &Path) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
+    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
+    if bytes.is_empty() {
+        return Err(RecordError::EmptyFile { file: file.into() });
+    }
+    let (text, _) = decode(&bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = || text.lines().enumerate().filter(|(_, line)| !is_comment(line));
+    let first = lines().next().map_or("", |(_, line)| line);
+    let most = |d: &u8| first.bytes().filter(|b| b == d).count();
+    // Of two that make as many columns the first is meant.
+    let delimiter = [b',', b';', b'\t'].into_iter().max_by_key(most).unwrap_or(b',');
+    Ok(lines().map(|(k, line)| (k + 1, split(line, delimiter))).collect())
+}
+
 /// Text of a file in UTF-8 or UTF-16 with byte order mark, else read as Latin-1 (old exports, for µ and °), which is a guess.
 fn decode(bytes: &[u8]) -> (String, bool) {
     let utf16 = |from: fn([u8; 2]) -> u16| -> String {

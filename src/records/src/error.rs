@@ -7,7 +7,7 @@ use super::channel::Channel;
 use super::unit::Unit;
 
 /// The files that are read, for messages.
-pub(crate) const KINDS: &str = ".csv, .txt, .asc, .dat, .tsv, .xlsx, .mat, .rsp, .drv and .tim";
+pub(crate) const KINDS: &str = ".csv, .txt, .asc, .dat, .tsv, .xlsx, .mat, .mf4, .tdms, .rsp, .drv and .tim";
 
 /// The place a message speaks of: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,11 +95,14 @@ pub enum RecordError {
     #[error("{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')", file = .file.display())]
     Mat { file: PathBuf, cause: String },
 
+    #[error("{at}, line {line}: {cause}")]
+    PeakTable { at: Place, line: usize, cause: String },
+
+    #[error("{file}: cannot be read as {kind} ({cause})", file = .file.display())]
+    Binary { file: PathBuf, kind: &'static str, cause: String },
+
     #[error("{file}: cannot be read as an RPC III time history ({cause})", file = .file.display())]
     Rpc { file: PathBuf, cause: String },
-
-    #[error("{file}: is a MAT 7.3 (HDF5) file, which is not read here; save it with save(..., '-v7')", file = .file.display())]
-    Hdf5 { file: PathBuf },
 
     #[error(
         "{at}: no header line found that names time and other channels; the first line reads '{found}'. Understood are: \
@@ -225,6 +228,7 @@ impl RecordError {
                 | RecordError::EmptyFile { .. }
                 | RecordError::Workbook { .. }
                 | RecordError::Rpc { .. }
+                | RecordError::Binary { .. }
                 | RecordError::Header { .. }
                 | RecordError::NoData { .. }
                 | RecordError::TooFew { .. }

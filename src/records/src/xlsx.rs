@@ -64,6 +64,41 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     Ok(tests)
 }
 
+/// The cells of the first sheet that has any, row by row with its number, as text: for short tables.
+pub(crate) fn cells_of_workbook(file: &Path) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
+    /// Rows beyond this are no short table.
+    const ROWS: usize = 10_000;
+    let broken = |cause: String| RecordError::Workbook { file: file.into(), cause };
+    check_sizes(file).map_err(broken)?;
+    let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
+    for sheet in workbook.sheet_names() {
+        let Ok(mut cells) = workbook.worksheet_cells_reader(&sheet) else { continue };
+        let mut rows: Vec<(usize, Vec<String>)> = Vec::new();
+        while let Some(cell) = cells.next_cell().map_err(|e| broken(format!("sheet '{sheet}': {e}")))? {
+            let (row, column) = cell.get_position();
+            if column >= COLUMNS || matches!(cell.get_value(), DataRef::Empty) {
+                continue;
+            }
+            if rows.last().is_none_or(|(last, _)| *last != row as usize + 1) {
+                if rows.len() == ROWS {
+                    return Err(broken(format!(
+                        "sheet '{sheet}' has more than {ROWS} rows, which is no table of peaks"
+                    )));
+                }
+                rows.push((row as usize + 1, Vec::new()));
+            }
+            if let Some((_, cells)) = rows.last_mut() {
+                cells.resize(cells.len().max(column as usize + 1), String::new());
+                cells[column as usize] = Data::from(cell.get_value().clone()).to_string();
+            }
+        }
+        if !rows.is_empty() {
+            return Ok(rows);
+        }
+    }
+    Err(RecordError::NoData { at: Place::file(file) })
+}
+
 /// Unpacks every part once, into nothing, and refuses what would not fit into memory. Sizes that the archive states are not
 /// believed.
 fn check_sizes(file: &Path) -> Result<(), String> {

@@ -234,6 +234,11 @@ fn rpc() -> Vec<u8> {
     out
 }
 
+/// A file that another writer made.
+fn foreign(name: &str) -> Vec<u8> {
+    std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign").join(name)).unwrap()
+}
+
 /// Sound files of every format, which the mutations start from.
 fn seeds() -> Vec<(&'static str, Vec<u8>)> {
     let mts =
@@ -248,6 +253,11 @@ fn seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("f.mat", mat(&variables(), false)),
         ("g.mat", mat(&variables(), true)),
         ("h.rsp", rpc()),
+        ("i.mf4", foreign("plain.mf4")),
+        ("j.mf4", foreign("transposed.mf4")),
+        ("m.mat", foreign("matlab73.mat")),
+        ("k.tdms", foreign("time.tdms")),
+        ("l.tdms", foreign("waves.tdms")),
     ]
 }
 
@@ -263,7 +273,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
     }
     let mut random = Random(7);
     let seeds = seeds();
-    for round in 0..3000 {
+    for round in 0..4500 {
         let (name, seed) = &seeds[round % seeds.len()];
         let mut bytes = seed.clone();
         if *name == "e.xlsx" && round % 3 > 0 {

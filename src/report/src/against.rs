@@ -3,6 +3,7 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, percent};
 use crate::plot::of_test;
+use crate::words::Words;
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation};
 
 /// A model of the literature and its force at the samples of every test.
@@ -15,26 +16,23 @@ pub struct Rival {
 }
 
 /// The section; `None` where nothing was compared.
-pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival]) -> Option<Section> {
+pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival], words: &Words) -> Option<Section> {
     if validation.against.is_empty() {
         return None;
     }
-    let about =
-        "Every model is identified by least squares, from several starts, from the tests that the validated model was \
-                 fitted to, and then asked for the tests left out. rms and mean error are means over tests."
-            .to_owned();
-    let mut blocks = vec![Block::Paragraph(about), Block::Table(table(&validation.against))];
-    for (left_out, heading) in [(true, "left out of the fit"), (false, "used in the fit")] {
+    let about = words.against_about.to_owned();
+    let mut blocks = vec![Block::Paragraph(about), Block::Table(table(&validation.against, words))];
+    for (left_out, heading) in [(true, words.left_out_of_fit), (false, words.used_in_fit)] {
         let Some(place) = hardest(validation, !left_out) else { continue };
         blocks.push(Block::Heading(format!("{}, {heading}", validation.tests[place].name)));
         let figure = |(k, rival): (usize, &Rival)| {
             let kind = if left_out { "left-out" } else { "fitted" };
-            let svg = of_test::force_velocity_against(&tests[place], rival.name, &rival.forces[place]);
+            let svg = of_test::force_velocity_against(&tests[place], rival.name, &rival.forces[place], words);
             Figure::new(format!("against-{}-{}-{kind}", k + 1, rival.name), svg)
         };
         blocks.push(Block::Figures(rivals.iter().enumerate().map(figure).collect()));
     }
-    Some(Section::new("against", "Against the literature", blocks))
+    Some(Section::new("against", words.against_section, blocks))
 }
 
 /// The test that the validated model misses by the largest share of its force.
@@ -45,7 +43,7 @@ fn hardest(validation: &Validation, used: bool) -> Option<usize> {
         .max_by(|a, b| tests[*a].errors.model.error_percent.total_cmp(&tests[*b].errors.model.error_percent))
 }
 
-fn table(against: &[Against]) -> Table {
+fn table(against: &[Against], words: &Words) -> Table {
     let figures = |summary: Option<&AgainstSummary>| match summary {
         Some(s) => [error(s.errors.mean_error_n), percent(s.errors.error_percent), error(s.errors.rmse_n)],
         None => ["", "", ""].map(str::to_owned),
@@ -57,13 +55,13 @@ fn table(against: &[Against]) -> Table {
         row
     };
     let three = |group| {
-        ["mean error,\u{a0}N", "error,\u{a0}%", "rms error,\u{a0}N"].map(|heading| Column::figures(heading).of(group))
+        [words.col_mean_error, words.col_error_percent, words.col_rms].map(|heading| Column::figures(heading).of(group))
     };
-    let mut columns = vec![Column::words("model"), Column::words("what it is")];
-    columns.extend(three("used in the fit"));
-    columns.extend(three("left out of the fit"));
+    let mut columns = vec![Column::words(words.col_model), Column::words(words.col_meaning)];
+    columns.extend(three(words.used_in_fit));
+    columns.extend(three(words.left_out_of_fit));
     Table {
-        caption: "Error in percent of the largest measured force of each test.".to_owned(),
+        caption: words.against_caption.to_owned(),
         columns,
         rows: against.iter().map(row).collect(),
         sortable: true,

@@ -13,6 +13,8 @@ pub struct Section {
     pub blocks: Vec<Block>,
     /// Parts the reader may choose between, one at a time (the single tests); usually none.
     pub choices: Vec<Section>,
+    /// Whether it is printed only where everything is.
+    pub beyond: bool,
 }
 
 /// One piece of a section.
@@ -20,6 +22,8 @@ pub struct Section {
 pub enum Block {
     /// The sentences everybody reads, in larger type.
     Lead(String),
+    /// The same where it is a verdict: whether it is a good one, and the sentence.
+    Verdict(bool, String),
     /// A heading inside the section.
     Heading(String),
     /// Plain text.
@@ -74,7 +78,12 @@ pub struct Column {
 impl Section {
     /// A section without choices.
     pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { id: id.into(), title: title.into(), blocks, choices: Vec::new() }
+        Self { id: id.into(), title: title.into(), blocks, choices: Vec::new(), beyond: false }
+    }
+
+    /// The same section, left out of the short print.
+    pub fn beyond(self) -> Self {
+        Self { beyond: true, ..self }
     }
 
     /// All figures in reading order.

@@ -3,40 +3,41 @@
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
 use crate::plot::{in_space, of_test};
+use crate::words::{Words, fill};
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
 /// Tests whose plots still make a page that a browser opens at once (about 70 kB each).
 const MOST_SHOWN: usize = 120;
 
-/// One choice per test.
-pub fn section(validation: &Validation, tests: &[Compared<'_>]) -> Section {
-    let about = format!(
-        "Loops show the last {} whole cycles of a test; a test without whole cycles is shown whole. Errors are \
-         simulated minus measured. The hysteresis gap is averaged over all whole cycles.",
-        of_test::CYCLES_SHOWN
-    );
-    let shown = worst(validation);
-    let choices = validation
-        .tests
-        .iter()
-        .zip(tests)
-        .enumerate()
-        .filter(|(i, _)| shown.contains(i))
-        .map(|(i, (figures, compared))| one(i, figures, compared))
-        .collect();
-    let mut blocks = vec![Block::Paragraph(about)];
+/// One choice per test, the worst first.
+pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Section {
+    let cycles = of_test::CYCLES_SHOWN.to_string();
+    let mut blocks = vec![Block::Paragraph(fill(words.single_about, &[("cycles", &cycles)]))];
+    let shown = by_error(validation);
     if shown.len() < tests.len() {
-        blocks.push(Block::Paragraph(format!(
-            "Of {} tests the {} with the largest errors are shown.",
-            tests.len(),
-            shown.len()
-        )));
+        let [all, shown] = [tests.len(), shown.len()].map(|n| n.to_string());
+        blocks.push(Block::Paragraph(fill(words.single_most, &[("tests", &all), ("shown", &shown)])));
     }
-    Section { choices, ..Section::new("single-tests", "Single tests", blocks) }
+    let choices = shown.iter().map(|i| one(*i, &validation.tests[*i], &tests[*i], words)).collect();
+    Section { choices, ..Section::new("single-tests", words.single_section, blocks) }
 }
 
-/// Places of the tests to plot: all, or the worst where they would be too many for a page.
-fn worst(validation: &Validation) -> Vec<usize> {
+/// The loops of one test and where it is missed, for the first page.
+pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, words: &Words) -> Section {
+    let (figures, compared) = (&validation.tests[index], &tests[index]);
+    let title = fill(words.worst_section, &[("test", &figures.name)]);
+    let plots = vec![
+        Figure::new("worst-force-velocity", of_test::force_velocity(compared, words)),
+        Figure::new("worst-force-displacement", of_test::force_displacement(compared, words)),
+        Figure::new("worst-error-velocity", of_test::error_velocity(compared, words)),
+        Figure::new("worst-force-time", of_test::force_time(compared, words)),
+    ];
+    let about = format!("{} {}", words.worst_caption, in_words(figures, compared, words));
+    Section::new("worst", title, vec![Block::Figures(plots), Block::Paragraph(about)])
+}
+
+/// Places of the tests to plot, the worst first: all, or the worst where they would be too many for a page.
+fn by_error(validation: &Validation) -> Vec<usize> {
     let mut places: Vec<usize> = (0..validation.tests.len()).collect();
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
     places.sort_by(|a, b| percent(b).total_cmp(&percent(a)));
@@ -44,64 +45,66 @@ fn worst(validation: &Validation) -> Vec<usize> {
     places
 }
 
-fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>) -> Section {
+fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>, words: &Words) -> Section {
     let number = index + 1;
-    let mut blocks = vec![Block::Paragraph(in_words(figures, compared))];
-    let notes = &compared.record.notes;
-    if !notes.is_empty() {
-        blocks.push(Block::Paragraph("What reading and cleaning did or noticed:".into()));
-        blocks.push(Block::List(notes.iter().map(|note| note.text.clone()).collect()));
-    }
     let stem = format!("{number:03}-{}", file_name(&figures.name));
     let figure = |kind: &str, svg: String| Figure::new(format!("{stem}-{kind}"), svg);
     let mut plots = vec![
-        figure("force-velocity", of_test::force_velocity(compared)),
-        figure("force-displacement", of_test::force_displacement(compared)),
-        figure("force-in-space", in_space::force(compared)),
-        figure("error-velocity", of_test::error_velocity(compared)),
-        figure("error-displacement", of_test::error_displacement(compared)),
-        figure("error-in-space", in_space::error(compared)),
-        figure("force-time", of_test::force_time(compared)),
+        figure("force-velocity", of_test::force_velocity(compared, words)),
+        figure("force-displacement", of_test::force_displacement(compared, words)),
+        figure("force-in-space", in_space::force(compared, words)),
+        figure("error-velocity", of_test::error_velocity(compared, words)),
+        figure("error-displacement", of_test::error_displacement(compared, words)),
+        figure("error-in-space", in_space::error(compared, words)),
+        figure("force-time", of_test::force_time(compared, words)),
     ];
     let gap = figures.hysteresis.as_ref().filter(|hysteresis| hysteresis.gap.len() > 1);
-    plots.extend(gap.map(|hysteresis| figure("hysteresis-gap", of_test::hysteresis_gap(hysteresis))));
-    blocks.push(Block::Figures(plots));
+    plots.extend(gap.map(|hysteresis| figure("hysteresis-gap", of_test::hysteresis_gap(hysteresis, words))));
+    let mut blocks = vec![Block::Paragraph(in_words(figures, compared, words)), Block::Figures(plots)];
+    let notes = &compared.record.notes;
+    if !notes.is_empty() {
+        blocks.push(Block::Paragraph(words.notes_of_test.into()));
+        blocks.push(Block::List(notes.iter().map(|note| note.text.clone()).collect()));
+    }
     Section::new(format!("test-{number}"), figures.name.clone(), blocks)
 }
 
 /// The test's own figures as sentences.
-fn in_words(figures: &TestValidation, compared: &Compared<'_>) -> String {
+fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) -> String {
+    let (amplitude, velocity) = (milli(figures.amplitude_m), milli(figures.peak_velocity_m_s));
     let motion = if figures.frequency_hz > 0.0 {
-        format!(
-            "{} mm amplitude at {} Hz, peak velocity {} mm/s, {} whole cycles.",
-            milli(figures.amplitude_m),
-            frequency(figures.frequency_hz),
-            milli(figures.peak_velocity_m_s),
-            figures.cycles,
-        )
+        let (frequency, cycles) = (frequency(figures.frequency_hz), figures.cycles.to_string());
+        let figures = [
+            ("amplitude", amplitude.as_str()),
+            ("frequency", &frequency),
+            ("velocity", &velocity),
+            ("cycles", &cycles),
+        ];
+        fill(words.motion_periodic, &figures)
     } else {
-        format!("Not periodic, peak velocity {} mm/s.", milli(figures.peak_velocity_m_s))
+        fill(words.motion_other, &[("velocity", &velocity)])
     };
-    let temperature = compared.record.temperature.as_ref().and_then(|channel| {
-        let (first, last) = (channel.first()?, channel.last()?);
-        Some(format!(" Temperature {} °C at the start, {} °C at the end.", digits(*first, 3), digits(*last, 3)))
-    });
-    let noise = if figures.noise_rms_n > 0.0 {
-        format!(" Force noise {} N rms.", digits(figures.noise_rms_n, 2))
-    } else {
-        String::new()
-    };
-    format!(
-        "{motion} {} Largest force {} N. Mean error of the model {} N, {} %; of the force–velocity curve alone {} N, \
-         {} %.{noise}{}",
-        if figures.used_in_fit { "Used in the fit." } else { "Left out of the fit." },
-        force(figures.max_force_n),
-        error(figures.errors.model.mean_error_n),
-        percent(figures.errors.model.error_percent),
-        error(figures.errors.fv_only.mean_error_n),
-        percent(figures.errors.fv_only.error_percent),
-        temperature.unwrap_or_default(),
-    )
+    let mut sentences = vec![motion];
+    sentences.push(if figures.used_in_fit { words.test_used.into() } else { words.test_left_out.into() });
+    let errors = &figures.errors;
+    sentences.push(fill(
+        words.test_sentence,
+        &[
+            ("force", &force(figures.max_force_n)),
+            ("error", &error(errors.model.mean_error_n)),
+            ("percent", &percent(errors.model.error_percent)),
+            ("curve_error", &error(errors.fv_only.mean_error_n)),
+            ("curve_percent", &percent(errors.fv_only.error_percent)),
+        ],
+    ));
+    if figures.noise_rms_n > 0.0 {
+        sentences.push(fill(words.force_noise, &[("noise", &digits(figures.noise_rms_n, 2))]));
+    }
+    sentences.extend(compared.record.temperature.as_ref().and_then(|channel| {
+        let (first, last) = (digits(*channel.first()?, 3), digits(*channel.last()?, 3));
+        Some(fill(words.temperature, &[("first", &first), ("last", &last)]))
+    }));
+    sentences.join(" ")
 }
 
 /// A test's name as part of a file name: what no file system minds. The running number keeps it unique.

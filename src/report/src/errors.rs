@@ -3,33 +3,40 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
 use crate::plot::overview;
-use dashpot_identification::validation::{Errors, MatrixRow, Validation};
+use crate::words::{Words, fill};
+use dashpot_identification::validation::{Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 
-const MODEL: &str = "model";
-const CURVE: &str = "FV curve alone";
-
-/// The error matrix.
-pub fn section(validation: &Validation) -> Section {
-    let matrix = &validation.matrix;
+/// The error matrix as a picture, and the error of every test.
+pub fn pictures(validation: &Validation, words: &Words) -> Section {
     let mut blocks = Vec::new();
-    blocks.extend(
-        overview::error_map(validation).map(|svg| Block::Wide(Figure::new("overview-amplitude-velocity", svg))),
-    );
-    let apart: Vec<&MatrixRow> = matrix.slow.iter().chain(&matrix.not_periodic).collect();
-    let rule = "Each test has equal weight in its row; the percent is of the largest force of the row.";
-    if !matrix.by_amplitude.is_empty() {
-        let rows = matrix.by_amplitude.iter().chain(apart.iter().copied());
-        blocks.push(Block::Table(table(format!("Tests of one amplitude together. {rule}"), rows)));
-        let rows = matrix.by_peak_velocity.iter();
-        blocks.push(Block::Table(table(format!("Tests of one peak velocity together. {rule}"), rows)));
-    } else {
-        blocks.push(Block::Table(table(rule.to_owned(), apart.iter().copied())));
+    let map = overview::error_map(validation, words);
+    blocks.extend(map.map(|svg| Block::Wide(Figure::new("overview-amplitude-velocity", svg))));
+    blocks.push(Block::Wide(Figure::new("overview-tests", overview::error_of_tests(validation, words))));
+    Section::new("matrix", words.matrix_section, blocks)
+}
+
+/// The error matrix in figures.
+pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
+    let matrix = &validation.matrix;
+    let together = |row: &MatrixRow, text: &str, value: f64| (fill(text, &[("value", &milli(value))]), row.clone());
+    let by_amplitude = matrix.by_amplitude.iter().map(|r| together(r, words.row_amplitude, r.value));
+    let slow = matrix.slow.iter().map(|r| together(r, words.row_slow, SLOW_PEAK_VELOCITY));
+    let other = matrix.not_periodic.iter().map(|r| together(r, words.row_not_periodic, r.value));
+    let apart: Vec<_> = slow.chain(other).collect();
+    if matrix.by_amplitude.is_empty() {
+        return vec![Block::Table(table(words.row_rule.to_owned(), apart, words))];
     }
-    Section::new("matrix", "Errors by amplitude and peak velocity", blocks)
+    let rule = [("rule", words.row_rule)];
+    let first = by_amplitude.chain(apart).collect();
+    let second = matrix.by_peak_velocity.iter().map(|r| together(r, words.row_peak_velocity, r.value)).collect();
+    vec![
+        Block::Table(table(fill(words.by_amplitude, &rule), first, words)),
+        Block::Table(table(fill(words.by_peak_velocity, &rule), second, words)),
+    ]
 }
 
 /// The table of single tests.
-pub fn tests(validation: &Validation) -> Section {
+pub fn tests(validation: &Validation, words: &Words) -> Section {
     let rows = validation
         .tests
         .iter()
@@ -40,23 +47,24 @@ pub fn tests(validation: &Validation) -> Section {
                 if test.frequency_hz > 0.0 { frequency(test.frequency_hz) } else { "–".into() },
                 milli(test.peak_velocity_m_s),
                 force(test.max_force_n),
-                if test.used_in_fit { "yes".into() } else { "no".into() },
+                if test.used_in_fit { words.yes.into() } else { words.no.into() },
             ];
             cells.extend(figures(&test.errors));
             cells
         })
         .collect();
     let mut columns = vec![
-        Column::words("test"),
-        Column::figures("amplitude,\u{a0}mm"),
-        Column::figures("frequency,\u{a0}Hz"),
-        Column::figures("peak velocity,\u{a0}mm/s"),
-        Column::figures("largest force,\u{a0}N"),
-        Column::words("in fit"),
+        Column::words(words.col_test),
+        Column::figures(words.col_amplitude),
+        Column::figures(words.col_frequency),
+        Column::figures(words.col_peak_velocity),
+        Column::figures(words.col_max_force),
+        Column::words(words.col_in_fit),
     ];
-    columns.extend(error_columns());
-    let caption = "Every test by itself; the percent is of its own largest force.".to_owned();
-    Section::new("tests", "Errors of every test", vec![Block::Table(Table { caption, columns, rows, sortable: true })])
+    columns.extend(error_columns(words));
+    let caption = words.tests_caption.to_owned();
+    let table = Table { caption, columns, rows, sortable: true };
+    Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
 /// Errors of one row per amplitude or peak velocity, before and after an improvement of the model, which stands in the
@@ -80,30 +88,28 @@ pub fn before_and_after<'a>(caption: String, rows: impl Iterator<Item = &'a Matr
     Table { caption, columns, rows, sortable: false }
 }
 
-fn table<'a>(caption: String, rows: impl Iterator<Item = &'a MatrixRow>) -> Table {
+fn table(caption: String, rows: Vec<(String, MatrixRow)>, words: &Words) -> Table {
     let rows = rows
-        .map(|row| {
-            let mut cells = vec![row.label.clone(), row.tests.to_string(), force(row.max_force_n)];
+        .into_iter()
+        .map(|(label, row)| {
+            let mut cells = vec![label, row.tests.to_string(), force(row.max_force_n)];
             cells.extend(figures(&row.errors));
             cells
         })
         .collect();
-    let mut columns = vec![Column::words("tests"), Column::figures("number"), Column::figures("largest force,\u{a0}N")];
-    columns.extend(error_columns());
+    let mut columns =
+        vec![Column::words(words.col_tests), Column::figures(words.col_number), Column::figures(words.col_max_force)];
+    columns.extend(error_columns(words));
     Table { caption, columns, rows, sortable: false }
 }
 
-fn error_columns() -> Vec<Column> {
-    vec![
-        Column::figures("mean error,\u{a0}N").of(MODEL),
-        Column::figures("error,\u{a0}%").of(MODEL),
-        Column::figures("region 1,\u{a0}N").of(MODEL),
-        Column::figures("region 2,\u{a0}N").of(MODEL),
-        Column::figures("rms error,\u{a0}N").of(MODEL),
-        Column::figures("mean error,\u{a0}N").of(CURVE),
-        Column::figures("error,\u{a0}%").of(CURVE),
-        Column::figures("rms error,\u{a0}N").of(CURVE),
-    ]
+fn error_columns(words: &Words) -> Vec<Column> {
+    let of_both = [words.col_mean_error, words.col_error_percent, words.col_rms];
+    let regions = [words.col_region1, words.col_region2];
+    let of_model = [of_both[0], of_both[1], regions[0], regions[1], of_both[2]];
+    let model = of_model.map(|heading| Column::figures(heading).of(words.model));
+    let curve = of_both.map(|heading| Column::figures(heading).of(words.group_curve));
+    model.into_iter().chain(curve).collect()
 }
 
 /// Cells below [`error_columns`].

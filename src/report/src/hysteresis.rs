@@ -2,14 +2,11 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{beside, error};
+use crate::words::Words;
 use dashpot_identification::validation::{Hysteresis, OfEach, TestValidation, Validation};
 
-const GAP: &str = "mean gap, N";
-const AREA: &str = "loop area ∮F dv, N·m/s";
-const ENERGY: &str = "energy ∮F dx, J";
-
 /// The table; `None` where no test has whole cycles.
-pub fn section(validation: &Validation) -> Option<Section> {
+pub fn section(validation: &Validation, words: &Words) -> Option<Section> {
     let measured: Vec<(&TestValidation, &Hysteresis)> =
         validation.tests.iter().filter_map(|test| Some((test, test.hysteresis.as_ref()?))).collect();
     if measured.is_empty() {
@@ -26,20 +23,14 @@ pub fn section(validation: &Validation) -> Option<Section> {
             cells
         })
         .collect();
-    let mut columns = vec![Column::words("test"), Column::figures("cycles")];
-    let names = ["measured", "model", "curve"];
-    columns.extend(names.map(|name| Column::figures(name).of(GAP)));
-    columns.extend(["model", "curve"].map(|name| Column::figures(name).of("gap error, N")));
-    columns.extend(names.map(|name| Column::figures(name).of(AREA)));
-    columns.extend(names.map(|name| Column::figures(name).of(ENERGY)));
-    let caption =
-        "Averages over whole cycles. Gap: the difference between the force at rising and at falling velocity, \
-                   at equal velocity; its magnitude is averaged over the velocities of the test. Gap error: mean of \
-                   |simulated gap − measured gap|. A negative loop area means that the force lags behind the velocity \
-                   (gas and oil compressibility), a positive one that it leads (moving mass)."
-            .to_owned();
-    let table = Table { caption, columns, rows, sortable: true };
-    Some(Section::new("hysteresis", "Hysteresis", vec![Block::Table(table)]))
+    let mut columns = vec![Column::words(words.col_test), Column::figures(words.col_cycles)];
+    let names = [words.col_measured, words.model, words.col_curve];
+    columns.extend(names.map(|name| Column::figures(name).of(words.group_gap)));
+    columns.extend([words.model, words.col_curve].map(|name| Column::figures(name).of(words.group_gap_error)));
+    columns.extend(names.map(|name| Column::figures(name).of(words.group_area)));
+    columns.extend(names.map(|name| Column::figures(name).of(words.group_energy)));
+    let table = Table { caption: words.hysteresis_caption.to_owned(), columns, rows, sortable: true };
+    Some(Section::new("hysteresis", words.hysteresis_section, vec![Block::Table(table)]))
 }
 
 fn each(of: &OfEach, text: impl Fn(f64) -> String) -> [String; 3] {

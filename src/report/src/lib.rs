@@ -6,24 +6,32 @@
 //! and knows nothing of HTML; [`page`] knows HTML and nothing of dampers. A further section (before/after pictures, a
 //! diagnosis) is a [`Section`] put into [`ReportInput::extra`]; its figures are written by [`svgs`] too.
 //!
-//! The same input gives the same bytes: no date, no random name, no machine.
+//! The same input gives the same bytes: no clock, no random name, no machine. All text is in [`words`], one file a language.
 
 pub mod against;
 pub mod blocks;
+pub mod certificate;
 pub mod diagnosis;
 mod each_test;
 mod errors;
 mod hysteresis;
+pub mod made;
+pub mod manoeuvre;
 pub mod numbers;
 mod page;
 mod parameters;
 pub mod plot;
 mod summary;
+pub mod words;
 
-pub use blocks::{Block, Section};
+pub use blocks::{Block, Figure, Section};
 pub use dashpot_output::replace_file;
+pub use made::{Made, MadeFrom};
+pub use page::Print;
 pub use parameters::ParameterRow;
 
+use crate::plot::peaks;
+use crate::words::{Words, fill};
 use anyhow::Context as _;
 use dashpot_identification::validation::{Compared, Validation};
 use std::path::{Path, PathBuf};
@@ -31,8 +39,14 @@ use std::path::{Path, PathBuf};
 /// Everything a report tells.
 #[derive(Debug, Clone)]
 pub struct ReportInput<'a> {
-    /// Title of the report.
-    pub title: String,
+    /// Language of the report.
+    pub words: &'static Words,
+    /// What a printer puts on paper.
+    pub print: Print,
+    /// What it is made from.
+    pub made: Made,
+    /// Force of the model at constant velocity, m/s and N.
+    pub curve: Vec<[f64; 2]>,
     /// Name of the model file compared.
     pub model_file: String,
     /// Name of the data folder or file compared with.
@@ -43,8 +57,6 @@ pub struct ReportInput<'a> {
     pub tests: &'a [Compared<'a>],
     /// Parameters of the model; the section is left out when empty.
     pub parameters: Vec<ParameterRow>,
-    /// What `low` and `high` of a parameter mean (bounds, confidence interval), one sentence.
-    pub parameter_range: String,
     /// How the model was identified: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
@@ -53,12 +65,12 @@ pub struct ReportInput<'a> {
 
 /// The report as one HTML document.
 pub fn render(input: &ReportInput<'_>) -> String {
-    page::page(&input.title, &subtitle(input), &sections(input))
+    page::page(input.words.title_validation, &subtitle(input), &sections(input), input.words, input.print)
 }
 
 /// A report of other sections, in the same format.
-pub fn render_sections(title: &str, subtitle: &str, sections: &[Section]) -> String {
-    page::page(title, subtitle, sections)
+pub fn render_sections(title: &str, subtitle: &str, sections: &[Section], words: &Words) -> String {
+    page::page(title, subtitle, sections, words, Print::Whole)
 }
 
 /// Writes the report, replacing an older one only when the new one is complete.
@@ -93,23 +105,48 @@ fn write_figures(sections: &[Section], folder: &Path) -> anyhow::Result<Vec<Path
     Ok(written)
 }
 
-/// All sections in reading order: the answer first, the evidence after it.
+/// All sections in reading order: the answer, the pictures that it rests on, then every test and every table.
 fn sections(input: &ReportInput<'_>) -> Vec<Section> {
-    let mut sections = vec![summary::section(input.validation), errors::section(input.validation)];
-    sections.extend(hysteresis::section(input.validation));
-    if !input.identification.is_empty() {
-        sections.push(Section::new("identification", "Identification", input.identification.clone()));
+    let (validation, words) = (input.validation, input.words);
+    let mut sections = Vec::new();
+    let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
+    let mut answer = summary::section(validation, words);
+    // The verdict is the first sentence; its table follows the first picture, and is printed by the certificate.
+    if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
+        answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
-    sections.extend(parameters::section(&input.parameters, &input.parameter_range));
-    sections.extend(input.extra.iter().cloned());
-    sections.push(errors::tests(input.validation));
-    sections.push(each_test::section(input.validation, input.tests));
+    sections.push(answer);
+    if let Some(svg) = peaks::force_at_peak(validation, &input.curve, words) {
+        let figure = Figure::new("force-at-peak", svg).saying(words.fv_caption);
+        sections.push(Section::new("peaks", words.fv_section, vec![Block::Wide(figure)]));
+    }
+    sections.extend(limits.map(Section::beyond));
+    let worst = summary::worst(validation);
+    sections.extend(worst.map(|index| each_test::worst(validation, input.tests, index, words)));
+    sections.push(errors::pictures(validation, words));
+    sections.push(each_test::section(validation, input.tests, words).beyond());
+    let mut figures = summary::figures(validation, words);
+    figures.blocks.extend(errors::rows(validation, words));
+    sections.push(figures.beyond());
+    sections.push(errors::tests(validation, words).beyond());
+    sections.extend(hysteresis::section(validation, words).map(Section::beyond));
+    sections.extend(input.extra.iter().cloned().map(Section::beyond));
+    if !input.identification.is_empty() {
+        let blocks = input.identification.clone();
+        sections.push(Section::new("identification", words.identification_section, blocks).beyond());
+    }
+    sections.extend(parameters::section(&input.parameters, words).map(Section::beyond));
+    sections.push(made::section(&input.made, words).beyond());
     sections
 }
 
 /// What was compared with what.
 fn subtitle(input: &ReportInput<'_>) -> String {
-    format!("Model {} against the rig data in {}", input.model_file, input.data)
+    let text = fill(input.words.subtitle_validation, &[("model", &input.model_file), ("data", &input.data)]);
+    match &input.made.date {
+        Some(date) => format!("{text} · {date}"),
+        None => text,
+    }
 }
 
 #[cfg(test)]
@@ -124,13 +161,15 @@ mod tests {
         let tests: Vec<_> = records.iter().map(compared).collect();
         let validation = validate(&tests).unwrap();
         check(&ReportInput {
-            title: "Front damper".into(),
+            words: &words::EN,
+            print: Print::Brief,
+            made: Made { version: "9.9".into(), command: "dashpot validate <x>".into(), ..Made::default() },
+            curve: vec![[-0.3, -800.0], [0.3, 900.0]],
             model_file: "front.toml".into(),
             data: "rig/front".into(),
             validation: &validation,
             tests: &tests,
             parameters: vec![],
-            parameter_range: String::new(),
             identification: vec![Block::Warning("mass was not identifiable".into())],
             extra: vec![Section::new("later", "Later", vec![Block::Paragraph("to come".into())])],
         })
@@ -145,7 +184,14 @@ mod tests {
     #[test]
     fn the_page_holds_every_section_and_asks_nobody() {
         let html = with_input(&records(), render);
-        for expected in ["Front damper", "front.toml", "mass was not identifiable", "to come", "12 samples before"] {
+        for expected in [
+            "Damper model against",
+            "front.toml",
+            "dashpot 9.9",
+            "mass was not identifiable",
+            "to come",
+            "12 samples before",
+        ] {
             assert!(html.contains(expected), "{expected}");
         }
         // The only address allowed is the name of the SVG language.
@@ -184,6 +230,36 @@ mod tests {
     }
 
     #[test]
+    fn a_picture_comes_before_any_table_and_the_worst_test_first() {
+        with_input(&records(), |input| {
+            let html = render(input);
+            let body = &html[html.find("<main>").unwrap()..];
+            assert!(body.find("<svg").unwrap() < body.find("<table").unwrap());
+            let worst = summary::worst(input.validation).unwrap() + 1;
+            let first = body.split("class=\"choice\" id=\"").nth(1).unwrap().split('"').next().unwrap();
+            assert_eq!(first, format!("test-{worst}"));
+        });
+    }
+
+    #[test]
+    fn a_report_is_written_in_every_language() {
+        for (code, language) in words::Language::ALL {
+            let html =
+                with_input(&records(), |input| render(&ReportInput { words: language.words(), ..input.clone() }));
+            assert!(html.contains(&format!("<html lang=\"{code}\">")) && html.contains(language.words().axis_force));
+            // Nothing of another language slips in where a text exists.
+            if language != words::Language::English {
+                for english in
+                    [words::EN.axis_velocity, words::EN.fv_caption, words::EN.single_about, words::EN.key_section]
+                {
+                    assert!(!html.contains(english), "{code}: {english}");
+                }
+            }
+            assert!(!html.contains('{') || !html.contains("{error}"), "{code}: a figure was not put in");
+        }
+    }
+
+    #[test]
     fn report_and_figures_are_written_side_by_side_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("report.html");
@@ -194,7 +270,7 @@ mod tests {
             let figures = svgs(input, &folder.path().join("figures")).unwrap();
             let distinct: BTreeSet<_> = figures.iter().collect();
             assert_eq!(distinct.len(), figures.len());
-            let svgs_inside = render(input).matches("<svg").count();
+            let svgs_inside = render(input).matches("<svg xmlns").count();
             assert_eq!(figures.len(), svgs_inside);
         });
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);

@@ -3,36 +3,73 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use crate::plot::palette;
 use crate::plot::svg::escape;
+use crate::words::Words;
 use dashpot_output::GENERATOR;
 use std::fmt::Write as _;
 
+/// What of a page goes on paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Print {
+    /// The answer and what it rests on: two pages.
+    #[default]
+    Brief,
+    /// Everything.
+    Whole,
+    /// One page: everything but the list of files.
+    Certificate,
+}
+
 /// The whole document.
-pub fn page(title: &str, subtitle: &str, sections: &[Section]) -> String {
+pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, print: Print) -> String {
     let mut html = String::new();
     let title = escape(title);
     let _ = write!(
         html,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{GENERATOR}\n<title>{title}</title>\n\
-         <style>\n{}{}</style>\n</head>\n<body>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
+         <style>\n{}{}</style>\n</head>\n<body{}{}>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
+        words.code,
         include_str!("page.css"),
         palette::page_css(),
+        match print {
+            Print::Brief => "",
+            Print::Whole => " class=\"whole\"",
+            Print::Certificate => " class=\"whole certificate\"",
+        },
+        texts_of_script(words),
         escape(subtitle),
     );
     for part in sections {
         let _ = write!(html, "<a href=\"#{}\">{}</a> ", escape(&part.id), escape(&part.title));
     }
-    html.push_str("</nav>\n</header>\n<main>\n");
+    let _ = write!(html, "</nav>\n<p class=\"help\">{}</p>\n</header>\n<main>\n", escape(words.figure_help));
     for part in sections {
-        section(&mut html, part);
+        section(&mut html, part, words);
+    }
+    if print == Print::Brief {
+        let _ = writeln!(html, "<p class=\"brief\">{}</p>", escape(words.printed_brief));
     }
     let _ = write!(html, "</main>\n<script>\n{}</script>\n</body>\n</html>\n", include_str!("page.js"));
     html
 }
 
-fn section(html: &mut String, section: &Section) {
-    let _ = writeln!(html, "<section id=\"{}\">\n<h2>{}</h2>", escape(&section.id), escape(&section.title));
-    section.blocks.iter().for_each(|part| block(html, part));
+/// What the script writes on its buttons.
+fn texts_of_script(words: &Words) -> String {
+    let texts = [
+        ("all", words.all_tests_shown),
+        ("previous", words.previous),
+        ("next", words.next),
+        ("shown", words.test_shown),
+        ("reset", words.zoom_reset),
+        ("save", words.save_table),
+    ];
+    texts.iter().map(|(name, text)| format!(" data-{name}=\"{}\"", escape(text))).collect()
+}
+
+fn section(html: &mut String, section: &Section, words: &Words) {
+    let class = if section.beyond { " class=\"beyond\"" } else { "" };
+    let _ = writeln!(html, "<section id=\"{}\"{class}>\n<h2>{}</h2>", escape(&section.id), escape(&section.title));
+    section.blocks.iter().for_each(|part| block(html, part, words));
     if !section.choices.is_empty() {
         html.push_str("<div class=\"choices\">\n");
         for choice in &section.choices {
@@ -42,7 +79,7 @@ fn section(html: &mut String, section: &Section) {
                 escape(&choice.id),
                 escape(&choice.title)
             );
-            choice.blocks.iter().for_each(|part| block(html, part));
+            choice.blocks.iter().for_each(|part| block(html, part, words));
             html.push_str("</section>\n");
         }
         html.push_str("</div>\n");
@@ -50,18 +87,24 @@ fn section(html: &mut String, section: &Section) {
     html.push_str("</section>\n");
 }
 
-fn block(html: &mut String, block: &Block) {
+fn block(html: &mut String, block: &Block, words: &Words) {
     let _ = match block {
         Block::Lead(text) => writeln!(html, "<p class=\"lead\">{}</p>", escape(text)),
+        Block::Verdict(good, text) => {
+            let class = if *good { "pass" } else { "fail" };
+            writeln!(html, "<p class=\"lead verdict {class}\">{}</p>", escape(text))
+        }
         Block::Heading(text) => writeln!(html, "<h3>{}</h3>", escape(text)),
         Block::Paragraph(text) => writeln!(html, "<p>{}</p>", escape(text)),
-        Block::Warning(text) => writeln!(html, "<p class=\"warning\"><strong>Note.</strong> {}</p>", escape(text)),
+        Block::Warning(text) => {
+            writeln!(html, "<p class=\"warning\"><strong>{}</strong> {}</p>", escape(words.note), escape(text))
+        }
         Block::List(items) => {
             let items: String = items.iter().map(|item| format!("<li>{}</li>", escape(item))).collect();
             writeln!(html, "<ul>{items}</ul>")
         }
         Block::Table(part) => {
-            table(html, part);
+            table(html, part, words);
             Ok(())
         }
         Block::Figures(figures) => {
@@ -84,11 +127,16 @@ fn figure(html: &mut String, figure: &Figure, class: &str) {
     html.push_str("</figure>\n");
 }
 
-fn table(html: &mut String, table: &Table) {
+fn table(html: &mut String, table: &Table, words: &Words) {
     let class = if table.sortable { " class=\"sortable\"" } else { "" };
     if !table.caption.is_empty() {
         // Not a <caption>: that would be as wide as the table and scroll away with it.
-        let _ = writeln!(html, "<p class=\"caption\">{}</p>", escape(&table.caption));
+        let sorts = if table.sortable {
+            format!(" <span class=\"sorts\">{}</span>", escape(words.sort_help))
+        } else {
+            String::new()
+        };
+        let _ = writeln!(html, "<p class=\"caption\">{}{sorts}</p>", escape(&table.caption));
     }
     let _ = write!(html, "<div class=\"table\">\n<table{class}>\n");
     html.push_str("<thead>\n");

@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::digits;
+use crate::words::Words;
 
 /// One parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,10 +21,12 @@ pub struct ParameterRow {
     pub source: String,
     /// Remark; may be empty.
     pub note: String,
+    /// Whether the data could not determine it.
+    pub missing: bool,
 }
 
 /// The table of parameters; `None` without any.
-pub fn section(parameters: &[ParameterRow], range: &str) -> Option<Section> {
+pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     if parameters.is_empty() {
         return None;
     }
@@ -38,19 +41,19 @@ pub fn section(parameters: &[ParameterRow], range: &str) -> Option<Section> {
                 known(row.low),
                 known(row.high),
                 row.source.clone(),
-                row.note.clone(),
+                if row.missing { words.not_identified.to_owned() } else { row.note.clone() },
             ]
         })
         .collect();
     let columns = vec![
-        Column::words("name"),
-        Column::figures("value"),
-        Column::words("unit"),
-        Column::figures("low"),
-        Column::figures("high"),
-        Column::words("source"),
-        Column::words("note"),
+        Column::words(words.col_name),
+        Column::figures(words.col_value),
+        Column::words(words.col_unit),
+        Column::figures(words.col_low),
+        Column::figures(words.col_high),
+        Column::words(words.col_source),
+        Column::words(words.col_note),
     ];
-    let table = Table { caption: range.to_owned(), columns, rows, sortable: false };
-    Some(Section::new("parameters", "Model parameters", vec![Block::Table(table)]))
+    let table = Table { caption: words.parameters_range.to_owned(), columns, rows, sortable: false };
+    Some(Section::new("parameters", words.parameters_section, vec![Block::Table(table)]))
 }

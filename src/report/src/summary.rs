@@ -1,121 +1,121 @@
-//! The answer: how close the model comes, in a few sentences and one table.
+//! The answer: how close the model comes, in a few sentences.
 
-use super::blocks::{Block, Column, Figure, Section, Table};
+use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{digits, error, force, percent};
-use crate::plot::overview;
+use crate::words::{Words, fill};
 use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
 /// The first section.
-pub fn section(validation: &Validation) -> Section {
-    let mut blocks = vec![Block::Lead(headline(validation))];
-    blocks.extend(left_out(validation).map(Block::Paragraph));
-    blocks.extend(worst(validation).map(Block::Paragraph));
-    blocks.extend(noise(validation).map(Block::Paragraph));
-    blocks.push(Block::Table(key_table(validation)));
-    blocks.push(Block::Wide(Figure::new("overview-tests", overview::error_of_tests(validation))));
-    Section::new("summary", "Summary", blocks)
+pub fn section(validation: &Validation, words: &Words) -> Section {
+    let mut blocks = vec![Block::Lead(headline(validation, words))];
+    blocks.extend(left_out(validation, words).map(Block::Paragraph));
+    blocks.extend(worst_in_words(validation, words).map(Block::Paragraph));
+    blocks.extend(noise(validation, words).map(Block::Paragraph));
+    Section::new("answer", words.answer, blocks)
+}
+
+/// The figures behind the answer.
+pub fn figures(validation: &Validation, words: &Words) -> Section {
+    Section::new("key", words.key_section, vec![Block::Table(key_table(validation, words))])
 }
 
 /// The result beside that of the force–velocity curve alone.
-fn headline(validation: &Validation) -> String {
+fn headline(validation: &Validation, words: &Words) -> String {
     let Errors { model, fv_only } = validation.overall.errors;
-    let closer = validation.tests.iter().filter(|test| is_closer(test)).count();
+    let closer = validation.tests.iter().filter(|test| is_closer(test)).count().to_string();
     let tests = validation.tests.len();
-    let over = if tests == 1 { "In the one test".into() } else { format!("Over {tests} tests") };
+    let count = tests.to_string();
+    let over = if tests == 1 { words.over_one_test.to_owned() } else { fill(words.over_tests, &[("tests", &count)]) };
     let ratio = fv_only.mean_error_n / model.mean_error_n;
     let verdict = if !ratio.is_finite() {
-        "the model follows the measurement exactly".to_owned()
+        words.verdict_exact.to_owned()
     } else if ratio >= 1.05 {
-        format!("the model's mean error is smaller by a factor of {}", digits(ratio, 2))
+        fill(words.verdict_smaller, &[("ratio", &digits(ratio, 2))])
     } else if ratio > 0.95 {
-        "the model gains nothing worth having over the curve".to_owned()
+        words.verdict_same.to_owned()
     } else {
-        format!(
-            "the model's mean error is larger by a factor of {}: it does worse than the curve",
-            digits(1.0 / ratio, 2)
-        )
+        fill(words.verdict_larger, &[("ratio", &digits(1.0 / ratio, 2))])
     };
-    let count = if tests == 1 {
-        String::new()
-    } else {
-        format!(", and it is the closer of the two in {closer} of {tests} tests")
-    };
-    format!(
-        "{over} the model misses the measured force by {} N on average, {} % of a test's largest force. \
-         The force–velocity curve alone misses it by {} N, {} %: {verdict}{count}.",
-        error(model.mean_error_n),
-        percent(model.error_percent),
-        error(fv_only.mean_error_n),
-        percent(fv_only.error_percent),
-    )
+    let closer =
+        if tests == 1 { String::new() } else { fill(words.closer_in, &[("closer", &closer), ("tests", &count)]) };
+    let figures = [
+        ("over", over.as_str()),
+        ("verdict", &verdict),
+        ("closer", &closer),
+        ("error", &error(model.mean_error_n)),
+        ("percent", &percent(model.error_percent)),
+        ("curve_error", &error(fv_only.mean_error_n)),
+        ("curve_percent", &percent(fv_only.error_percent)),
+    ];
+    fill(words.headline, &figures)
 }
 
 /// How the model does where identification did not look.
-fn left_out(validation: &Validation) -> Option<String> {
+fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     let figures = |errors: &Errors| {
-        format!(
-            "{} N or {} % (curve alone {} N or {} %)",
-            error(errors.model.mean_error_n),
-            percent(errors.model.error_percent),
-            error(errors.fv_only.mean_error_n),
-            percent(errors.fv_only.error_percent),
-        )
+        let figures = [
+            ("error", error(errors.model.mean_error_n)),
+            ("percent", percent(errors.model.error_percent)),
+            ("curve_error", error(errors.fv_only.mean_error_n)),
+            ("curve_percent", percent(errors.fv_only.error_percent)),
+        ];
+        fill(words.left_out_figures, &figures.each_ref().map(|(name, value)| (*name, value.as_str())))
     };
     match (&validation.used_in_fit, &validation.left_out) {
-        (Some(fitted), Some(left)) => Some(format!(
-            "On the {} tests that identification did not see the mean error is {}; on the {} it was fitted to, {}.",
-            left.tests,
-            figures(&left.errors),
-            fitted.tests,
-            figures(&fitted.errors),
+        (Some(fitted), Some(left)) => Some(fill(
+            words.left_out_sentence,
+            &[
+                ("left", &left.tests.to_string()),
+                ("left_figures", &figures(&left.errors)),
+                ("fitted", &fitted.tests.to_string()),
+                ("fitted_figures", &figures(&fitted.errors)),
+            ],
         )),
-        (Some(_), None) => Some(
-            "Every test was used to identify the model, so these figures show how well it fits, not how well it predicts."
-                .to_owned(),
-        ),
+        (Some(_), None) => Some(words.only_fitted.to_owned()),
         _ => None,
     }
 }
 
-/// The test with the largest error percent.
-fn worst(validation: &Validation) -> Option<String> {
-    let by_percent = |a: &&TestValidation, b: &&TestValidation| {
-        a.errors.model.error_percent.total_cmp(&b.errors.model.error_percent)
-    };
-    let test = validation.tests.iter().max_by(by_percent).filter(|_| validation.tests.len() > 1)?;
-    Some(format!(
-        "The largest error in percent is that of test “{}”: {} %, which is {} N of {} N.",
-        test.name,
-        percent(test.errors.model.error_percent),
-        error(test.errors.model.mean_error_n),
-        force(test.max_force_n),
+/// Place of the test with the largest error percent; of equal ones the first.
+pub fn worst(validation: &Validation) -> Option<usize> {
+    let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
+    (0..validation.tests.len()).min_by(|a, b| percent(b).total_cmp(&percent(a)))
+}
+
+fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
+    let test = worst(validation).filter(|_| validation.tests.len() > 1).map(|i| &validation.tests[i])?;
+    Some(fill(
+        words.largest_error,
+        &[
+            ("test", &test.name),
+            ("percent", &percent(test.errors.model.error_percent)),
+            ("error", &error(test.errors.model.mean_error_n)),
+            ("force", &force(test.max_force_n)),
+        ],
     ))
 }
 
 /// What no model can do better than.
-fn noise(validation: &Validation) -> Option<String> {
+fn noise(validation: &Validation, words: &Words) -> Option<String> {
     let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {
         return None;
     }
     // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
     let mean = known.iter().sum::<f64>() / known.len() as f64 * std::f64::consts::FRAC_2_PI.sqrt();
-    Some(format!(
-        "The noise of the measured force alone would give a mean error of about {} N; no model can come closer than that.",
-        digits(mean, 2)
-    ))
+    Some(fill(words.noise_sentence, &[("noise", &digits(mean, 2))]))
 }
 
 /// Model beside curve, overall and for fitted and left-out tests.
-fn key_table(validation: &Validation) -> Table {
+fn key_table(validation: &Validation, words: &Words) -> Table {
     let mut rows = Vec::new();
     let groups = [
-        ("all tests", Some(&validation.overall)),
-        ("used in the fit", validation.used_in_fit.as_ref()),
-        ("left out of the fit", validation.left_out.as_ref()),
+        (words.all_tests, Some(&validation.overall)),
+        (words.used_in_fit, validation.used_in_fit.as_ref()),
+        (words.left_out_of_fit, validation.left_out.as_ref()),
     ];
     for (name, summary) in groups.into_iter().filter_map(|(name, summary)| Some((name, summary?))) {
-        for (what, figures) in [("model", summary.errors.model), ("FV curve alone", summary.errors.fv_only)] {
+        for (what, figures) in [(words.model, summary.errors.model), (words.group_curve, summary.errors.fv_only)] {
             rows.push(vec![
                 name.to_owned(),
                 summary.tests.to_string(),
@@ -129,21 +129,16 @@ fn key_table(validation: &Validation) -> Table {
         }
     }
     let columns = vec![
-        Column::words("tests"),
-        Column::figures("number"),
-        Column::words("force of"),
-        Column::figures("mean error,\u{a0}N"),
-        Column::figures("error,\u{a0}%"),
-        Column::figures("region 1,\u{a0}N"),
-        Column::figures("region 2,\u{a0}N"),
-        Column::figures("rms error,\u{a0}N"),
+        Column::words(words.col_tests),
+        Column::figures(words.col_number),
+        Column::words(words.col_force_of),
+        Column::figures(words.col_mean_error),
+        Column::figures(words.col_error_percent),
+        Column::figures(words.col_region1),
+        Column::figures(words.col_region2),
+        Column::figures(words.col_rms),
     ];
-    let caption = format!(
-        "Mean error: mean of |simulated − measured| over a test's samples. Error in percent of the largest measured \
-         force of the test. Regions 1 and 2: the parts of the mean error from samples slower and faster than {} mm/s; \
-         they add up to it. All are means over tests, each test with equal weight.",
-        digits(1e3 * validation.region_boundary_m_s, 3),
-    );
+    let caption = fill(words.key_caption, &[("boundary", &digits(1e3 * validation.region_boundary_m_s, 3))]);
     Table { caption, columns, rows, sortable: false }
 }
 
@@ -155,13 +150,14 @@ fn is_closer(test: &TestValidation) -> bool {
 mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
+    use crate::words::EN;
     use dashpot_identification::validation::validate;
 
     #[test]
     fn the_headline_does_not_flatter() {
         let record = record(2, true);
         let mut test = compared(&record);
-        let text = |test: &_| headline(&validate(std::slice::from_ref(test)).unwrap());
+        let text = |test: &_| headline(&validate(std::slice::from_ref(test)).unwrap(), &EN);
         assert!(text(&test).contains("smaller by a factor of"), "{}", text(&test));
         std::mem::swap(&mut test.model, &mut test.fv_only);
         assert!(text(&test).contains("does worse than the curve"), "{}", text(&test));
@@ -174,7 +170,7 @@ mod tests {
         let record = record(2, true);
         let mut test = compared(&record);
         test.used_in_fit = true;
-        let text = left_out(&validate(&[test]).unwrap()).unwrap();
+        let text = left_out(&validate(&[test]).unwrap(), &EN).unwrap();
         assert!(text.contains("not how well it predicts"));
     }
 }

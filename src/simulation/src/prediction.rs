@@ -37,3 +37,12 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
     run(start, 1..n, &mut forces);
     forces
 }
+
+/// Forces of the model, N, at velocities that are held constant, m/s, at displacement zero: FV curve, friction and gas force.
+pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
+    let at = |velocity: f64| {
+        let input = Input::motion(0.0, velocity);
+        dashpot_core::evaluate::force(model, &model.settled(&input), &input).force
+    };
+    velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
+}

@@ -194,10 +194,8 @@ fn parameter_rows(found: &Diagnosis) -> Vec<ParameterRow> {
             low: e.low,
             high: e.high,
             source: added(e.name).map_or_else(|| "refitted".to_owned(), |f| format!("added: {}", f.effect)),
-            note: match e.standing {
-                Standing::NotIdentified => "not identified from this data".to_owned(),
-                _ => find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
-            },
+            note: find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
+            missing: e.standing == Standing::NotIdentified,
         })
         .collect()
 }

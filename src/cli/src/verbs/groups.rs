@@ -201,7 +201,12 @@ impl Answers {
             sections.push(Section::new("aside", "Left aside", vec![Block::Warning(text)]));
         }
         let subtitle = format!("Model {} against each group; reference: {}", model.display(), self.reference);
-        dashpot_report::render_sections("What changed between dampers", &subtitle, &sections)
+        dashpot_report::render_sections(
+            "What changed between dampers",
+            &subtitle,
+            &sections,
+            &dashpot_report::words::EN,
+        )
     }
 }
 

@@ -1,19 +1,23 @@
 //! `dashpot validate`: a model against records, beside the FV curve.
 
 use super::data::{DataArgs, sign_in_words};
+use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::Model;
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
+use dashpot_identification::limits;
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
 use dashpot_identification::model_file::{self, Interval, ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
 use dashpot_report::against::{self, Rival};
-use dashpot_report::{Block, ParameterRow, ReportInput};
+use dashpot_report::certificate::{self, CertificateInput};
+use dashpot_report::{Block, Made, ParameterRow, ReportInput};
 use dashpot_simulation::comparison;
+use dashpot_simulation::prediction::at_velocities;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +25,11 @@ use std::path::{Path, PathBuf};
 ///
 /// Errors by amplitude and by peak velocity, on tests the fit used and on tests it did not; hysteresis; plots.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json")]
+#[command(
+    after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json\n  dashpot validate damper.toml \
+                  campaign/ --limits limits.csv --certificate certificate.html\n\nWith --limits it ends with 0 where the damper keeps \
+                  them all, with 1 where it does not, and with 2 on an error."
+)]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
@@ -41,14 +49,39 @@ pub struct Args {
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
+    /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
+    /// velocity_m_s, low, high; passes or fails the damper
+    #[arg(long, value_name = "F.csv")]
+    limits: Option<PathBuf>,
+    /// The verdict on --limits as a page by itself
+    #[arg(long, value_name = "F.html", requires = "limits")]
+    certificate: Option<PathBuf>,
+    #[command(flatten)]
+    page: PageArgs,
+}
+
+/// What `--limits` say of the damper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It keeps them, or none were given.
+    Passed,
+    /// It does not, or they could not all be tested.
+    Failed,
 }
 
 /// Runs the verb.
-pub fn run(args: &Args) -> anyhow::Result<()> {
-    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
-        bail!("--report needs a file name: standard output takes figures alone (--json -)");
+pub fn run(args: &Args) -> anyhow::Result<Verdict> {
+    for (option, path) in [("--report", &args.report), ("--certificate", &args.certificate)] {
+        if path.as_deref().is_some_and(dashpot_output::is_stdout) {
+            bail!("{option} needs a file name: standard output takes figures alone (--json -)");
+        }
     }
-    dashpot_output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([
+        (args.json.as_deref(), Kind::Figures),
+        (args.report.as_deref(), Kind::Report),
+        (args.certificate.as_deref(), Kind::Report),
+    ])?;
+    let windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     names_of_rivals(&args.against)?;
     let model = model_file::read(&args.model)?;
@@ -71,6 +104,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
         dashpot_output::say(json, &against_table(&validation.against))?;
     }
+    if let Some(windows) = &windows {
+        let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
+        let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
+        let found = limits::judge(windows, &records, Some(&forces));
+        dashpot_output::say(json, &crate::limits::table(&found))?;
+        validation.limits = Some(found);
+    }
     let curve = prepared(&model.params)?;
     let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
     if let Some(first) = fast.first() {
@@ -86,11 +126,25 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &validation)?;
     }
-    if args.report.is_some() || args.svg.is_some() {
+    if args.report.is_some() || args.svg.is_some() || args.certificate.is_some() {
         let progress = Progress::new("drawing");
         progress.set(0.2);
-        let mut input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation);
-        input.extra.extend(against::section(&validation, &compared, &rivals));
+        let files = [Some(&args.model), args.limits.as_ref()].into_iter().flatten().chain(&campaign.files).cloned();
+        let how = (&args.page, args.page.made(files)?);
+        let mut input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation, how)?;
+        input.extra.extend(against::section(&validation, &compared, &rivals, input.words));
+        if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
+            let page = certificate::render(&CertificateInput {
+                certificate: found,
+                data: input.data.clone(),
+                limits: args.limits.as_ref().map_or_else(String::new, |p| p.display().to_string()),
+                curve: &input.curve,
+                made: &input.made,
+                words: input.words,
+            });
+            dashpot_output::write(path, page)?;
+            dashpot_output::say(json, &format!("certificate: {}", path.display()))?;
+        }
         if let Some(path) = &args.report {
             dashpot_report::write_atomic(&input, path)?;
             dashpot_output::say(json, &format!("report: {}", path.display()))?;
@@ -100,7 +154,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             dashpot_output::say(json, &format!("{} figures in {}", written.len(), folder.display()))?;
         }
     }
-    Ok(())
+    Ok(match &validation.limits {
+        Some(found) if !found.passed => Verdict::Failed,
+        _ => Verdict::Passed,
+    })
 }
 
 /// The models asked for, each once; a mistake is told before minutes of fitting, and before anything is said.
@@ -235,7 +292,8 @@ pub fn report_input<'a>(
     campaign: &Campaign,
     compared: &'a [Compared<'a>],
     validation: &'a Validation,
-) -> ReportInput<'a> {
+    (page, made): (&PageArgs, Made),
+) -> anyhow::Result<ReportInput<'a>> {
     let sign = sign_in_words(&campaign.sign);
     let doubtful = !campaign.sign.given && campaign.sign.confidence < SURE_OF_SIGN;
     let mut identification = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
@@ -244,17 +302,40 @@ pub fn report_input<'a>(
     if !notes.is_empty() {
         identification.push(Block::List(notes));
     }
-    ReportInput {
-        title: "Damper model against rig records".to_owned(),
+    Ok(ReportInput {
+        words: page.words(),
+        print: page.print(),
+        made,
+        curve: at_constant_velocity(&prepared(&model.params)?, validation),
         model_file: model_path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
         data: data.to_owned(),
         validation,
         tests: compared,
         parameters: parameter_rows(model),
-        parameter_range: "Low and high are the ends of the 95 % interval.".to_owned(),
         identification,
         extra: Vec::new(),
-    }
+    })
+}
+
+/// The model's force at constant velocities over what the tests reach: close near zero, where friction and bleed make the
+/// shape.
+fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
+    /// Points to each side of zero.
+    const POINTS: i32 = 120;
+    let reach = |sign: f64| {
+        let peaks = validation.tests.iter().flat_map(|t| &t.peaks).map(|p| sign * p.velocity_m_s);
+        sign * peaks.fold(0.0, f64::max)
+    };
+    let (low, high) = (reach(-1.0), reach(1.0));
+    let side = |end: f64| {
+        move |k: i32| {
+            let share = f64::from(k) / f64::from(POINTS);
+            end * share * share
+        }
+    };
+    let velocities: Vec<f64> =
+        (1..=POINTS).rev().map(side(low)).chain(std::iter::once(0.0)).chain((1..=POINTS).map(side(high))).collect();
+    at_velocities(model, &velocities)
 }
 
 fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {
@@ -286,7 +367,8 @@ fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {
                     low,
                     high,
                     source: id.sources.get(p.name).cloned().unwrap_or_default(),
-                    note: if missing { "not identified from this data".to_owned() } else { p.meaning.to_owned() },
+                    note: p.meaning.to_owned(),
+                    missing,
                 });
             }
             (Shape::List(_), Some(Interval::List(pairs))) => {
@@ -306,6 +388,7 @@ fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {
                         high: Some(*high),
                         source: String::new(),
                         note: at.unwrap_or_default(),
+                        missing: false,
                     });
                 }
             }

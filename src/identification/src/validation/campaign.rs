@@ -3,8 +3,10 @@
 use super::against::Against;
 use super::compared::{Compared, ValidationError};
 use super::deviation::{Deviation, Errors, REGION_BOUNDARY};
-use super::hysteresis::Hysteresis;
+use super::hysteresis::{Hysteresis, OfEach};
 use super::matrix::ErrorMatrix;
+use crate::limits::Certificate;
+use crate::peaks::AtPeak;
 use serde::Serialize;
 
 /// Every figure of one test.
@@ -33,6 +35,17 @@ pub struct TestValidation {
     pub noise_rms_n: f64,
     /// Hysteresis, where the test has whole cycles.
     pub hysteresis: Option<Hysteresis>,
+    /// Force at peak velocity in rebound and in compression, where the test has whole cycles.
+    pub peaks: Vec<PeakForce>,
+}
+
+/// Force at the peak velocity of one stroke of a test.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PeakForce {
+    /// Velocity, m/s, rebound positive.
+    pub velocity_m_s: f64,
+    /// The forces there, N.
+    pub force_n: OfEach,
 }
 
 /// Mean figures over a set of tests. Each test has equal weight whatever its length; the percent is the mean of the
@@ -64,6 +77,9 @@ pub struct Validation {
     /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
+    /// Limits that the damper had to keep; absent where none were given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits: Option<Certificate>,
 }
 
 /// Measures every test and groups the figures.
@@ -84,6 +100,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         matrix: ErrorMatrix::of(&tests),
         region_boundary_m_s: REGION_BOUNDARY,
         against: Vec::new(),
+        limits: None,
         tests,
     })
 }
@@ -106,7 +123,21 @@ impl TestValidation {
             cycles: record.cycles.len(),
             noise_rms_n: record.noise.force_rms,
             hysteresis: Hysteresis::of_test(compared),
+            peaks: PeakForce::of_test(compared),
         }
+    }
+}
+
+impl PeakForce {
+    fn of_test(compared: &Compared<'_>) -> Vec<Self> {
+        let Some(at) = AtPeak::of(compared.record) else { return Vec::new() };
+        let [measured, model, fv_only] =
+            [&compared.record.force, &compared.model, &compared.fv_only].map(|force| at.pick(force));
+        let stroke = |k: usize| PeakForce {
+            velocity_m_s: measured[k].velocity_m_s,
+            force_n: OfEach { measured: measured[k].force_n, model: model[k].force_n, fv_only: fv_only[k].force_n },
+        };
+        vec![stroke(0), stroke(1)]
     }
 }
 

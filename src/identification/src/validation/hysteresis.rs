@@ -82,7 +82,7 @@ impl OfEach {
 
 impl Hysteresis {
     /// Measures a checked test; `None` where it holds no whole cycle or no motion.
-    pub(super) fn of_test(compared: &Compared<'_>) -> Option<Self> {
+    pub(crate) fn of_test(compared: &Compared<'_>) -> Option<Self> {
         let record = compared.record;
         let cycles: Vec<_> = record.cycles.iter().filter(|cycle| cycle.len() >= MIN_CYCLE_SAMPLES).cloned().collect();
         let peak = record.peak_velocity;

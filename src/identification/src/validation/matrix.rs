@@ -189,6 +189,7 @@ mod tests {
             cycles: 3,
             noise_rms_n: 0.0,
             hysteresis: None,
+            peaks: Vec::new(),
         }
     }
 

@@ -22,7 +22,7 @@ pub mod hysteresis;
 pub mod matrix;
 
 pub use against::{Against, AgainstSummary, AgainstTest};
-pub use campaign::{Summary, TestValidation, Validation, validate};
+pub use campaign::{PeakForce, Summary, TestValidation, Validation, validate};
 pub use compared::{Compared, ValidationError};
 pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};

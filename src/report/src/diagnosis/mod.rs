@@ -20,7 +20,9 @@ mod tried;
 
 pub use answer::{headline, picture};
 
-use super::{Block, ParameterRow, Section, page, parameters, write_figures, write_page};
+use super::page::{self, Print};
+use super::{Block, ParameterRow, Section, parameters, write_figures, write_page};
+use crate::words::EN;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
 use std::path::{Path, PathBuf};
@@ -48,7 +50,8 @@ impl DiagnosisReport<'_> {
     /// The report as one HTML document; the same input gives the same bytes.
     pub fn render(&self) -> String {
         let subtitle = format!("Model {} against the rig data in {}", self.model_file, self.data);
-        page::page("Where model and records disagree, and what is missing", &subtitle, &self.sections())
+        let title = "Where model and records disagree, and what is missing";
+        page::page(title, &subtitle, &self.sections(), &EN, Print::Whole)
     }
 
     /// Writes the report, replacing an older one only when the new one is complete.
@@ -76,10 +79,7 @@ impl DiagnosisReport<'_> {
         sections.extend(matrix::section(found, self.records));
         sections.extend(tried::section(found));
         sections.push(limits::section(found, &self.reading));
-        sections.extend(parameters::section(
-            &self.parameters,
-            "The improved model: an ordinary model file. Low and high are the ends of the 95 % interval.",
-        ));
+        sections.extend(parameters::section(&self.parameters, &EN));
         sections
     }
 }

@@ -1,6 +1,6 @@
 //! Before and after a diagnosis: the error of every test, and the loops of one.
 
-use super::axes::{Axis, LABEL, Mark, Plane, Series, TICK, heading, text_width};
+use super::axes::{Axis, LABEL, Mark, Marks, Plane, Series, TICK, heading, text_width};
 use super::of_test::{DISPLACEMENT, FORCE, MEASURED, VELOCITY};
 use super::overview::shorten;
 use super::palette::Role;
@@ -49,7 +49,7 @@ pub fn errors(tests: &[TestOutcome]) -> String {
     let bottom = top + tall;
     let title = "Error of every test, N rms";
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
-    heading(&mut svg, title, left, Mark::Dot, &[(Role::Before, BEFORE), (Role::Model, AFTER)]);
+    heading(&mut svg, title, left, &[(Role::Before, BEFORE, Mark::Dot), (Role::Model, AFTER, Mark::Dot)]);
     svg.frame(&[[[left + 175.0, 33.0], [left + 187.0, 33.0]]], 1.6);
     svg.text([left + 193.0, 37.0], "noise alone", TextStyle::plain(LABEL, Anchor::Start));
 
@@ -112,7 +112,7 @@ pub fn residual_velocity(test: &TestOutcome) -> String {
     let curves = &test.curves;
     let line = |role, label, force: &[f64]| {
         let points = |i: usize| [1e3 * curves.velocity[i], curves.measured[i] - force[i]];
-        Series { role, label, lines: vec![closed(test).map(points).collect()], dotted: false }
+        Series { role, label, lines: vec![closed(test).map(points).collect()], marks: Marks::Line }
     };
     let series = vec![line(Role::Before, BEFORE, &curves.before), line(Role::Model, AFTER, &curves.after)];
     plane("What is left, over velocity", VELOCITY, RESIDUAL, series)
@@ -136,7 +136,7 @@ fn forces(test: &TestOutcome, over: impl Fn(usize) -> f64) -> Vec<Series> {
         role,
         label,
         lines: vec![closed(test).map(|i| [over(i), force[i]]).collect()],
-        dotted: false,
+        marks: Marks::Line,
     })
     .collect()
 }

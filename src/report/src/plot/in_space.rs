@@ -4,10 +4,11 @@
 //! on the back walls are the force–velocity and force–displacement plots.
 
 use super::axes::{Axis, LABEL, LINE_LIMIT, Mark, SIZE, TICK, heading};
-use super::of_test::{DISPLACEMENT, ERROR, FORCE, FV_ONLY, MEASURED, MODEL, VELOCITY, shown};
+use super::of_test::shown;
 use super::palette::Role;
 use super::simplify::Point;
 use super::svg::{Anchor, Svg, TextStyle};
+use crate::words::Words;
 use dashpot_identification::validation::Compared;
 
 /// Turn of the box about the vertical, degrees.
@@ -20,20 +21,21 @@ const BOX: [f64; 3] = [225.0, 185.0, 150.0];
 const MIDDLE: Point = [242.0, 168.0];
 
 /// Force over velocity and displacement.
-pub fn force(compared: &Compared<'_>) -> String {
+pub fn force(compared: &Compared<'_>, words: &Words) -> String {
     let series = [
-        (Role::Measured, MEASURED, compared.record.force.clone()),
-        (Role::FvOnly, FV_ONLY, compared.fv_only.clone()),
-        (Role::Model, MODEL, compared.model.clone()),
+        (Role::Measured, words.measured, compared.record.force.clone()),
+        (Role::FvOnly, words.fv_curve, compared.fv_only.clone()),
+        (Role::Model, words.model, compared.model.clone()),
     ];
-    draw("Force over velocity and displacement", FORCE, compared, &series)
+    draw([words.plot_force_space, words.axis_force], compared, &series, words)
 }
 
 /// Error over velocity and displacement.
-pub fn error(compared: &Compared<'_>) -> String {
+pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     let minus = |force: &[f64]| force.iter().zip(&compared.record.force).map(|(f, measured)| f - measured).collect();
-    let series = [(Role::FvOnly, FV_ONLY, minus(&compared.fv_only)), (Role::Model, MODEL, minus(&compared.model))];
-    draw("Error over velocity and displacement", ERROR, compared, &series)
+    let series =
+        [(Role::FvOnly, words.fv_curve, minus(&compared.fv_only)), (Role::Model, words.model, minus(&compared.model))];
+    draw([words.plot_error_space, words.axis_error], compared, &series, words)
 }
 
 /// Place in the figure of a place in the box, each coordinate from 0 to 1: velocity runs right and towards the reader,
@@ -45,18 +47,23 @@ fn project(at: [f64; 3]) -> Point {
     [MIDDLE[0] + u * turn.cos() + w * turn.sin(), MIDDLE[1] - z * elevation.cos() - away * elevation.sin()]
 }
 
-fn draw(title: &str, quantity: &str, compared: &Compared<'_>, series: &[(Role, &'static str, Vec<f64>)]) -> String {
+fn draw(
+    [title, quantity]: [&str; 2],
+    compared: &Compared<'_>,
+    series: &[(Role, &'static str, Vec<f64>)],
+    words: &Words,
+) -> String {
     let record = compared.record;
     let ranges = shown(compared);
     let samples = || ranges.iter().cloned().flatten();
     let axes = [
-        Axis::around(VELOCITY, samples().map(|i| 1e3 * record.velocity[i])),
-        Axis::around(DISPLACEMENT, samples().map(|i| 1e3 * record.displacement[i])),
+        Axis::around(words.axis_velocity, samples().map(|i| 1e3 * record.velocity[i])),
+        Axis::around(words.axis_displacement, samples().map(|i| 1e3 * record.displacement[i])),
         Axis::around(quantity, series.iter().flat_map(|(_, _, values)| samples().map(|i| values[i]))),
     ];
     let mut svg = Svg::new(SIZE[0], SIZE[1], title);
-    let legend: Vec<_> = series.iter().map(|(role, label, _)| (*role, *label)).collect();
-    heading(&mut svg, title, 20.0, Mark::Line, &legend);
+    let legend: Vec<_> = series.iter().map(|(role, label, _)| (*role, *label, Mark::Line)).collect();
+    heading(&mut svg, title, 20.0, &legend);
     draw_box(&mut svg, &axes);
 
     let place = |values: &[f64], i: usize| {
@@ -70,11 +77,11 @@ fn draw(title: &str, quantity: &str, compared: &Compared<'_>, series: &[(Role, &
         }
     };
     if let Some((_, _, first)) = series.iter().find(|(role, ..)| *role == Role::Measured) {
-        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| [at[0], 1.0, at[2]]);
-        lines(Role::Shadow, first, LINE_LIMIT / 3, |at| [0.0, at[1], at[2]]);
+        lines(Role::Shadow, first, LINE_LIMIT / 4, |at| [at[0], 1.0, at[2]]);
+        lines(Role::Shadow, first, LINE_LIMIT / 4, |at| [0.0, at[1], at[2]]);
     }
     for (role, _, values) in series {
-        lines(*role, values, LINE_LIMIT, |at| at);
+        lines(*role, values, LINE_LIMIT / 2, |at| at);
     }
     svg.finish()
 }
@@ -146,6 +153,7 @@ fn draw_box(svg: &mut Svg, axes: &[Axis; 3]) {
 mod tests {
     use super::super::of_test::tests::{compared, record};
     use super::*;
+    use crate::words::EN;
 
     #[test]
     fn the_box_and_its_labels_fit_the_figure() {
@@ -168,7 +176,7 @@ mod tests {
     #[test]
     fn both_figures_are_finite_and_small() {
         let record = record(3, true);
-        for text in [force(&compared(&record)), error(&compared(&record))] {
+        for text in [force(&compared(&record), &EN), error(&compared(&record), &EN)] {
             assert!(!text.contains("NaN") && !text.contains("inf") && text.len() < 16_000, "{}", text.len());
         }
     }

@@ -8,6 +8,7 @@
 //! | [`of_test`] | force and error over velocity, displacement and time; hysteresis gap |
 //! | [`in_space`] | the force–velocity–displacement cross-plot and its error |
 //! | [`overview`] | error of every test; error by amplitude and peak velocity |
+//! | [`peaks`] | peak force over peak velocity with the identified curve and limits |
 //! | [`before_after`] | error and loops of single tests, before and after a diagnosis |
 //! | [`residual`], [`residual_map`] | what a model leaves, over velocity, time since reversal and displacement |
 //!
@@ -22,6 +23,7 @@ pub mod in_space;
 pub mod of_test;
 pub mod overview;
 pub mod palette;
+pub mod peaks;
 pub mod residual;
 pub mod residual_map;
 pub mod simplify;

@@ -3,100 +3,104 @@
 //! Loops show the last two whole cycles, where the model has settled; a test without cycles is shown whole.
 //! Displacement in mm, velocity in mm/s, force in N.
 
-use super::axes::{Axis, Plane, Series};
+use super::axes::{Axis, Marks, Plane, Series};
 use super::palette::Role;
+use crate::words::{EN, Words};
 use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
 /// Whole cycles shown in a loop.
 pub const CYCLES_SHOWN: usize = 2;
 
-/// Names in the legends.
-pub const MEASURED: &str = "measured";
-/// The full model.
-pub const MODEL: &str = "model";
-/// The force–velocity curve alone.
-pub const FV_ONLY: &str = "FV curve";
-
-/// Axis titles.
-pub const VELOCITY: &str = "velocity, mm/s";
+/// Names in the legends and titles of axes of reports that are written in English alone.
+pub const MEASURED: &str = EN.measured;
 /// Displacement axis.
-pub const DISPLACEMENT: &str = "displacement, mm";
+pub const DISPLACEMENT: &str = EN.axis_displacement;
+/// Velocity axis.
+pub const VELOCITY: &str = EN.axis_velocity;
 /// Force axis.
-pub const FORCE: &str = "force, N";
-/// Error axis.
-pub const ERROR: &str = "simulated − measured, N";
+pub const FORCE: &str = EN.axis_force;
 
 /// Force over velocity.
-pub fn force_velocity(compared: &Compared<'_>) -> String {
+pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
-    let mut series = forces(compared, &shown, |i| 1e3 * velocity[i]);
+    let mut series = forces(compared, words, &shown, |i| 1e3 * velocity[i]);
     // The curve has no loop: one line from the lowest to the highest velocity.
     for curve in series.iter_mut().filter(|one| one.role == Role::FvOnly) {
         let mut line = curve.lines.concat();
         line.sort_by(|a, b| a[0].total_cmp(&b[0]));
         curve.lines = vec![line];
     }
-    plane("Force over velocity", VELOCITY, FORCE, series)
+    plane(words.plot_force_velocity, words.axis_velocity, words.axis_force, series)
 }
 
 /// Force over velocity with another model beside the validated one.
-pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64]) -> String {
+pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64], words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
-    let mut series = forces(compared, &shown, |i| 1e3 * velocity[i]);
+    let mut series = forces(compared, words, &shown, |i| 1e3 * velocity[i]);
     series.retain(|one| one.role != Role::FvOnly);
     let lines = shown.iter().map(|r| r.clone().map(|i| [1e3 * velocity[i], force[i]]).collect()).collect();
-    series.insert(1, Series { role: Role::Before, label: name, lines, dotted: false });
-    plane(name, VELOCITY, FORCE, series)
+    series.insert(1, Series { role: Role::Before, label: name, lines, marks: Marks::Line });
+    plane(name, words.axis_velocity, words.axis_force, series)
 }
 
 /// Force over displacement.
-pub fn force_displacement(compared: &Compared<'_>) -> String {
+pub fn force_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
-    let series = forces(compared, &shown(compared), |i| 1e3 * displacement[i]);
-    plane("Force over displacement", DISPLACEMENT, FORCE, series)
+    let series = forces(compared, words, &shown(compared), |i| 1e3 * displacement[i]);
+    plane(words.plot_force_displacement, words.axis_displacement, words.axis_force, series)
 }
 
 /// Force over time, from the start of the cycles shown.
-pub fn force_time(compared: &Compared<'_>) -> String {
+pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     let time = &compared.record.time;
     let shown = shown(compared);
     let start = shown.first().map_or(0.0, |range| time[range.start]);
-    let series = forces(compared, &shown, |i| time[i] - start);
+    let series = forces(compared, words, &shown, |i| time[i] - start);
     let end = shown.last().map_or(1.0, |range| time[range.end - 1] - start);
-    let mut plane = prepare("Force over time", "time, s", FORCE, series);
-    plane.x = Axis::exactly("time, s", 0.0, end);
+    let mut plane = prepare(words.plot_force_time, words.axis_time, words.axis_force, series);
+    plane.x = Axis::exactly(words.axis_time, 0.0, end);
     plane.draw()
 }
 
 /// Error over velocity.
-pub fn error_velocity(compared: &Compared<'_>) -> String {
+pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
-    plane("Error over velocity", VELOCITY, ERROR, errors(compared, |i| 1e3 * velocity[i]))
+    plane(
+        words.plot_error_velocity,
+        words.axis_velocity,
+        words.axis_error,
+        errors(compared, words, |i| 1e3 * velocity[i]),
+    )
 }
 
 /// Error over displacement.
-pub fn error_displacement(compared: &Compared<'_>) -> String {
+pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
-    plane("Error over displacement", DISPLACEMENT, ERROR, errors(compared, |i| 1e3 * displacement[i]))
+    plane(
+        words.plot_error_displacement,
+        words.axis_displacement,
+        words.axis_error,
+        errors(compared, words, |i| 1e3 * displacement[i]),
+    )
 }
 
 /// Gap between the strokes over velocity, averaged over all whole cycles.
-pub fn hysteresis_gap(hysteresis: &Hysteresis) -> String {
+pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,
         label,
         lines: vec![hysteresis.gap.iter().map(|bin| [1e3 * bin.velocity_m_s, gap(&bin.gap_n)]).collect()],
-        dotted: true,
+        marks: Marks::Both,
     };
     let series = vec![
-        line(Role::Measured, MEASURED, |gap| gap.measured),
-        line(Role::FvOnly, FV_ONLY, |gap| gap.fv_only),
-        line(Role::Model, MODEL, |gap| gap.model),
+        line(Role::Measured, words.measured, |gap| gap.measured),
+        line(Role::FvOnly, words.fv_curve, |gap| gap.fv_only),
+        line(Role::Model, words.model, |gap| gap.model),
     ];
-    plane("Hysteresis gap over velocity", VELOCITY, "rising − falling velocity, N", series)
+    plane(words.plot_gap, words.axis_velocity, words.axis_gap, series)
 }
 
 /// Sample ranges a loop shows; none is empty.
@@ -108,33 +112,33 @@ pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
 }
 
 /// Measured, curve and model over a quantity, in drawing order: the model on top.
-fn forces(compared: &Compared<'_>, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
+fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
     [
-        (Role::Measured, MEASURED, &compared.record.force),
-        (Role::FvOnly, FV_ONLY, &compared.fv_only),
-        (Role::Model, MODEL, &compared.model),
+        (Role::Measured, words.measured, &compared.record.force),
+        (Role::FvOnly, words.fv_curve, &compared.fv_only),
+        (Role::Model, words.model, &compared.model),
     ]
     .into_iter()
     .map(|(role, label, force)| Series {
         role,
         label,
         lines: shown.iter().map(|range| range.clone().map(|i| [over(i), force[i]]).collect()).collect(),
-        dotted: false,
+        marks: Marks::Line,
     })
     .collect()
 }
 
 /// Errors of curve and model over a quantity.
-fn errors(compared: &Compared<'_>, over: impl Fn(usize) -> f64) -> Vec<Series> {
+fn errors(compared: &Compared<'_>, words: &Words, over: impl Fn(usize) -> f64) -> Vec<Series> {
     let measured = &compared.record.force;
     let shown = shown(compared);
-    [(Role::FvOnly, FV_ONLY, &compared.fv_only), (Role::Model, MODEL, &compared.model)]
+    [(Role::FvOnly, words.fv_curve, &compared.fv_only), (Role::Model, words.model, &compared.model)]
         .into_iter()
         .map(|(role, label, force)| Series {
             role,
             label,
             lines: shown.iter().map(|r| r.clone().map(|i| [over(i), force[i] - measured[i]]).collect()).collect(),
-            dotted: false,
+            marks: Marks::Line,
         })
         .collect()
 }
@@ -202,7 +206,7 @@ pub mod tests {
     #[test]
     fn the_axis_of_the_error_holds_the_offset_alone() {
         let record = record(2, true);
-        let only_model: Vec<Series> = errors(&compared(&record), |i| i as f64).split_off(1);
+        let only_model: Vec<Series> = errors(&compared(&record), &EN, |i| i as f64).split_off(1);
         for point in only_model.iter().flat_map(|series| series.lines.iter().flatten()) {
             assert!((point[1] - 5.0).abs() < 1e-9);
         }
@@ -218,7 +222,7 @@ pub mod tests {
         }
         let compared = compared(&record);
         for figure in [force_velocity, force_displacement, force_time, error_velocity, error_displacement] {
-            let text = figure(&compared);
+            let text = figure(&compared, &EN);
             assert!(text.len() < 16_000, "{}", text.len());
             assert!(!text.contains("NaN") && !text.contains("inf"));
         }

@@ -1,17 +1,17 @@
 //! Figures of the whole campaign: the error of every test, and the error by amplitude and peak velocity.
 
 use super::axes::{LABEL, Mark, TICK, heading, text_width};
-use super::of_test::{FV_ONLY, MODEL};
 use super::palette::{Role, heat};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::{Ticks, number};
+use crate::words::{EN, Words, fill};
 use dashpot_identification::validation::{Errors, Validation};
 
 /// Longest test name written out, characters.
 const NAME: usize = 28;
 
 /// Error percent of every test in the order given, on a logarithmic scale: model against force–velocity curve.
-pub fn error_of_tests(validation: &Validation) -> String {
+pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let tests = &validation.tests;
     let pitch = (880.0 / tests.len() as f64).clamp(14.0, 60.0);
     let names: Vec<String> = tests.iter().map(|test| shorten(&test.name)).collect();
@@ -19,9 +19,9 @@ pub fn error_of_tests(validation: &Validation) -> String {
     let (left, top, tall) = (66.0, 50.0, 240.0);
     let right = left + pitch * tests.len() as f64;
     let bottom = top + tall;
-    let title = "Error of every test, % of its largest force";
+    let title = words.plot_error_of_tests;
     let mut svg = Svg::new(right.max(380.0) + 14.0, bottom + longest + 20.0, title);
-    heading(&mut svg, title, left, Mark::Dot, &[(Role::Model, MODEL), (Role::FvOnly, FV_ONLY)]);
+    heading(&mut svg, title, left, &[(Role::Model, words.model, Mark::Dot), (Role::FvOnly, words.fv_curve, Mark::Dot)]);
 
     // An exact fit has no logarithm; it is drawn on the floor.
     const FLOOR: f64 = 0.01;
@@ -36,13 +36,15 @@ pub fn error_of_tests(validation: &Validation) -> String {
         svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));
     }
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
-    svg.text([15.0, 0.5 * (top + bottom)], "error, %", turned);
+    svg.text([15.0, 0.5 * (top + bottom)], words.axis_error_percent, turned);
     for (i, (test, name)) in tests.iter().zip(&names).enumerate() {
         let x = left + (i as f64 + 0.5) * pitch;
         let (model, curve) = (at_y(test.errors.model.error_percent), at_y(test.errors.fv_only.error_percent));
         svg.grid(&[[[x, model], [x, curve]]]);
-        svg.dot(Role::FvOnly, [x, curve], 3.4);
-        svg.dot(Role::Model, [x, model], 3.4);
+        let says = |of: &str, value: f64| format!("{}: {of} {} %", test.name, percent(value));
+        let (of_curve, of_model) = (test.errors.fv_only.error_percent, test.errors.model.error_percent);
+        svg.dot_saying(Role::FvOnly, [x, curve], 3.4, &says(words.fv_curve, of_curve));
+        svg.dot_saying(Role::Model, [x, model], 3.4, &says(words.model, of_model));
         let style = TextStyle { turn: -90.0, ..TextStyle::faint(TICK, Anchor::End) };
         svg.text([x + 4.0, bottom + 8.0], name, style);
     }
@@ -51,18 +53,23 @@ pub fn error_of_tests(validation: &Validation) -> String {
 
 /// Error percent by amplitude (rows) and peak velocity (columns); the force–velocity curve's below the model's.
 /// `None` where the campaign has no periodic tests.
-pub fn error_map(validation: &Validation) -> Option<String> {
-    let note = format!("large: {MODEL}, small: {FV_ONLY} alone");
+pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
+    let note = fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
     let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
-    map(validation, "Error by amplitude and peak velocity, %", &note, both)
+    map(validation, [words.plot_error_map, &note], words, both)
 }
 
 /// The same of one of the two forces: the model's, or the one beside it.
 pub fn error_map_of(validation: &Validation, title: &str, of: impl Fn(&Errors) -> f64) -> Option<String> {
-    map(validation, title, "", |errors| (of(errors), None))
+    map(validation, [title, ""], &EN, |errors| (of(errors), None))
 }
 
-fn map(validation: &Validation, title: &str, note: &str, of: impl Fn(&Errors) -> (f64, Option<f64>)) -> Option<String> {
+fn map(
+    validation: &Validation,
+    [title, note]: [&str; 2],
+    words: &Words,
+    of: impl Fn(&Errors) -> (f64, Option<f64>),
+) -> Option<String> {
     let matrix = &validation.matrix;
     if matrix.cells.is_empty() {
         return None;
@@ -83,9 +90,9 @@ fn map(validation: &Validation, title: &str, note: &str, of: impl Fn(&Errors) ->
         let x = left + (i as f64 + 0.5) * size[0];
         svg.text([x, bottom + 15.0], &millimetres(column.value), TextStyle::faint(TICK, Anchor::Middle));
     }
-    svg.text([0.5 * (left + right), bottom + 34.0], "peak velocity, mm/s", TextStyle::plain(LABEL, Anchor::Middle));
+    svg.text([0.5 * (left + right), bottom + 34.0], words.axis_peak_velocity, TextStyle::plain(LABEL, Anchor::Middle));
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
-    svg.text([30.0, 0.5 * (top + bottom)], "amplitude, mm", turned);
+    svg.text([30.0, 0.5 * (top + bottom)], words.axis_amplitude, turned);
     for cell in &matrix.cells {
         let corner = [left + cell.peak_velocity_row as f64 * size[0], top + cell.amplitude_row as f64 * size[1]];
         let (value, beside) = of(&cell.errors);
@@ -144,7 +151,7 @@ mod tests {
         let records = [record(2, true), record(3, true)];
         let mut tests: Vec<_> = records.iter().map(compared).collect();
         tests[0].model = records[0].force.clone();
-        let text = error_of_tests(&validate(&tests).unwrap());
+        let text = error_of_tests(&validate(&tests).unwrap(), &EN);
         assert_eq!(text.matches("<circle").count(), 2 + 4, "legend and tests");
         assert!(!text.contains("NaN") && !text.contains("inf"));
     }
@@ -152,9 +159,9 @@ mod tests {
     #[test]
     fn the_map_needs_periodic_tests() {
         let road = record(2, false);
-        assert!(error_map(&validate(&[compared(&road)]).unwrap()).is_none());
+        assert!(error_map(&validate(&[compared(&road)]).unwrap(), &EN).is_none());
         let sine = record(2, true);
-        let map = error_map(&validate(&[compared(&sine)]).unwrap()).unwrap();
+        let map = error_map(&validate(&[compared(&sine)]).unwrap(), &EN).unwrap();
         assert!(map.contains(">50.0<") && map.contains(">314<"), "{map}");
     }
 

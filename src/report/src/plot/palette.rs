@@ -18,10 +18,12 @@ pub enum Role {
     Before,
     /// Projections and other background marks.
     Shadow,
+    /// What a damper may show.
+    Limit,
 }
 
 /// Every role, for the page's style sheet.
-const ROLES: [Role; 5] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow];
+const ROLES: [Role; 6] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow, Role::Limit];
 
 impl Role {
     /// Class of the mark in SVG and page.
@@ -32,6 +34,7 @@ impl Role {
             Self::FvOnly => "fv-only",
             Self::Before => "before",
             Self::Shadow => "shadow",
+            Self::Limit => "limit",
         }
     }
 
@@ -43,6 +46,7 @@ impl Role {
             Self::FvOnly => "#009e73",
             Self::Before => "#767b80",
             Self::Shadow => "#c3c9cf",
+            Self::Limit => "#6a3d9a",
         }
     }
 
@@ -54,6 +58,7 @@ impl Role {
             Self::FvOnly => "#2fd3a3",
             Self::Before => "#a9b0b6",
             Self::Shadow => "#4b535b",
+            Self::Limit => "#c3a5e8",
         }
     }
 
@@ -65,6 +70,7 @@ impl Role {
             Self::Model => 1.1,
             Self::FvOnly | Self::Before => 1.3,
             Self::Shadow => 0.8,
+            Self::Limit => 1.6,
         }
     }
 
@@ -93,7 +99,7 @@ pub fn page_css() -> String {
     css.push_str(concat!(
         "  svg .paper { fill: #1b1f23; }\n",
         "  svg text.ink { fill: #e6e9ec; }\n",
-        "  svg text.faint { fill: #a4adb5; }\n",
+        "  svg .faint { fill: #a4adb5; }\n",
         "  svg .l.grid { stroke: #2e343a; }\n",
         "  svg .l.frame { stroke: #7d868e; }\n",
         "}\n",

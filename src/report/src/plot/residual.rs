@@ -1,7 +1,7 @@
 //! What a model leaves of the measured force, averaged over all tests: over velocity and over the time since the motion
 //! last turned round.
 
-use super::axes::{Axis, Plane, Scale, Series};
+use super::axes::{Axis, Marks, Plane, Scale, Series};
 use super::before_after::{AFTER, BEFORE};
 use super::of_test::VELOCITY;
 use super::palette::Role;
@@ -131,7 +131,7 @@ fn draw(title: &str, x: Axis, y: &str, means: &[(f64, [f64; 3])], noise: bool) -
         role,
         label,
         lines: vec![means.iter().map(|(place, of)| [*place, of[k]]).collect()],
-        dotted: true,
+        marks: Marks::Both,
     };
     let mut series = vec![line(Role::Before, BEFORE, 0), line(Role::Model, AFTER, 1)];
     if noise {

@@ -50,6 +50,8 @@ impl TextStyle {
 #[derive(Debug)]
 pub struct Svg {
     body: String,
+    /// Attributes of the document beyond its size.
+    about: String,
     width: f64,
     height: f64,
     title: String,
@@ -58,7 +60,7 @@ pub struct Svg {
 impl Svg {
     /// Starts a document of a size in px; `title` is what a screen reader says.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
-        Self { body: String::new(), width, height, title: title.to_owned() }
+        Self { body: String::new(), about: String::new(), width, height, title: title.to_owned() }
     }
 
     /// The finished document.
@@ -66,12 +68,64 @@ impl Svg {
         let (width, height) = (px(self.width), px(self.height));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
-             height=\"{height}\" role=\"img\" font-family=\"system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, \
+             height=\"{height}\"{} role=\"img\" font-family=\"system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, \
              sans-serif\"><title>{}</title><rect class=\"paper\" width=\"{width}\" height=\"{height}\" \
              fill=\"{PAPER}\"/>{}</svg>",
+            self.about,
             escape(&self.title),
             self.body,
         )
+    }
+
+    /// Width of the document, px.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// Says something of the whole document to the page's script.
+    pub fn data(&mut self, name: &str, value: &str) {
+        let _ = write!(self.about, " data-{name}=\"{}\"", escape(value));
+    }
+
+    /// Begins a part whose marks are cut off at its edges (left, top, right, bottom), and which the page can zoom into.
+    pub fn open_area(&mut self, edges: [f64; 4]) {
+        let [left, top, right, bottom] = edges;
+        let [x, y, width, height] = [left, top, right - left, bottom - top].map(px);
+        let _ = write!(
+            self.body,
+            "<svg class=\"area\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" viewBox=\"{x} {y} {width} \
+             {height}\" preserveAspectRatio=\"none\">"
+        );
+    }
+
+    /// Ends what [`Svg::open_area`] began.
+    pub fn close_area(&mut self) {
+        self.body.push_str("</svg>");
+    }
+
+    /// Begins a group that the page's script finds by its class.
+    pub fn open_group(&mut self, class: &str) {
+        let _ = write!(self.body, "<g class=\"{class}\">");
+    }
+
+    /// Ends what [`Svg::open_group`] began.
+    pub fn close_group(&mut self) {
+        self.body.push_str("</g>");
+    }
+
+    /// Round points of a role that keep their size where the page zooms: lines without length, with round ends.
+    pub fn points(&mut self, role: Role, at: &[Point], radius: f64) {
+        if at.is_empty() {
+            return;
+        }
+        let data: String = at.iter().map(|[x, y]| format!("M{} {}h0", px(*x), px(*y))).collect();
+        let _ = write!(
+            self.body,
+            "<path class=\"l {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" d=\"{data}\"/>",
+            role.class(),
+            role.light(),
+            px(2.0 * radius),
+        );
     }
 
     /// A line of a role through points, thinned to at most `limit` of them. A noisy line is drawn fine, so that it does
@@ -103,7 +157,7 @@ impl Svg {
         }
         let _ = write!(
             self.body,
-            "<path class=\"l {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"",
+            "<path class=\"l t {}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"",
             role.class(),
             role.light(),
             px(square),
@@ -139,14 +193,24 @@ impl Svg {
 
     /// A filled dot of a role.
     pub fn dot(&mut self, role: Role, at: Point, radius: f64) {
+        self.dot_saying(role, at, radius, "");
+    }
+
+    /// A filled dot that tells its value where the cursor is on it.
+    pub fn dot_saying(&mut self, role: Role, at: Point, radius: f64, value: &str) {
         let (class, colour) = (role.class(), role.light());
         let _ = write!(
             self.body,
-            "<circle class=\"p {class}\" fill=\"{colour}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+            "<circle class=\"p {class}\" fill=\"{colour}\" cx=\"{}\" cy=\"{}\" r=\"{}\"",
             px(at[0]),
             px(at[1]),
             px(radius),
         );
+        if value.is_empty() {
+            self.body.push_str("/>");
+        } else {
+            let _ = write!(self.body, "><title>{}</title></circle>", escape(value));
+        }
     }
 
     /// A filled rectangle of a fixed colour, the same on a dark page (a heat-map cell).
@@ -177,6 +241,31 @@ impl Svg {
     pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
         let (class, colour) = if style.faint { ("faint", FAINT_INK) } else { ("ink", INK) };
         self.text_in(at, text, style, class, colour);
+    }
+
+    /// Many secondary texts of one kind, in a group that the page's script finds by its class: what they share is said once.
+    pub fn labels<'t>(
+        &mut self,
+        class: &str,
+        size: f64,
+        anchor: Anchor,
+        labels: impl Iterator<Item = (Point, &'t str)>,
+    ) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let _ = write!(
+            self.body,
+            "<g class=\"{class} faint\" font-size=\"{}\" fill=\"{FAINT_INK}\" text-anchor=\"{anchor}\">",
+            px(size)
+        );
+        for (at, label) in labels {
+            let [x, y] = at.map(px);
+            let _ = write!(self.body, "<text x=\"{x}\" y=\"{y}\">{}</text>", escape(label));
+        }
+        self.body.push_str("</g>");
     }
 
     /// A text on a [`Svg::cell`], dark or light as its fill demands, the same on a dark page.

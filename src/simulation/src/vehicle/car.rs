@@ -4,7 +4,7 @@
 //! suspension forces from the static ones, so that the vehicle starts in equilibrium.
 
 /// A vehicle.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Car {
     /// Sprung mass, kg.
     pub sprung_mass: f64,
@@ -30,6 +30,126 @@ pub struct Car {
     pub grip: f64,
     /// Damper travel per wheel travel.
     pub motion_ratio: f64,
+}
+
+/// One number of a vehicle, for files and reports.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CarValue {
+    /// Its name in a file.
+    pub name: &'static str,
+    /// Its value, in `unit`.
+    pub value: f64,
+    /// Unit.
+    pub unit: &'static str,
+}
+
+/// Why a file describes no vehicle.
+#[derive(Debug, thiserror::Error)]
+pub enum CarError {
+    /// No TOML, or a value that is no number.
+    #[error("{0}")]
+    Toml(String),
+    /// A name that a vehicle does not have.
+    #[error("line {line}: a vehicle has no {name:?}; it has {}", Car::default().values().map(|v| v.name).join(", "))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// Where it stands, from 1.
+        line: usize,
+    },
+    /// A value that no vehicle has.
+    #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
+    Range {
+        /// The name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What is allowed.
+        least: &'static str,
+        /// Where it stands, from 1.
+        line: usize,
+    },
+}
+
+impl Car {
+    /// A vehicle from a file of `name = number` lines in SI; what it does not say stays as in the passenger car.
+    ///
+    /// # Errors
+    /// [`CarError`] with the line.
+    pub fn read(text: &str) -> Result<Car, CarError> {
+        let table: toml::Table =
+            toml::from_str(text).map_err(|e| CarError::Toml(e.to_string().trim_end().to_owned()))?;
+        let mut car = Car::default();
+        for (name, value) in &table {
+            let is_it = |line: &&str| line.split('=').next().is_some_and(|key| key.trim().trim_matches('"') == name);
+            let line = text.lines().position(|l| is_it(&l)).map_or(1, |k| k + 1);
+            let Some(known) = car.values().into_iter().find(|v| v.name == name) else {
+                return Err(CarError::Unknown { name: name.clone(), line });
+            };
+            let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
+            let Some(number) = number else {
+                return Err(CarError::Toml(format!("line {line}: {name} is {value}, which is no number")));
+            };
+            // Anti-roll bars and the roll arm may be missing; everything else divides something.
+            let may_be_zero = name.ends_with("anti_roll") || name == "roll_arm";
+            if !(number.is_finite() && (number > 0.0 || (may_be_zero && number == 0.0))) {
+                let least = if may_be_zero { "0 or more" } else { "more than 0" };
+                return Err(CarError::Range { name: known.name, value: number, unit: known.unit, least, line });
+            }
+            *car.place_of(known.name) = number;
+        }
+        Ok(car)
+    }
+
+    /// Every number with its name and unit, in the order that files and reports have.
+    pub fn values(&self) -> [CarValue; 17] {
+        let units = [
+            ("sprung_mass", "kg"),
+            ("unsprung_mass", "kg"),
+            ("roll_inertia", "kg m²"),
+            ("pitch_inertia", "kg m²"),
+            ("yaw_inertia", "kg m²"),
+            ("front_axle_distance", "m"),
+            ("rear_axle_distance", "m"),
+            ("track", "m"),
+            ("roll_arm", "m"),
+            ("front_spring", "N/m"),
+            ("rear_spring", "N/m"),
+            ("front_anti_roll", "N/m"),
+            ("rear_anti_roll", "N/m"),
+            ("tyre", "N/m"),
+            ("cornering", "N/rad"),
+            ("grip", "-"),
+            ("motion_ratio", "-"),
+        ];
+        let mut car = *self;
+        units.map(|(name, unit)| CarValue { name, value: *car.place_of(name), unit })
+    }
+
+    /// Where a number of this name is kept.
+    fn place_of(&mut self, name: &str) -> &mut f64 {
+        match name {
+            "sprung_mass" => &mut self.sprung_mass,
+            "unsprung_mass" => &mut self.unsprung_mass,
+            "roll_inertia" => &mut self.inertia[0],
+            "pitch_inertia" => &mut self.inertia[1],
+            "yaw_inertia" => &mut self.inertia[2],
+            "front_axle_distance" => &mut self.axle[0],
+            "rear_axle_distance" => &mut self.axle[1],
+            "track" => &mut self.track,
+            "roll_arm" => &mut self.roll_arm,
+            "front_spring" => &mut self.spring[0],
+            "rear_spring" => &mut self.spring[1],
+            "front_anti_roll" => &mut self.anti_roll[0],
+            "rear_anti_roll" => &mut self.anti_roll[1],
+            "tyre" => &mut self.tyre,
+            "cornering" => &mut self.cornering,
+            "grip" => &mut self.grip,
+            _ => &mut self.motion_ratio,
+        }
+    }
 }
 
 impl Default for Car {
@@ -204,5 +324,22 @@ mod tests {
         let yaw = speed * steer / (a + b + understeer * speed * speed);
         assert!((body.lateral[1] / yaw - 1.0).abs() < 0.02, "{} {yaw}", body.lateral[1]);
         assert!(body.position[1] > 0.0, "left turn: the left side rises");
+    }
+
+    #[test]
+    fn a_vehicle_is_read_by_name() {
+        let car = Car::read("sprung_mass = 1800 # kg\nrear_spring = 31e3\nfront_anti_roll = 0\n").unwrap();
+        assert_eq!((car.sprung_mass, car.spring, car.anti_roll[0]), (1800.0, [24e3, 31e3], 0.0));
+        assert_eq!(Car::read("").unwrap().values(), Car::default().values());
+        for (text, wanted) in [
+            ("a = 1\n", "line 1: a vehicle has no \"a\"; it has sprung_mass, unsprung_mass"),
+            ("track = 1.5\ntyre = 0\n", "line 2: tyre = 0 N/m; it must be more than 0"),
+            ("grip = \"wet\"\n", "line 1: grip is \"wet\""),
+            ("track = nan\n", "track = NaN m"),
+            ("track", "TOML parse error at line 1"),
+        ] {
+            let message = Car::read(text).unwrap_err().to_string();
+            assert!(message.contains(wanted), "{text:?}: {message}");
+        }
     }
 }

@@ -7,6 +7,6 @@ mod car;
 mod manoeuvre;
 mod run;
 
-pub use car::{Body, Car};
+pub use car::{Body, Car, CarError, CarValue};
 pub use manoeuvre::{Manoeuvre, Road};
 pub use run::{CORNERS, Corner, Dampers, Run, SLOW, Sample, VehicleError, run, run_with};

@@ -26,6 +26,8 @@ pub struct Sample {
     pub body: Body,
     /// The dampers.
     pub corner: [Corner; 4],
+    /// Height of the road under the wheels, m.
+    pub road: [f64; 4],
 }
 
 /// A manoeuvre as it went.
@@ -136,7 +138,7 @@ pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt:
             let [displacement, velocity] = motion[i];
             Corner { displacement, velocity, force: force[i] }
         });
-        samples.push(Sample { time: time + dt, body, corner });
+        samples.push(Sample { time: time + dt, body, corner, road: heights });
     }
     Ok(Run { samples, coupling, coupling_moving })
 }

@@ -4,6 +4,7 @@ mod riddle;
 
 use super::data::DataArgs;
 use super::{fit, validate};
+use crate::page::PageArgs;
 use crate::progress::Progress;
 use dashpot_identification::FitOptions;
 use dashpot_identification::{model_file, validation};
@@ -59,7 +60,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     say(&validate::table(&validation))?;
     let report_path = args.output.join("report.html");
     let named = data.named();
-    let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation);
+    let page = PageArgs::default();
+    let made = page.made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?;
+    let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation, (&page, made))?;
     dashpot_report::write_atomic(&input, &report_path)?;
     say(&format!("   report: {}\n", report_path.display()))?;
     let diagnosis_path = riddle::tell(&args.output, args.seed)?;

@@ -1,4 +1,7 @@
-//! Reads MAT files up to version 7: numeric vectors whose names are read like column headings.
+//! Reads MAT files: numeric vectors whose names are read like column headings. Up to version 7 here, version 7.3 in
+//! [`version73`].
+
+mod version73;
 
 use std::io::Read as _;
 use std::path::Path;
@@ -16,27 +19,24 @@ use super::unit::{Dimension, Unit};
 /// Signature of an HDF5 file, which is what version 7.3 writes after a header block of 512 bytes.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
+/// A vector or a single number of a file.
+struct Variable {
+    name: String,
+    is_vector: bool,
+    values: Vec<f64>,
+}
+
 /// Reads the test of one MAT file.
 pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
-    if bytes.starts_with(HDF5) || bytes.get(512..520) == Some(HDF5) || bytes.starts_with(b"MATLAB 7.3") {
-        return Err(RecordError::Hdf5 { file: file.into() });
-    }
-    let bytes = unpack(bytes).map_err(|cause| RecordError::Mat { file: file.into(), cause })?;
-    if let Some(cause) = damage(&bytes) {
-        return Err(RecordError::Mat { file: file.into(), cause: cause.into() });
-    }
-    let mat = MatFile::parse(bytes.as_slice())
-        .map_err(|cause| RecordError::Mat { file: file.into(), cause: cause.to_string() })?;
+    let is_hdf5 = bytes.starts_with(HDF5) || bytes.get(512..520) == Some(HDF5) || bytes.starts_with(b"MATLAB 7.3");
+    let variables = if is_hdf5 { version73::variables(bytes) } else { variables(bytes) };
+    let variables = variables.map_err(|cause| RecordError::Mat { file: file.into(), cause })?;
     let at = Place::file(file);
-    let vectors: Vec<(&str, Vec<f64>)> =
-        mat.arrays().iter().filter(|a| is_vector(a)).map(|a| (a.name(), values(a.data()))).collect();
-    let scalars: Vec<(&str, f64)> = mat
-        .arrays()
-        .iter()
-        .filter(|a| a.size().iter().all(|&n| n == 1))
-        .filter_map(|a| Some((a.name(), *values(a.data()).first()?)))
-        .collect();
+    let vectors: Vec<(&str, &[f64])> =
+        variables.iter().filter(|v| v.is_vector).map(|v| (v.name.as_str(), v.values.as_slice())).collect();
+    let scalars: Vec<(&str, f64)> =
+        variables.iter().filter(|v| !v.is_vector).filter_map(|v| Some((v.name.as_str(), *v.values.first()?))).collect();
     let header: Vec<&str> = vectors.iter().map(|(name, _)| *name).collect();
     let sample_time = scalars.iter().find_map(|(name, value)| match heading(name) {
         Heading::SampleTime(unit) => Some((*name, unit, *value)),
@@ -44,7 +44,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         _ => None,
     });
     if !is_header(&header, options) {
-        let all: Vec<&str> = mat.arrays().iter().map(Array::name).collect();
+        let all: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
         return Err(no_header(&at, &all.join(", ")));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
@@ -83,6 +83,18 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         rows.push(i + 1, row.into_iter(), test.as_deref());
     }
     rows.finish(sample_time)
+}
+
+/// Vectors and single numbers of a file up to version 7.
+fn variables(bytes: Vec<u8>) -> Result<Vec<Variable>, String> {
+    let bytes = unpack(bytes)?;
+    if let Some(cause) = damage(&bytes) {
+        return Err(cause.into());
+    }
+    let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| cause.to_string())?;
+    let is_number = |a: &Array| a.size().iter().all(|&n| n == 1);
+    let of = |a: &Array| Variable { name: a.name().to_owned(), is_vector: is_vector(a), values: values(a.data()) };
+    Ok(mat.arrays().iter().filter(|a| is_vector(a) || is_number(a)).map(of).collect())
 }
 
 /// Kind of an element that is compressed.
@@ -254,7 +266,7 @@ mod tests {
         let mut new = vec![0; 600];
         new[512..520].copy_from_slice(HDF5);
         assert!(message(&new).contains("'-v7'"));
-        assert!(message(b"MATLAB 7.3 MAT-file, Platform: GLNXA64").contains("7.3"));
+        assert!(message(b"MATLAB 7.3 MAT-file, Platform: GLNXA64").contains("cannot be read as a MAT file"));
         assert!(message(b"no mat file at all").contains("cannot be read as a MAT file"));
         let whole = mat(&[("time_s", &[0.0, 1.0]), ("x_mm", &[0.0, 1.0]), ("F_N", &[0.0, 1.0])]);
         assert!(message(&whole[..whole.len() - 9]).contains("middle of a variable"));

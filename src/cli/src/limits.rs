@@ -1,0 +1,50 @@
+//! `--limits`: windows that a damper must keep, as text; the judging itself is in `dashpot_identification::limits`.
+
+use dashpot_identification::limits::{Certificate, Checked, Limit, Quantity, Verdict};
+
+/// The certificate as lines of text: every limit, and the verdict.
+pub fn table(found: &Certificate) -> String {
+    let mut out = format!(
+        "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {}\n",
+        "limit", "at m/s", "low N", "high N", "measured N", "model N", "verdict"
+    );
+    for one in &found.limits {
+        out += &row(one);
+    }
+    let count = |verdict| found.limits.iter().filter(|l| l.verdict == verdict).count();
+    let (failed, untested) = (count(Verdict::Fail), count(Verdict::NotTested));
+    out += &match (failed, untested) {
+        (0, 0) => format!("PASS: all {} limits are kept", found.limits.len()),
+        (_, 0) => format!("FAIL: {failed} of {} limits are not kept", found.limits.len()),
+        _ => format!(
+            "FAIL: {failed} of {} limits are not kept, {untested} could not be tested with these records",
+            found.limits.len()
+        ),
+    };
+    if found.passed && found.model_passed == Some(false) {
+        out += "; the model does not keep them all, so a simulation shows another damper";
+    }
+    out
+}
+
+fn row(one: &Checked) -> String {
+    let Limit { name, velocity_m_s, low_n, high_n, .. } = &one.limit;
+    let known =
+        |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
+    let verdict = match one.verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "FAIL",
+        Verdict::NotTested if one.limit.quantity == Quantity::Force => "NOT TESTED: no test at this speed",
+        Verdict::NotTested if one.limit.quantity == Quantity::Hysteresis => "NOT TESTED: no test at this speed",
+        Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
+    };
+    format!(
+        "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
+        name.chars().take(27).collect::<String>(),
+        known(*velocity_m_s, 4),
+        known(*low_n, 1),
+        known(*high_n, 1),
+        known(one.measured.as_ref().map(|v| v.value_n), 1),
+        known(one.model.as_ref().map(|v| v.value_n), 1),
+    )
+}

@@ -1,0 +1,85 @@
+//! `dashpot import peaks`: a model to begin with, from a table of peak force over peak velocity.
+
+use anyhow::{Context as _, anyhow, bail};
+use dashpot_core::Params;
+use dashpot_identification::model_file;
+use dashpot_identification::model_file::prepared;
+use dashpot_output::Kind;
+use dashpot_records::read_peaks;
+use std::path::PathBuf;
+
+/// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
+///
+/// Columns are velocity and force with their units, compression negative, or velocity with a column for rebound and one for
+/// compression. Gas force and friction, which such a table holds without naming them, are taken out where they are given.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Example:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
+)]
+pub struct Args {
+    /// Table
+    #[arg(value_name = "TABLE")]
+    input: PathBuf,
+    /// Where to write; - for standard output
+    #[arg(short, long, value_name = "MODEL")]
+    output: PathBuf,
+    /// Gas force in the table's forces, N
+    #[arg(long, value_name = "N", default_value_t = 0.0)]
+    gas_force: f64,
+    /// Friction in the table's forces, N
+    #[arg(long, value_name = "N", default_value_t = 0.0)]
+    friction: f64,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    dashpot_output::check_kinds([(Some(args.output.as_path()), Kind::Model)])?;
+    let named = || args.input.display().to_string();
+    for (name, value) in [("--gas-force", args.gas_force), ("--friction", args.friction)] {
+        if !(value.is_finite() && value >= 0.0) {
+            bail!("{name} is {value}; it must be 0 N or more");
+        }
+    }
+    let points = read_peaks(&args.input)?;
+    let hydraulic = |force: f64, velocity: f64| force + args.gas_force - args.friction * velocity.signum();
+    let mut velocities = vec![0.0];
+    let mut forces = vec![0.0];
+    for p in points.iter().rev().filter(|p| p.velocity_m_s < 0.0).chain(points.iter().filter(|p| p.velocity_m_s > 0.0))
+    {
+        let force = hydraulic(p.force_n, p.velocity_m_s);
+        let (end, place) = if p.velocity_m_s < 0.0 { (forces[0], 0) } else { (forces[forces.len() - 1], forces.len()) };
+        if (force - end) * p.velocity_m_s < 0.0 {
+            bail!(
+                "{}, line {}: at {} m/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
+                 check the row, or give --gas-force and --friction as they are in the table",
+                named(),
+                p.line,
+                p.velocity_m_s
+            );
+        }
+        velocities.insert(place, p.velocity_m_s);
+        forces.insert(place, force);
+    }
+    let mut params = Params::new();
+    params.disable_all();
+    let fault = |name: &str, fault: dashpot_core::Fault| anyhow!("{}: {name} {}", named(), fault.reason.text());
+    params.enable("fv_curve", true).map_err(|f| fault("fv_curve", f))?;
+    params.set_list("fv_velocity", &velocities).map_err(|f| fault("fv_velocity", f))?;
+    params.set_list("fv_force", &forces).map_err(|f| fault("fv_force", f))?;
+    for (element, name, value) in
+        [("gas_preload", "gas_force", args.gas_force), ("coulomb_friction", "coulomb_force", args.friction)]
+    {
+        if value > 0.0 {
+            params.enable(element, true).map_err(|f| fault(element, f))?;
+            params.set(name, value).map_err(|f| fault(name, f))?;
+        }
+    }
+    prepared(&params).with_context(named)?;
+    let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
+    let file = args.input.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    dashpot_output::write(&args.output, format!("# Read from {}.\n\n{flat}", file.escape_debug()))?;
+    dashpot_output::say(
+        Some(&args.output).filter(|p| dashpot_output::is_stdout(p)).map(PathBuf::as_path),
+        &format!("{} points in {}; hysteresis needs records (dashpot fit)", velocities.len(), args.output.display()),
+    )
+}

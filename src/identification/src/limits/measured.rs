@@ -1,0 +1,146 @@
+//! The figures that limits speak of, taken from records: force at peak velocity, gas force and friction from slow tests,
+//! hysteresis.
+
+use super::Value;
+use super::table::{Limit, Quantity};
+use crate::first_guess::{self, SLOW};
+use crate::peaks::{AtPeak, Peak};
+use crate::validation::{Compared, Hysteresis};
+use dashpot_estimation::samples::segments;
+use dashpot_records::Record;
+
+/// How near a test's peak velocity lies to the speed asked for without anything to interpolate with: what a rig misses its
+/// commanded speed by. Wider would let a steep curve decide about a window.
+const NEAR: f64 = 0.05;
+/// Largest ratio of two peak velocities between which a force is interpolated: beyond, a knee of the curve may lie between.
+const BETWEEN: f64 = 2.0;
+/// Amplitudes that count as one stroke.
+const SAME_STROKE: f64 = 0.1;
+
+/// A peak with the test that it comes from.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// Name of the test.
+    pub test: String,
+    /// Amplitude, m.
+    pub amplitude: f64,
+    /// Where and how much.
+    pub peak: Peak,
+}
+
+/// Hysteresis of one test.
+#[derive(Debug, Clone)]
+struct Gap {
+    test: String,
+    amplitude: f64,
+    peak_velocity: f64,
+    mean_gap: f64,
+}
+
+/// Everything that a limit may ask of a campaign.
+#[derive(Debug, Clone)]
+pub struct Figures {
+    points: Vec<Point>,
+    gaps: Vec<Gap>,
+    /// Names of the slow tests, with friction and gas force.
+    sliding: Option<(Vec<String>, first_guess::Dry)>,
+}
+
+impl Figures {
+    /// Measures the records, or other forces at their samples.
+    pub fn of(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
+        let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
+        let mut slow: Vec<Record> = Vec::new();
+        for (k, record) in records.iter().enumerate() {
+            let force = forces.map_or(record.force.as_slice(), |all| all[k]);
+            let Some(at) = AtPeak::of(record) else { continue };
+            for peak in at.pick(force) {
+                found.points.push(Point { test: record.name.clone(), amplitude: record.amplitude, peak });
+            }
+            let alone = Compared { record, model: force.to_vec(), fv_only: force.to_vec(), used_in_fit: false };
+            found.gaps.extend(Hysteresis::of_test(&alone).map(|h| Gap {
+                test: record.name.clone(),
+                amplitude: record.amplitude,
+                peak_velocity: record.peak_velocity,
+                mean_gap: h.mean_gap_n.model,
+            }));
+            if record.peak_velocity <= SLOW {
+                slow.push(Record { force: force.to_vec(), ..(*record).clone() });
+            }
+        }
+        if !slow.is_empty() {
+            let dry = first_guess::sliding(&segments(&slow.iter().collect::<Vec<_>>()));
+            found.sliding = dry.map(|dry| (slow.into_iter().map(|r| r.name).collect(), dry));
+        }
+        found
+    }
+
+    /// All points, two a test.
+    pub fn points(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter()
+    }
+
+    /// What these records say about a limit.
+    pub fn value(&self, limit: &Limit) -> Option<Value> {
+        match (limit.quantity, limit.velocity_m_s) {
+            (Quantity::Force, Some(velocity)) => self.force(velocity, limit.amplitude_m),
+            (Quantity::Force, None) => None,
+            (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
+            (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
+            (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
+        }
+    }
+
+    fn of_slow_tests(&self, of: impl Fn(&first_guess::Dry) -> f64) -> Option<Value> {
+        self.sliding.as_ref().map(|(tests, dry)| Value { value_n: of(dry), tests: tests.clone() })
+    }
+
+    /// Force at a speed, from the longest stroke that reaches it.
+    fn force(&self, velocity: f64, amplitude: Option<f64>) -> Option<Value> {
+        let mut side: Vec<&Point> = self
+            .points
+            .iter()
+            .filter(|p| p.peak.velocity_m_s * velocity > 0.0 && is_stroke(p.amplitude, amplitude))
+            .collect();
+        side.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+        side.chunk_by(|a, b| a.amplitude - b.amplitude <= SAME_STROKE * a.amplitude)
+            .find_map(|stroke| at_speed(stroke, velocity))
+    }
+
+    /// Hysteresis of the test at a speed, the longest stroke first; the largest of all tests where no speed is given.
+    fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
+        let value = |gap: &Gap| Value { value_n: gap.mean_gap, tests: vec![gap.test.clone()] };
+        let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
+        let Some(velocity) = velocity.map(f64::abs) else {
+            return candidates.max_by(|a, b| a.mean_gap.total_cmp(&b.mean_gap)).map(value);
+        };
+        candidates
+            .filter(|g| (g.peak_velocity - velocity).abs() <= NEAR * velocity)
+            .max_by(|a, b| a.amplitude.total_cmp(&b.amplitude))
+            .map(value)
+    }
+}
+
+fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
+    wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
+}
+
+/// Force at a speed from the peaks of one stroke: between its neighbours, or from the one that is near.
+fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
+    let speed = |p: &Point| p.peak.velocity_m_s.abs();
+    let wanted = velocity.abs();
+    let below = stroke.iter().filter(|p| speed(p) <= wanted).max_by(|a, b| speed(a).total_cmp(&speed(b)));
+    let above = stroke.iter().filter(|p| speed(p) > wanted).min_by(|a, b| speed(a).total_cmp(&speed(b)));
+    if let (Some(below), Some(above)) = (below, above) {
+        if speed(above) <= BETWEEN * speed(below) {
+            let share = (wanted - speed(below)) / (speed(above) - speed(below));
+            let value_n = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
+            return Some(Value { value_n, tests: vec![below.test.clone(), above.test.clone()] });
+        }
+    }
+    let near = |p: &&&Point| (speed(p) - wanted).abs() <= NEAR * wanted;
+    let nearest = below.into_iter().chain(above).filter(near);
+    nearest
+        .min_by(|a, b| (speed(a) - wanted).abs().total_cmp(&(speed(b) - wanted).abs()))
+        .map(|p| Value { value_n: p.peak.force_n, tests: vec![p.test.clone()] })
+}

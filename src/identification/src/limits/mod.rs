@@ -1,0 +1,196 @@
+//! Pass or fail: what a damper may show, as its maker or buyer writes it, against what the rig measured.
+//!
+//! [`table`] reads the limits, [`measured`] takes the figures from the records, [`judge`] compares them. The verdict is that
+//! of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
+//! for a damper in a vehicle must keep the windows too.
+
+mod measured;
+mod table;
+
+pub use measured::Figures;
+pub use table::{Limit, LimitError, Quantity, parse, read};
+
+use dashpot_records::Record;
+use serde::Serialize;
+
+/// Answer to one limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Inside the window.
+    Pass,
+    /// Outside.
+    Fail,
+    /// The records cannot tell: no test at this speed, or none slow enough. No pass.
+    NotTested,
+}
+
+/// A figure and the test or tests that it comes from.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Value {
+    /// The figure, N.
+    pub value_n: f64,
+    /// Where it comes from.
+    pub tests: Vec<String>,
+}
+
+/// One limit with what was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Checked {
+    /// The limit.
+    #[serde(flatten)]
+    pub limit: Limit,
+    /// What the rig measured, where the records can tell.
+    pub measured: Option<Value>,
+    /// What the model gives on the same tests.
+    pub model: Option<Value>,
+    /// Answer for the damper.
+    pub verdict: Verdict,
+    /// Answer for the model, where one was given.
+    pub model_verdict: Option<Verdict>,
+}
+
+/// Force at peak velocity of one test, of rig and model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PeakPoint {
+    /// Name of the test.
+    pub test: String,
+    /// Amplitude, m.
+    pub amplitude_m: f64,
+    /// Velocity, m/s, rebound positive.
+    pub velocity_m_s: f64,
+    /// Measured force, N.
+    pub force_n: f64,
+    /// Force of the model, N.
+    pub model_n: Option<f64>,
+}
+
+/// All limits answered.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Certificate {
+    /// Whether the damper keeps every limit. A limit that could not be tested is not kept.
+    pub passed: bool,
+    /// The same for the model.
+    pub model_passed: Option<bool>,
+    /// Every limit, in the order of the file.
+    pub limits: Vec<Checked>,
+    /// The points that the forces were read from.
+    pub peaks: Vec<PeakPoint>,
+}
+
+/// Compares limits with records, and with the forces of a model at the records' samples where there is one.
+pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
+    let measured = Figures::of(records, None);
+    let simulated = model.map(|forces| Figures::of(records, Some(forces)));
+    let verdict = |limit: &Limit, value: Option<&Value>| match value {
+        None => Verdict::NotTested,
+        Some(value) if limit.holds(value.value_n) => Verdict::Pass,
+        Some(_) => Verdict::Fail,
+    };
+    let limits: Vec<Checked> = limits
+        .iter()
+        .map(|limit| {
+            let found = measured.value(limit);
+            let by_model = simulated.as_ref().map(|figures| figures.value(limit));
+            Checked {
+                limit: limit.clone(),
+                verdict: verdict(limit, found.as_ref()),
+                model_verdict: by_model.as_ref().map(|value| verdict(limit, value.as_ref())),
+                measured: found,
+                model: by_model.flatten(),
+            }
+        })
+        .collect();
+    let peaks = measured.points().enumerate().map(|(k, point)| PeakPoint {
+        test: point.test.clone(),
+        amplitude_m: point.amplitude,
+        velocity_m_s: point.peak.velocity_m_s,
+        force_n: point.peak.force_n,
+        model_n: simulated.as_ref().and_then(|figures| figures.points().nth(k)).map(|p| p.peak.force_n),
+    });
+    Certificate {
+        passed: limits.iter().all(|l| l.verdict == Verdict::Pass),
+        model_passed: model.map(|_| limits.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
+        peaks: peaks.collect(),
+        limits,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+    use std::path::Path;
+
+    /// A damper of 2000 N s/m in rebound and 800 in compression, 30 N of friction and 150 N of gas force, with a loop.
+    fn test(name: &str, amplitude: f64, peak: f64) -> Record {
+        let (n, cycles, w) = (400, 4, peak / amplitude);
+        let mut record = Record {
+            name: name.into(),
+            amplitude,
+            frequency: w / TAU,
+            peak_velocity: peak,
+            cycles: (0..cycles).map(|c| n * c..n * (c + 1)).collect(),
+            ..Record::default()
+        };
+        for i in 0..n * cycles {
+            // Half a step off, so that no sample stands still.
+            let phase = TAU * (i as f64 + 0.5) / n as f64;
+            let v = peak * phase.cos();
+            record.time.push(phase / w);
+            record.displacement.push(amplitude * phase.sin());
+            record.velocity.push(v);
+            let damping = if v > 0.0 { 2000.0 } else { 800.0 };
+            record.force.push(damping * v + 30.0 * v.signum() - 150.0 + 40.0 * peak * phase.sin());
+        }
+        record
+    }
+
+    fn answer(text: &str, model: f64) -> Certificate {
+        let records = [test("fast", 0.05, 0.524), test("short", 0.005, 0.524), test("slow", 0.05, 0.0026)];
+        let records: Vec<&Record> = records.iter().collect();
+        let forces: Vec<Vec<f64>> = records.iter().map(|r| r.force.iter().map(|f| model * f).collect()).collect();
+        let forces: Vec<&[f64]> = forces.iter().map(Vec::as_slice).collect();
+        judge(&parse(Path::new("l.csv"), text).unwrap(), &records, Some(&forces))
+    }
+
+    #[test]
+    fn the_figures_are_those_of_the_damper() {
+        let found = answer(
+            "quantity,velocity_m_s,low,high\nforce,0.52,900,940\nforce,-0.52,-630,-580\ngas_force,,140,160\nfriction,,25,35\n\
+             hysteresis,0.52,0,60\n",
+            1.0,
+        );
+        let value = |k: usize| found.limits[k].measured.as_ref().unwrap().value_n;
+        // The mean over the samples within 2 % of the peak lies 0.7 % below it.
+        assert!((value(0) - (2000.0 * 0.5206 + 30.0 - 150.0)).abs() < 6.0, "{}", value(0));
+        assert!((value(1) + 800.0 * 0.5206 + 30.0 + 150.0).abs() < 4.0, "{}", value(1));
+        // At 2.3 mm/s, the median of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression: half the
+        // difference of the strokes is 33.2 N, and their mean is off by 1.4 N.
+        assert!((value(2) - 148.6).abs() < 0.5 && (value(3) - 33.2).abs() < 0.5, "{} {}", value(2), value(3));
+        assert!(value(4) > 10.0 && value(4) < 60.0, "{}", value(4));
+        assert!(found.passed && found.model_passed == Some(true), "{found:?}");
+        assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["fast"], "the longest stroke is read");
+    }
+
+    #[test]
+    fn one_window_missed_fails_the_damper_and_the_model_by_itself() {
+        let text = "quantity,velocity_m_s,low,high\nforce,0.52,900,940\n";
+        let high = answer(&text.replace("940", "910"), 1.0);
+        assert!(!high.passed && high.limits[0].verdict == Verdict::Fail);
+        let model = answer(text, 1.1);
+        assert!(model.passed && model.model_passed == Some(false));
+    }
+
+    #[test]
+    fn what_was_not_tested_is_no_pass() {
+        let found = answer("quantity,velocity_m_s,low,high\nforce,1.5,900,940\n", 1.0);
+        assert!(!found.passed && found.limits[0].verdict == Verdict::NotTested && found.limits[0].measured.is_none());
+    }
+
+    #[test]
+    fn a_stroke_can_be_asked_for() {
+        let found = answer("quantity,velocity_m_s,amplitude_m,low,high\nforce,0.52,0.005,900,940\n", 1.0);
+        assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["short"]);
+    }
+}

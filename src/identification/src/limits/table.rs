@@ -1,0 +1,283 @@
+//! The file of limits: one window a row, as a table that a spreadsheet writes.
+
+use dashpot_records::{Dimension, Unit};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// What is limited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Force at a peak velocity, signed: rebound velocity and tension positive, compression negative.
+    Force,
+    /// What pushes the rod out, from slow tests.
+    GasForce,
+    /// Half the difference between the strokes of slow tests.
+    Friction,
+    /// Mean gap between rising and falling velocity at equal velocity.
+    Hysteresis,
+}
+
+impl Quantity {
+    /// All, by the names used in files.
+    pub const NAMES: [(&'static str, Quantity); 4] = [
+        ("force", Quantity::Force),
+        ("gas_force", Quantity::GasForce),
+        ("friction", Quantity::Friction),
+        ("hysteresis", Quantity::Hysteresis),
+    ];
+}
+
+/// One window.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Limit {
+    /// Name given in the file; the quantity where it gives none.
+    pub name: String,
+    /// What is limited.
+    pub quantity: Quantity,
+    /// Speed at which, m/s, negative in compression.
+    pub velocity_m_s: Option<f64>,
+    /// Stroke at which, m; the longest that reaches the speed where none is given.
+    pub amplitude_m: Option<f64>,
+    /// Smallest value allowed, N.
+    pub low_n: Option<f64>,
+    /// Largest value allowed, N.
+    pub high_n: Option<f64>,
+    /// Line of the file.
+    pub line: u64,
+}
+
+impl Limit {
+    /// Whether a value lies in the window.
+    pub fn holds(&self, value_n: f64) -> bool {
+        self.low_n.is_none_or(|low| value_n >= low) && self.high_n.is_none_or(|high| value_n <= high)
+    }
+}
+
+/// Why a file of limits is refused.
+#[derive(Debug, thiserror::Error)]
+pub enum LimitError {
+    /// The file cannot be read.
+    #[error("{file}: cannot be read ({source})", file = .file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        #[source]
+        source: std::io::Error,
+    },
+    /// A line that says nothing sensible.
+    #[error("{file}, line {line}: {cause}", file = .file.display())]
+    Line {
+        /// The file.
+        file: PathBuf,
+        /// Its line, from 1.
+        line: u64,
+        /// What is wrong and what to do.
+        cause: String,
+    },
+}
+
+/// Columns understood; `low` and `high`, or `nominal` and `tolerance`, say the window.
+const COLUMNS: &str = "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, unit, name";
+
+/// Reads a file of limits.
+///
+/// # Errors
+/// [`LimitError`] with file, line and what to do.
+pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
+    let bytes = std::fs::read(file).map_err(|source| LimitError::Read { file: file.into(), source })?;
+    let text = String::from_utf8(bytes).map_err(|_| LimitError::Line {
+        file: file.into(),
+        line: 1,
+        cause: "is no UTF-8 text; save the table as CSV UTF-8".into(),
+    })?;
+    parse(file, &text)
+}
+
+/// Reads the text of a file of limits; `file` is for messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
+    let wrong = |line: u64, cause: String| LimitError::Line { file: file.into(), line, cause };
+    let text = text.trim_start_matches('\u{feff}');
+    // A spreadsheet that writes decimal commas separates by semicolons.
+    let first = text.lines().find(|l| !l.trim_start().starts_with('#')).unwrap_or_default();
+    let (delimiter, decimal_comma) = if first.contains(';') { (b';', true) } else { (b',', false) };
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter)
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let header: Vec<String> = reader
+        .headers()
+        .map_err(|e| wrong(1, e.to_string()))?
+        .iter()
+        .map(|h| h.to_ascii_lowercase().replace([' ', '-'], "_"))
+        .collect();
+    let known = ["quantity", "velocity_m_s", "low", "high", "nominal", "tolerance", "amplitude_m", "unit", "name"];
+    let header_line =
+        1 + text.lines().take_while(|l| l.trim().is_empty() || l.trim_start().starts_with('#')).count() as u64;
+    if let Some(other) = header.iter().find(|h| !known.contains(&h.as_str())) {
+        return Err(wrong(
+            header_line,
+            format!("there is no column {other:?} in a table of limits; the columns are {COLUMNS}"),
+        ));
+    }
+    if let Some(twice) = header.iter().enumerate().find_map(|(k, h)| header[..k].contains(h).then_some(h)) {
+        return Err(wrong(header_line, format!("the column {twice:?} stands there twice")));
+    }
+    if !header.iter().any(|h| h == "quantity") {
+        return Err(wrong(header_line, format!("the column quantity is missing; the columns are {COLUMNS}")));
+    }
+    let mut limits = Vec::new();
+    for row in reader.records() {
+        let row = row.map_err(|e| {
+            let line = e.position().map_or(1, csv::Position::line);
+            let cause = match e.kind() {
+                csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                    format!("has {len} fields where the header has {expected_len}")
+                }
+                _ => e.to_string(),
+            };
+            wrong(line, cause)
+        })?;
+        let line = row.position().map_or(1, csv::Position::line);
+        let cell =
+            |name: &str| header.iter().position(|h| h == name).and_then(|k| row.get(k)).filter(|cell| !cell.is_empty());
+        limits.push(limit(&cell, decimal_comma, line).map_err(|cause| wrong(line, cause))?);
+    }
+    if limits.is_empty() {
+        return Err(wrong(header_line, "has a header but no limit below it".into()));
+    }
+    Ok(limits)
+}
+
+fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
+    let plain = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
+    let value = plain.parse().ok().filter(|v: &f64| v.is_finite());
+    value.ok_or_else(|| format!("{name} is {text:?}, which is no number"))
+}
+
+fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line: u64) -> Result<Limit, String> {
+    let said = cell("quantity").unwrap_or_default();
+    let quantity = Quantity::NAMES
+        .iter()
+        .find(|(name, _)| *name == said.to_ascii_lowercase().replace([' ', '-'], "_"))
+        .map(|(_, quantity)| *quantity)
+        .ok_or_else(|| {
+            format!("{said:?} is nothing that can be limited; quantities are force, gas_force, friction, hysteresis")
+        })?;
+    let unit = match cell("unit") {
+        None => Unit::Newton,
+        Some(text) => text
+            .parse::<Unit>()
+            .ok()
+            .filter(|u| u.dimension() == Dimension::Force)
+            .ok_or_else(|| format!("the unit {text:?} is no unit of force; N, kN, daN, lbf are"))?,
+    };
+    let value = |name: &str| cell(name).map(|text| number(name, text, decimal_comma)).transpose();
+    let newton = |name: &str| Ok::<_, String>(value(name)?.map(|v| unit.to_si(v)));
+    let (mut low, mut high) = (newton("low")?, newton("high")?);
+    match (newton("nominal")?, cell("tolerance")) {
+        (None, None) => {}
+        (Some(nominal), Some(text)) if low.is_none() && high.is_none() => {
+            let size = match text.strip_suffix('%') {
+                Some(percent) => nominal.abs() * number("tolerance", percent.trim(), decimal_comma)? / 100.0,
+                None => unit.to_si(number("tolerance", text, decimal_comma)?),
+            };
+            if size < 0.0 {
+                return Err(format!("the tolerance {text:?} is negative"));
+            }
+            (low, high) = (Some(nominal - size), Some(nominal + size));
+        }
+        (Some(_), Some(_)) => return Err("give either low and high or nominal and tolerance, not both".into()),
+        _ => return Err("nominal and tolerance belong together (tolerance in the unit, or as 10 %)".into()),
+    }
+    let velocity_m_s = value("velocity_m_s")?;
+    let amplitude_m = value("amplitude_m")?;
+    match (low, high) {
+        (None, None) => return Err("neither low nor high is given; write at least one".into()),
+        (Some(low), Some(high)) if low > high => {
+            return Err(format!(
+                "low ({low} N) is above high ({high} N); forces are signed, so in compression the stronger force is the lower one"
+            ));
+        }
+        _ => {}
+    }
+    if quantity == Quantity::Force {
+        match velocity_m_s {
+            None => return Err("a force needs the speed at which it is limited, in velocity_m_s".into()),
+            Some(v) if v == 0.0 => {
+                return Err("there is no peak force at velocity 0; limit friction or gas_force instead".into());
+            }
+            Some(v) if v < 0.0 && low.is_some_and(|low| low > 0.0) => {
+                return Err("the force is positive at a negative velocity; compression has a negative velocity and a negative force here".into());
+            }
+            Some(_) => {}
+        }
+    }
+    if let Some(amplitude) = amplitude_m.filter(|a| *a <= 0.0) {
+        return Err(format!("the amplitude {amplitude} m is not positive"));
+    }
+    Ok(Limit {
+        name: cell("name").map_or_else(|| said.to_owned(), str::to_owned),
+        quantity,
+        velocity_m_s,
+        amplitude_m,
+        low_n: low,
+        high_n: high,
+        line,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Result<Vec<Limit>, String> {
+        parse(Path::new("oem.csv"), text).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn windows_are_read_in_both_manners() {
+        let limits = of("\u{feff}# front\nname,quantity,velocity_m_s,low,high,nominal,tolerance,unit\n\
+                         R0.5,force,0.524,0.9,,,,kN\nC0.5,force,-0.524,,,-600,10 %,N\n,friction,,,,30,5,\n")
+        .unwrap();
+        assert_eq!((limits[0].low_n, limits[0].high_n, limits[0].line), (Some(900.0), None, 3));
+        assert_eq!((limits[1].low_n, limits[1].high_n), (Some(-660.0), Some(-540.0)));
+        assert_eq!((limits[2].name.as_str(), limits[2].low_n, limits[2].high_n), ("friction", Some(25.0), Some(35.0)));
+        assert!(limits[1].holds(-660.0) && !limits[1].holds(-661.0));
+        let german = of("quantity;velocity_m_s;low;high\nforce;0,524;900,5;1000\n").unwrap();
+        assert_eq!((german[0].velocity_m_s, german[0].low_n), (Some(0.524), Some(900.5)));
+    }
+
+    #[test]
+    fn mistakes_are_told_with_file_and_line() {
+        let cases = [
+            ("quantity,low\nforce,1\n", "line 2: a force needs the speed"),
+            (
+                "quantity,velocity_m_s,low,high\nforce,-0.5,500,600\n",
+                "line 2: the force is positive at a negative velocity",
+            ),
+            ("quantity,velocity_m_s,low,high\nforce,-0.5,-500,-600\n", "the stronger force is the lower one"),
+            ("quantity,low,high\nfriction,,\n", "neither low nor high"),
+            ("quantity,low,high\nfriction,a,1\n", "low is \"a\", which is no number"),
+            ("quantity,low,high\nfriction,nan,1\n", "no number"),
+            ("quantity,low,high\nnoise,0,1\n", "\"noise\" is nothing that can be limited"),
+            ("quantity,low,high,unit\nfriction,0,1,mm\n", "no unit of force"),
+            ("quantity,lo\nfriction,0\n", "no column \"lo\""),
+            ("quantity,low\nfriction,0,1\n", "line 2: has 3 fields where the header has 2"),
+            ("low\n1\n", "the column quantity is missing"),
+            ("quantity,low,high\n", "no limit below it"),
+            ("", "quantity is missing"),
+            ("quantity,low,nominal,tolerance\nfriction,1,2,3\n", "not both"),
+            ("quantity,low,nominal,tolerance\nfriction,,2,\n", "belong together"),
+        ];
+        for (text, wanted) in cases {
+            let message = of(text).unwrap_err();
+            assert!(message.starts_with("oem.csv, line ") && message.contains(wanted), "{text:?}: {message}");
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed.
+//!
+//! | file | what |
+//! |---|---|
+//! | [`blocks`] | blocks and links, each checked against the file |
+//! | [`data`] | the records of a data group, from plain, listed and compressed blocks |
+//! | [`conversion`] | from stored numbers to physical ones |
+//! | this file | groups and channels, and which of them make a test |
+//!
+//! A group of channels with one time axis is a test; groups whose time axes are equal belong together, as loggers write one
+//! group a channel.
+
+mod blocks;
+mod conversion;
+mod data;
+
+use std::path::Path;
+
+use super::error::{Place, RecordError};
+use super::options::Options;
+use super::samples::Samples;
+use super::table::{Layout, Rows, is_header, no_header};
+use blocks::{Block, Mdf};
+use conversion::Conversion;
+
+/// What a message calls these files.
+const KIND: &str = "an MDF 4 file";
+/// Groups and channels of a group that a file may have: a rig has tens.
+const MOST: usize = 4096;
+/// Values that a file may hold beyond what its size explains, over all channels that are read.
+const VALUES: usize = 16 << 20;
+
+/// Reads the tests of one file.
+pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
+    if bytes.is_empty() {
+        return Err(RecordError::EmptyFile { file: file.into() });
+    }
+    let wrong = |cause: String| RecordError::Binary { file: file.into(), kind: KIND, cause };
+    let mdf = Mdf::new(&bytes).map_err(wrong)?;
+    let joined = joined(groups(&mdf).map_err(wrong)?);
+    let headers: Vec<Vec<&str>> = joined.iter().map(|g| g.channels.iter().map(|c| c.name.as_str()).collect()).collect();
+    let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
+    if recorded.is_empty() {
+        let all: Vec<&str> = headers.iter().flatten().copied().collect();
+        return Err(no_header(&Place::file(file), &all.join(", ")));
+    }
+    let mut tests = Vec::new();
+    for (number, k) in recorded.iter().enumerate() {
+        let (at, name) = if recorded.len() == 1 {
+            (Place::file(file), name.to_owned())
+        } else {
+            let part = format!("group {}", number + 1);
+            (Place { file: file.into(), part: Some(part) }, format!("{name} {}", number + 1))
+        };
+        let channels = &joined[*k].channels;
+        let units: Vec<&str> = channels.iter().map(|c| c.unit.as_str()).collect();
+        let layout = Layout::new(&at, 1, &headers[*k], Some(&units), options, false)?;
+        let mut rows = Rows::new(at, name, layout);
+        let columns: Vec<usize> = rows.layout().columns.iter().map(|c| c.index).collect();
+        for row in 0..joined[*k].rows {
+            rows.push(row + 1, columns.iter().map(|c| channels[*c].values[row]), None);
+        }
+        tests.extend(rows.finish(None)?);
+    }
+    Ok(tests)
+}
+
+/// A channel with its physical values.
+struct Channel {
+    name: String,
+    unit: String,
+    is_time: bool,
+    values: Vec<f64>,
+}
+
+/// Channels of one time axis.
+struct Group {
+    rows: usize,
+    channels: Vec<Channel>,
+}
+
+/// Where a channel's number stands in a record.
+struct Stored {
+    name: String,
+    unit: String,
+    is_time: bool,
+    /// Virtual: the number of the record itself.
+    counted: bool,
+    format: Format,
+    conversion: Conversion,
+}
+
+/// How a number is stored.
+struct Format {
+    kind: u8,
+    byte: usize,
+    bit: u32,
+    bits: u32,
+    big_endian: bool,
+}
+
+/// All groups of the file, channels read.
+fn groups(mdf: &Mdf<'_>) -> Result<Vec<Group>, String> {
+    let mut found = Vec::new();
+    let mut budget = VALUES.max(3 * mdf.len());
+    let header = mdf.block(64, "HD")?;
+    let mut next = header.link(0);
+    let mut steps = 0;
+    while next != 0 {
+        mdf.count(&mut steps)?;
+        let group = mdf.block(next, "DG")?;
+        next = group.link(0);
+        read_data_group(mdf, &group, &mut budget, &mut found)?;
+    }
+    Ok(found)
+}
+
+fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, budget: &mut usize, found: &mut Vec<Group>) -> Result<(), String> {
+    let id_size = usize::from(group.u8(0)?);
+    if ![0, 1, 2, 4, 8].contains(&id_size) {
+        return Err(format!("its record numbers have {id_size} bytes; 0, 1, 2, 4 or 8 are possible"));
+    }
+    let mut channel_groups = Vec::new();
+    let mut next = group.link(1);
+    let mut steps = 0;
+    while next != 0 {
+        mdf.count(&mut steps)?;
+        let block = mdf.block(next, "CG")?;
+        next = block.link(0);
+        let flags = block.u16(16)?;
+        let record = data::Record {
+            id: block.u64(0)?,
+            variable: flags & 1 != 0,
+            bytes: block.u32(24)? as usize + block.u32(28)? as usize,
+            count: block.u64(8)?,
+        };
+        let channels = if record.variable { Vec::new() } else { channels(mdf, block.link(1))? };
+        channel_groups.push((record, channels));
+        if channel_groups.len() > MOST {
+            return Err(format!("it has more than {MOST} groups of channels"));
+        }
+    }
+    let wanted = channel_groups.iter().any(|(_, channels)| !channels.is_empty());
+    if !wanted || group.link(2) == 0 {
+        return Ok(());
+    }
+    let layout: Vec<data::Record> = channel_groups.iter().map(|(record, _)| *record).collect();
+    let bytes = data::bytes(mdf, group.link(2))?;
+    let places = data::places(&bytes, id_size, &layout)?;
+    for ((record, channels), starts) in channel_groups.into_iter().zip(places) {
+        if channels.is_empty() || starts.is_empty() {
+            continue;
+        }
+        let values = starts.len().saturating_mul(channels.len());
+        *budget = budget.checked_sub(values).ok_or("it announces more values than it has room for")?;
+        let channels = channels
+            .into_iter()
+            .filter(|c| c.counted || c.format.fits(record.bytes))
+            .map(|c| {
+                let value = |(k, start): (usize, &usize)| {
+                    let raw = if c.counted { k as f64 } else { c.format.number(&bytes[*start..*start + record.bytes]) };
+                    c.conversion.physical(raw)
+                };
+                let values = starts.iter().enumerate().map(value).collect();
+                Channel { name: c.name, unit: c.unit, is_time: c.is_time, values }
+            })
+            .collect();
+        found.push(Group { rows: starts.len(), channels });
+    }
+    Ok(())
+}
+
+/// The numeric channels of a group.
+fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
+    const FIXED: u8 = 0;
+    const MASTER: u8 = 2;
+    const VIRTUAL_MASTER: u8 = 3;
+    const VIRTUAL: u8 = 6;
+    const TIME: u8 = 1;
+    let mut found = Vec::new();
+    let mut next = first;
+    let mut steps = 0;
+    while next != 0 {
+        mdf.count(&mut steps)?;
+        let block = mdf.block(next, "CN")?;
+        next = block.link(0);
+        let (kind, sync, data_type) = (block.u8(0)?, block.u8(1)?, block.u8(2)?);
+        let numeric = data_type <= 5;
+        if !numeric || ![FIXED, MASTER, VIRTUAL_MASTER, VIRTUAL].contains(&kind) {
+            continue;
+        }
+        let is_time = [MASTER, VIRTUAL_MASTER].contains(&kind) && sync <= TIME;
+        let conversion = Conversion::read(mdf, block.link(4))?;
+        let mut unit = mdf.text(block.link(6));
+        if unit.is_empty() {
+            unit = conversion.unit.clone();
+        }
+        if is_time && unit.is_empty() {
+            // The format measures master channels of time in seconds.
+            unit = "s".into();
+        }
+        let name = if is_time { "time".to_owned() } else { mdf.text(block.link(2)) };
+        let (bit, byte, bits) = (u32::from(block.u8(3)?), block.u32(4)? as usize, block.u32(8)?);
+        let format = Format { kind: data_type / 2, byte, bit, bits, big_endian: data_type % 2 == 1 };
+        let counted = [VIRTUAL_MASTER, VIRTUAL].contains(&kind);
+        found.push(Stored { name, unit, is_time, counted, format, conversion });
+        if found.len() > MOST {
+            return Err(format!("a group has more than {MOST} channels"));
+        }
+    }
+    Ok(found)
+}
+
+impl Format {
+    /// Bytes that the number takes.
+    fn width(&self) -> usize {
+        (self.bit as usize + self.bits as usize).div_ceil(8)
+    }
+
+    fn fits(&self, record: usize) -> bool {
+        let whole = match self.kind {
+            2 => self.bit == 0 && [32, 64].contains(&self.bits),
+            _ => self.bits > 0 && self.width() <= 8,
+        };
+        whole && self.byte.checked_add(self.width()).is_some_and(|end| end <= record)
+    }
+
+    /// The number in a record that it [`Self::fits`].
+    fn number(&self, record: &[u8]) -> f64 {
+        let stored = &record[self.byte..self.byte + self.width()];
+        let mut raw = [0_u8; 8];
+        raw[..stored.len()].copy_from_slice(stored);
+        if self.big_endian {
+            raw[..stored.len()].reverse();
+        }
+        let bits = u64::from_le_bytes(raw);
+        match (self.kind, self.bits) {
+            (2, 32) => f64::from(f32::from_bits(bits as u32)),
+            (2, _) => f64::from_bits(bits),
+            (kind, wide) => {
+                let shifted = bits >> self.bit;
+                let kept = if wide >= 64 { shifted } else { shifted & ((1 << wide) - 1) };
+                if kind == 1 && wide < 64 && kept >> (wide - 1) & 1 == 1 {
+                    (kept as i64 - (1_i64 << wide)) as f64
+                } else if kind == 1 {
+                    kept as i64 as f64
+                } else {
+                    kept as f64
+                }
+            }
+        }
+    }
+}
+
+/// Groups whose time axes are the same as one group; those without a time axis stay alone.
+fn joined(groups: Vec<Group>) -> Vec<Group> {
+    let mut joined: Vec<Group> = Vec::new();
+    for group in groups {
+        let own = group.channels.iter().position(|c| c.is_time);
+        let same = own.and_then(|own| {
+            let time = &group.channels[own].values;
+            joined.iter().position(|other| {
+                let theirs = other.channels.iter().find(|c| c.is_time);
+                // Bits, not values: a missing time is no time axis of another.
+                theirs.is_some_and(|t| {
+                    t.values.len() == time.len() && t.values.iter().zip(time).all(|(a, b)| a.to_bits() == b.to_bits())
+                })
+            })
+        });
+        match same {
+            Some(place) => joined[place].channels.extend(group.channels.into_iter().filter(|c| !c.is_time)),
+            None => joined.push(group),
+        }
+    }
+    joined
+}

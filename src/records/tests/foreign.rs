@@ -1,0 +1,53 @@
+//! Files that other people's writers made (`foreign/make.py`): each holds the same test, and each must give it back.
+
+use dashpot_records::{Options, Record, load};
+use std::f64::consts::TAU;
+use std::path::Path;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/foreign");
+
+fn only(name: &str) -> Record {
+    let file = Path::new(FOLDER).join(name);
+    let mut campaign = load(&[file], &Options::default(), &|_| ()).unwrap_or_else(|e| panic!("{name}: {e}"));
+    assert_eq!(campaign.records.len(), 1, "{name}");
+    campaign.records.remove(0)
+}
+
+/// The damper and the motion of `make.py`.
+fn check(name: &str, tolerance: f64) {
+    let record = only(name);
+    assert!((record.frequency - 2.0).abs() < 0.01, "{name}: {} Hz", record.frequency);
+    assert!((record.amplitude - 0.020).abs() < 2e-5, "{name}: {} m", record.amplitude);
+    let w = 2.0 * TAU;
+    for i in 0..record.time.len() {
+        // Velocity from the displacement alone, signed as the one that was derived: what the reader must not get wrong.
+        let x = record.displacement[i] / 0.020;
+        let v_true = (0.020 * w * (1.0 - (x * x).min(1.0)).sqrt()).copysign(record.velocity[i]);
+        // Near the ends of the stroke the root is steep in the displacement's last digit.
+        if v_true.abs() < 0.06 {
+            continue;
+        }
+        let force = if v_true > 0.0 { 1500.0 } else { 800.0 } * v_true + 40.0 * (v_true / 0.002).tanh();
+        assert!((record.force[i] - force).abs() < tolerance, "{name}, sample {i}: {} for {force}", record.force[i]);
+    }
+}
+
+#[test]
+fn mdf_of_asammdf() {
+    for name in ["plain.mf4", "deflated.mf4", "apart.mf4"] {
+        check(name, 1.0);
+    }
+    // Counts of a micrometre: the velocity near the end of the stroke follows from them.
+    check("transposed.mf4", 12.0);
+}
+
+#[test]
+fn mat_of_version_73_of_h5py() {
+    check("matlab73.mat", 1.0);
+}
+
+#[test]
+fn tdms_of_nptdms() {
+    check("time.tdms", 1.0);
+    check("waves.tdms", 1.0);
+}

@@ -1,0 +1,171 @@
+//! Pass or fail on a page: the verdict, the diagram with its windows, every limit, and what it was made from.
+
+use super::blocks::{Block, Column, Figure, Section, Table};
+use super::made::{self, Made};
+use super::numbers::{digits, error};
+use super::page;
+use crate::plot::peaks;
+use crate::plot::ticks::number;
+use crate::words::{Words, fill};
+use dashpot_identification::limits::{Certificate, Checked, Quantity, Value, Verdict};
+
+/// What a certificate is written from.
+#[derive(Debug, Clone)]
+pub struct CertificateInput<'a> {
+    /// The answers.
+    pub certificate: &'a Certificate,
+    /// Name of the data.
+    pub data: String,
+    /// Name of the file of limits.
+    pub limits: String,
+    /// Force of the model at constant velocity, m/s and N; may be empty.
+    pub curve: &'a [[f64; 2]],
+    /// What it was made from.
+    pub made: &'a Made,
+    /// The language.
+    pub words: &'a Words,
+}
+
+/// The certificate as a page by itself.
+pub fn render(input: &CertificateInput<'_>) -> String {
+    let words = input.words;
+    let figure = peaks::against_limits(input.certificate, input.curve, words);
+    let mut first = section(input.certificate, words);
+    let place = first.blocks.iter().position(|b| matches!(b, Block::Table(_))).unwrap_or(first.blocks.len());
+    if let Some(svg) = figure {
+        first.blocks.insert(place, Block::Wide(Figure::new("force-at-peak", svg)));
+    }
+    let subtitle = fill(words.certificate_subtitle, &[("data", &input.data), ("limits", &input.limits)]);
+    page::page(
+        words.certificate_title,
+        &subtitle,
+        &[first, made::section(input.made, words)],
+        words,
+        page::Print::Certificate,
+    )
+}
+
+/// The verdict with its limits, as a section of a report.
+pub fn section(found: &Certificate, words: &Words) -> Section {
+    let mut blocks = vec![Block::Verdict(found.passed, headline(found, words))];
+    if found.model_passed.is_some() {
+        let other = found.limits.iter().filter(|l| l.model_verdict.is_some_and(|v| v != l.verdict)).count();
+        blocks.push(Block::Paragraph(match other {
+            0 => words.certificate_model_passes.to_owned(),
+            _ => fill(words.certificate_model_fails, &[("count", &other.to_string())]),
+        }));
+    }
+    blocks.push(Block::Table(table(found, words)));
+    Section::new("limits", words.certificate_section, blocks)
+}
+
+fn headline(found: &Certificate, words: &Words) -> String {
+    let count = |verdict| found.limits.iter().filter(|l| l.verdict == verdict).count();
+    let (failed, untested) = (count(Verdict::Fail), count(Verdict::NotTested));
+    let text = match (failed, untested) {
+        (0, 0) => words.certificate_pass,
+        (_, 0) => words.certificate_fail,
+        _ => words.certificate_untested,
+    };
+    let [count, failed, untested] = [found.limits.len(), failed, untested].map(|n| n.to_string());
+    fill(text, &[("count", &count), ("failed", &failed), ("untested", &untested)])
+}
+
+fn table(found: &Certificate, words: &Words) -> Table {
+    let value = |v: Option<&Value>| v.map_or_else(|| "–".to_owned(), |v| error(v.value_n));
+    let bound = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), error);
+    let verdict = |v: Verdict| match v {
+        Verdict::Pass => words.pass,
+        Verdict::Fail => words.fail,
+        Verdict::NotTested => words.not_tested,
+    };
+    let row = |one: &Checked| {
+        let limit = &one.limit;
+        let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
+        vec![
+            label(one, words),
+            limit.velocity_m_s.map_or_else(|| "–".to_owned(), |v| number(v, 3)),
+            bound(limit.low_n),
+            bound(limit.high_n),
+            value(one.measured.as_ref()),
+            verdict(one.verdict).to_owned(),
+            value(one.model.as_ref()),
+            one.model_verdict.map_or("–", verdict).to_owned(),
+            tests,
+        ]
+    };
+    let columns = vec![
+        Column::words(words.col_limit),
+        Column::figures(words.col_at),
+        Column::figures(words.col_low_limit),
+        Column::figures(words.col_high_limit),
+        Column::figures(words.col_measured_n),
+        Column::words(words.col_verdict),
+        Column::figures(words.col_model_n),
+        Column::words(words.col_verdict),
+        Column::words(words.col_from),
+    ];
+    Table {
+        caption: words.certificate_caption.to_owned(),
+        columns,
+        rows: found.limits.iter().map(row).collect(),
+        sortable: false,
+    }
+}
+
+/// Names of tests; of many the first and the last.
+fn in_short(tests: &[String]) -> String {
+    match tests {
+        [first, .., last] if tests.len() > 3 => format!("{first} … {last} ({})", tests.len()),
+        few => few.join(", "),
+    }
+}
+
+/// What is limited: the name that the file gives it beside the quantity.
+fn label(one: &Checked, words: &Words) -> String {
+    let limit = &one.limit;
+    let quantity = match limit.quantity {
+        Quantity::Force if limit.velocity_m_s.unwrap_or(0.0) > 0.0 => words.force_rebound,
+        Quantity::Force => words.force_compression,
+        Quantity::GasForce => words.gas_force,
+        Quantity::Friction => words.friction,
+        Quantity::Hysteresis => words.hysteresis,
+    };
+    let stroke = limit.amplitude_m.map_or_else(String::new, |a| format!(" (±{} mm)", digits(1e3 * a, 3)));
+    let is_named = !Quantity::NAMES.iter().any(|(name, _)| limit.name.eq_ignore_ascii_case(name));
+    if is_named { format!("{}: {quantity}{stroke}", limit.name) } else { format!("{quantity}{stroke}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::of_test::tests::record;
+    use crate::words::Language;
+    use dashpot_identification::limits::{judge, parse};
+
+    fn page_of(text: &str, language: Language) -> String {
+        let record = record(4, true);
+        let found = judge(&parse("l.csv".as_ref(), text).unwrap(), &[&record], None);
+        render(&CertificateInput {
+            certificate: &found,
+            data: "rig".into(),
+            limits: "l.csv".into(),
+            curve: &[],
+            made: &Made::default(),
+            words: language.words(),
+        })
+    }
+
+    #[test]
+    fn the_verdict_stands_first_and_in_the_language_asked_for() {
+        let kept = "quantity,velocity_m_s,low,high\nforce,0.31,880,930\n";
+        assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all 1 limits."));
+        let missed = kept.replace("930", "890");
+        let german = page_of(&missed, Language::German);
+        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzen nicht ein."));
+        assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
+        let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
+        assert!(untested.contains("1 could not be tested") && untested.contains("NOT TESTED"));
+        assert!(untested.find("<svg").unwrap() < untested.find("<table").unwrap(), "picture before table");
+    }
+}

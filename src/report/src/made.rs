@@ -1,0 +1,123 @@
+//! What a report was made from, so that it can be made again: version, command, files with their hashes, and a date where one
+//! is given. The clock is not read: the same input gives the same bytes.
+
+use super::blocks::{Block, Column, Section, Table};
+use crate::words::{Words, fill};
+use sha2::{Digest as _, Sha256};
+use std::io::Read as _;
+use std::path::Path;
+
+/// A file that was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MadeFrom {
+    /// Its name as given.
+    pub name: String,
+    /// Its size.
+    pub bytes: u64,
+    /// SHA-256 of its content, hexadecimal.
+    pub sha256: String,
+}
+
+/// What a report was made from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Made {
+    /// Version of dashpot.
+    pub version: String,
+    /// Date given by the user or by `SOURCE_DATE_EPOCH`.
+    pub date: Option<String>,
+    /// The command without its outputs.
+    pub command: String,
+    /// Every file read.
+    pub files: Vec<MadeFrom>,
+}
+
+impl MadeFrom {
+    /// Looks at a file; `None` where it cannot be read again.
+    pub fn of(path: &Path) -> Option<Self> {
+        let mut file = std::fs::File::open(path).ok()?;
+        let (mut hash, mut bytes) = (Sha256::new(), 0);
+        let mut block = vec![0; 1 << 16];
+        loop {
+            let read = file.read(&mut block).ok()?;
+            if read == 0 {
+                break;
+            }
+            hash.update(&block[..read]);
+            bytes += read as u64;
+        }
+        Some(Self { name: path.display().to_string(), bytes, sha256: hexadecimal(hash.finalize().as_slice()) })
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
+}
+
+/// The last section of a report.
+pub fn section(made: &Made, words: &Words) -> Section {
+    let mut lines = vec![fill(words.made_version, &[("version", &made.version)])];
+    lines.extend(made.date.as_ref().map(|date| fill(words.made_date, &[("date", date)])));
+    if !made.command.is_empty() {
+        lines.push(fill(words.made_command, &[("command", &made.command)]));
+    }
+    lines.push(words.made_again.to_owned());
+    if made.files.len() > 1 {
+        let listed: String = made.files.iter().map(|f| format!("{}  {}\n", f.sha256, f.name)).collect();
+        let (count, hash) = (made.files.len().to_string(), hexadecimal(Sha256::digest(listed.as_bytes()).as_slice()));
+        lines.push(fill(words.made_all, &[("count", &count), ("hash", &hash)]));
+    }
+    let mut blocks: Vec<Block> = vec![Block::List(lines)];
+    if !made.files.is_empty() {
+        blocks.push(Block::Table(Table {
+            caption: words.made_files.to_owned(),
+            columns: vec![Column::words(words.col_file), Column::figures(words.col_bytes), Column::words("SHA-256")],
+            rows: made.files.iter().map(|f| vec![f.name.clone(), f.bytes.to_string(), f.sha256.clone()]).collect(),
+            sortable: false,
+        }));
+    }
+    Section::new("made", words.made_section, blocks)
+}
+
+/// A day of the Gregorian calendar from seconds since 1970, as `SOURCE_DATE_EPOCH` counts them.
+pub fn day_of(seconds: u64) -> String {
+    // Days are counted from 1 March of year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date
+    // algorithms).
+    let days = seconds / 86_400 + 719_468;
+    let (era, day_of_era) = (days / 146_097, days % 146_097);
+    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+    let year = 400 * era + year_of_era + u64::from(month <= 2);
+    format!("{year:04}-{month:02}-{day:02}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hash_is_that_of_sha256sum() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        std::fs::write(&path, "abc").unwrap();
+        let file = MadeFrom::of(&path).unwrap();
+        // FIPS 180-4, example of one block.
+        assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+        assert_eq!(file.bytes, 3);
+        assert!(MadeFrom::of(&folder.path().join("b")).is_none());
+    }
+
+    #[test]
+    fn days_are_those_of_the_calendar() {
+        for (seconds, day) in [
+            (0, "1970-01-01"),
+            (951_782_400, "2000-02-29"),
+            (1_735_689_599, "2024-12-31"),
+            (4_107_542_400, "2100-03-01"),
+        ] {
+            assert_eq!(day_of(seconds), day);
+        }
+    }
+}

@@ -1,0 +1,396 @@
+//! What a manoeuvre shows: the forces of the dampers with the model and with its FV curve alone, the road, the chassis, the
+//! region that the dampers saw, and the vehicle.
+
+use super::blocks::{Block, Column, Figure, Section, Table};
+use super::made::{self, Made};
+use super::numbers::{self, digits};
+use crate::plot::axes::{Axis, Marks, Plane, Series};
+use crate::plot::palette::Role;
+use crate::words::{Words, fill};
+use dashpot_records::Record;
+use dashpot_simulation::vehicle::{CORNERS, Car, Run, SLOW, Sample};
+use serde::Serialize;
+
+/// Region of displacement and velocity.
+#[derive(Serialize, Debug, Clone, Copy)]
+pub struct Region {
+    /// Displacement, m.
+    pub displacement_m: [f64; 2],
+    /// Velocity, m/s.
+    pub velocity_m_s: [f64; 2],
+}
+
+/// What one damper saw and gave.
+#[derive(Serialize, Debug, Clone)]
+pub struct CornerFigures {
+    /// Name of the corner.
+    pub corner: &'static str,
+    /// What the damper saw.
+    pub saw: Region,
+    /// Largest force with the model, N.
+    pub largest_force_n: f64,
+    /// Largest force with the curve, N.
+    pub largest_force_fv_n: f64,
+    /// rms of the difference of the two forces, N.
+    pub rms_force_difference_n: f64,
+    /// rms of the force with the model about its mean, N.
+    pub rms_force_n: f64,
+    /// Energy taken with the model, J.
+    pub energy_j: f64,
+    /// Energy taken with the curve, J.
+    pub energy_fv_j: f64,
+    /// Share of the time near which rig tests came.
+    pub share_inside_tests: Option<f64>,
+}
+
+/// What was driven, in figures; its JSON form is what `dashpot manoeuvre` writes.
+#[derive(Serialize, Debug, Clone)]
+pub struct Figures {
+    /// Name of the manoeuvre.
+    pub manoeuvre: String,
+    /// Step, s.
+    pub step_s: f64,
+    /// With the model and with the curve, m/s².
+    pub largest_heave_acceleration_m_s2: [f64; 2],
+    /// With the model and with the curve, m/s².
+    pub rms_heave_acceleration_m_s2: [f64; 2],
+    /// m.
+    pub rms_heave_difference_m: f64,
+    /// Largest c h / m.
+    pub coupling: f64,
+    /// The same where dampers move.
+    pub coupling_moving: f64,
+    /// Region that rig tests covered.
+    pub rig_tests: Option<Region>,
+    /// Every corner.
+    pub corners: Vec<CornerFigures>,
+}
+
+/// Points of displacement and velocity that the rig tests covered.
+#[derive(Debug, Clone)]
+pub struct Covered {
+    /// Their region.
+    pub region: Region,
+    /// Their loops.
+    pub loops: Vec<Vec<[f64; 2]>>,
+}
+
+fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
+    let empty = [f64::INFINITY, f64::NEG_INFINITY];
+    let (x, v) =
+        points.fold((empty, empty), |(x, v), [px, pv]| ([x[0].min(px), x[1].max(px)], [v[0].min(pv), v[1].max(pv)]));
+    Region { displacement_m: x, velocity_m_s: v }
+}
+
+impl Covered {
+    /// The loops of records.
+    pub fn of(records: &[Record]) -> Self {
+        let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
+        let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
+        Covered { region: region(loops.iter().flatten().copied()), loops }
+    }
+
+    /// Whether a test came near: within a tenth of the tests' region in both directions.
+    fn near(&self) -> impl Fn([f64; 2]) -> bool {
+        const CELLS: usize = 20;
+        let r = self.region;
+        let cell = move |value: f64, range: [f64; 2]| -> Option<usize> {
+            let place = (value - range[0]) / (range[1] - range[0]);
+            (0.0..=1.0).contains(&place).then_some(((place * CELLS as f64) as usize).min(CELLS - 1))
+        };
+        let mut seen = [[false; CELLS]; CELLS];
+        for [x, v] in self.loops.iter().flatten() {
+            if let (Some(i), Some(j)) = (cell(*x, r.displacement_m), cell(*v, r.velocity_m_s)) {
+                for row in &mut seen[i.saturating_sub(1)..=(i + 1).min(CELLS - 1)] {
+                    row[j.saturating_sub(1)..=(j + 1).min(CELLS - 1)].fill(true);
+                }
+            }
+        }
+        move |[x, v]| match (cell(x, r.displacement_m), cell(v, r.velocity_m_s)) {
+            (Some(i), Some(j)) => seen[i][j],
+            _ => false,
+        }
+    }
+}
+
+fn rms(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, n) = values.fold((0.0, 0_usize), |(s, n), v| (s + v * v, n + 1));
+    (sum / n.max(1) as f64).sqrt()
+}
+
+/// Measures what was driven.
+pub fn figures(name: &str, step: f64, model: &Run, curve: &Run, covered: Option<&Covered>) -> Figures {
+    let near = covered.map(Covered::near);
+    let largest = |run: &Run, of: &dyn Fn(&Sample) -> f64| run.samples.iter().fold(0.0_f64, |m, s| m.max(of(s).abs()));
+    let acceleration = |s: &Sample| s.body.heave_acceleration;
+    let both = || model.samples.iter().zip(&curve.samples);
+    let corners = (0..4)
+        .map(|i| {
+            let energy = |run: &Run| run.samples.iter().map(|s| s.corner[i].force * s.corner[i].velocity).sum::<f64>();
+            let points = || model.samples.iter().map(|s| [s.corner[i].displacement, s.corner[i].velocity]);
+            CornerFigures {
+                corner: CORNERS[i],
+                saw: region(points()),
+                largest_force_n: largest(model, &|s| s.corner[i].force),
+                largest_force_fv_n: largest(curve, &|s| s.corner[i].force),
+                rms_force_difference_n: rms(both().map(|(m, c)| m.corner[i].force - c.corner[i].force)),
+                rms_force_n: {
+                    let force = || model.samples.iter().map(|s| s.corner[i].force);
+                    let mean = force().sum::<f64>() / model.samples.len().max(1) as f64;
+                    rms(force().map(|f| f - mean))
+                },
+                energy_j: energy(model) * step,
+                energy_fv_j: energy(curve) * step,
+                share_inside_tests: near
+                    .as_ref()
+                    .map(|near| points().filter(|p| near(*p)).count() as f64 / model.samples.len() as f64),
+            }
+        })
+        .collect();
+    Figures {
+        manoeuvre: name.to_owned(),
+        step_s: step,
+        largest_heave_acceleration_m_s2: [largest(model, &acceleration), largest(curve, &acceleration)],
+        rms_heave_acceleration_m_s2: [model, curve].map(|run| rms(run.samples.iter().map(acceleration))),
+        rms_heave_difference_m: rms(both().map(|(m, c)| m.body.position[0] - c.body.position[0])),
+        coupling: model.coupling,
+        coupling_moving: model.coupling_moving,
+        rig_tests: covered.map(|c| c.region),
+        corners,
+    }
+}
+
+/// What a report of a manoeuvre is written from.
+#[derive(Debug, Clone)]
+pub struct ManoeuvreInput<'a> {
+    /// The figures.
+    pub figures: &'a Figures,
+    /// Name of the model file.
+    pub model_file: String,
+    /// Driven with the model.
+    pub model: &'a Run,
+    /// Driven with the FV curve.
+    pub curve: &'a Run,
+    /// Rig tests, where there are any.
+    pub covered: Option<&'a Covered>,
+    /// The vehicle.
+    pub car: &'a Car,
+    /// Its speed, m/s.
+    pub speed: f64,
+    /// What it was made from.
+    pub made: &'a Made,
+    /// The language.
+    pub words: &'a Words,
+}
+
+impl ManoeuvreInput<'_> {
+    /// The report as one HTML document.
+    pub fn render(&self) -> String {
+        let (words, f) = (self.words, self.figures);
+        let title = fill(words.manoeuvre_title, &[("name", &f.manoeuvre)]);
+        let step = digits(f.step_s, 3);
+        let subtitle = fill(words.manoeuvre_subtitle, &[("model", &self.model_file), ("step", &step)]);
+        crate::render_sections(&title, &subtitle, &self.sections(), words)
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let words = self.words;
+        let mut first = vec![Block::Lead(self.answer()), Block::Paragraph(self.chassis_in_words())];
+        first.extend(coupling_note(self.figures, self.car, words).map(Block::Warning));
+        vec![
+            Section::new("answer", words.answer, first),
+            self.forces(),
+            self.road(),
+            self.chassis(),
+            self.region(),
+            Section::new("corners", words.corners_table, vec![Block::Table(self.table())]),
+            self.vehicle(),
+            made::section(self.made, words),
+        ]
+    }
+
+    /// Where model and curve differ most.
+    fn answer(&self) -> String {
+        let by = |c: &CornerFigures| c.rms_force_difference_n;
+        let worst = self.figures.corners.iter().max_by(|a, b| by(a).total_cmp(&by(b)));
+        match worst.filter(|c| by(c) > 0.0) {
+            None => self.words.manoeuvre_answer_same.to_owned(),
+            Some(c) => fill(
+                self.words.manoeuvre_answer,
+                &[
+                    ("force", &numbers::force(c.largest_force_n)),
+                    ("curve", &numbers::force(c.largest_force_fv_n)),
+                    ("corner", c.corner),
+                    ("difference", &numbers::error(by(c))),
+                    ("share", &numbers::error(100.0 * by(c) / c.rms_force_n.max(f64::MIN_POSITIVE))),
+                ],
+            ),
+        }
+    }
+
+    fn chassis_in_words(&self) -> String {
+        let f = self.figures;
+        let [peak, peak_curve] = f.largest_heave_acceleration_m_s2.map(|a| digits(a, 3));
+        let [rms, rms_curve] = f.rms_heave_acceleration_m_s2.map(|a| digits(a, 3));
+        let heave = digits(1e3 * f.rms_heave_difference_m, 3);
+        let figures = [
+            ("peak", peak.as_str()),
+            ("peak_curve", &peak_curve),
+            ("rms", &rms),
+            ("rms_curve", &rms_curve),
+            ("heave", &heave),
+        ];
+        fill(self.words.manoeuvre_chassis, &figures)
+    }
+
+    /// Lines of both runs in drawing order: the model on top.
+    fn both(&self, point: &dyn Fn(&Sample) -> [f64; 2]) -> Vec<Series> {
+        vec![
+            series(Role::FvOnly, self.words.fv_curve, self.curve, point),
+            series(Role::Model, self.words.model, self.model, point),
+        ]
+    }
+
+    /// A figure over time, from beginning to end.
+    fn over_time(&self, title: String, y: &str, series: Vec<Series>) -> String {
+        let mut plane = plane(title, self.words.axis_time, y, series);
+        let end = self.model.samples.last().map_or(1.0, |s| s.time);
+        plane.x = Axis::exactly(self.words.axis_time, 0.0, end);
+        plane.draw_long()
+    }
+
+    fn forces(&self) -> Section {
+        let words = self.words;
+        let mut figures = Vec::new();
+        for (i, name) in CORNERS.into_iter().enumerate() {
+            let title = |text| fill(text, &[("corner", name)]);
+            let time = self.both(&|s: &Sample| [s.time, s.corner[i].force]);
+            let svg = self.over_time(title(words.corner_force_time), words.axis_force, time);
+            figures.push(Figure::new(format!("force-time-{name}"), svg));
+            let less = |(m, c): (&Sample, &Sample)| [m.time, m.corner[i].force - c.corner[i].force];
+            let lines = vec![self.model.samples.iter().zip(&self.curve.samples).map(less).collect()];
+            let less = Series { role: Role::Model, label: words.model, lines, marks: Marks::Line };
+            let svg = self.over_time(title(words.corner_difference), words.axis_difference, vec![less]);
+            figures.push(Figure::new(format!("difference-time-{name}"), svg));
+            // The curve last: it is narrow and would be buried under the model's loops.
+            let loops =
+                self.both(&|s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force]).into_iter().rev().collect();
+            let plane = plane(title(words.corner_force_velocity), words.axis_velocity, words.axis_force, loops);
+            figures.push(Figure::new(format!("force-velocity-{name}"), plane.draw_traces()));
+        }
+        Section::new("forces", words.corner_section, vec![Block::Figures(figures)])
+    }
+
+    fn road(&self) -> Section {
+        let words = self.words;
+        let side = |role, label, i: usize| series(role, label, self.model, &|s: &Sample| [s.time, 1e3 * s.road[i]]);
+        let lines = vec![side(Role::Measured, words.wheel_left, 0), side(Role::FvOnly, words.wheel_right, 1)];
+        let svg = self.over_time(words.plot_road.to_owned(), words.axis_road, lines);
+        let about = fill(words.road_caption, &[("speed", &digits(3.6 * self.speed, 3))]);
+        Section::new(
+            "road",
+            words.road_section,
+            vec![Block::Paragraph(about), Block::Figures(vec![Figure::new("road", svg)])],
+        )
+    }
+
+    fn chassis(&self) -> Section {
+        let words = self.words;
+        let of: [(&str, &str, &str, fn(&Sample) -> f64); 4] = [
+            ("heave", words.plot_heave, words.axis_heave, |s| 1e3 * s.body.position[0]),
+            ("acceleration", words.plot_heave_acceleration, words.axis_heave_acceleration, |s| {
+                s.body.heave_acceleration
+            }),
+            ("roll", words.plot_roll, words.axis_roll, |s| s.body.position[1].to_degrees()),
+            ("lateral", words.plot_lateral, words.axis_lateral, |s| s.body.lateral_acceleration),
+        ];
+        let figures = of.map(|(file, title, y, value)| {
+            let lines = self.both(&|s: &Sample| [s.time, value(s)]);
+            Figure::new(file, self.over_time(title.to_owned(), y, lines))
+        });
+        Section::new("chassis", words.chassis_section, vec![Block::Figures(figures.into())])
+    }
+
+    fn region(&self) -> Section {
+        let words = self.words;
+        let figures = (0..4)
+            .map(|i| {
+                let point = |s: &Sample| [1e3 * s.corner[i].displacement, 1e3 * s.corner[i].velocity];
+                let mut all = Vec::new();
+                if let Some(c) = self.covered {
+                    let milli = |line: &Vec<[f64; 2]>| line.iter().map(|p| [1e3 * p[0], 1e3 * p[1]]).collect();
+                    let lines = c.loops.iter().map(milli).collect();
+                    all.push(Series { role: Role::Measured, label: words.rig_tests, lines, marks: Marks::Line });
+                }
+                all.push(series(Role::Model, words.in_vehicle, self.model, &point));
+                let title = fill(words.plot_region, &[("corner", CORNERS[i])]);
+                let plane = plane(title, words.axis_displacement, words.axis_velocity, all);
+                Figure::new(format!("region-{}", CORNERS[i]), plane.draw_traces())
+            })
+            .collect();
+        let told = if self.covered.is_some() { words.region_with_tests } else { words.region_without_tests };
+        Section::new("region", words.region_section, vec![Block::Paragraph(told.into()), Block::Figures(figures)])
+    }
+
+    fn table(&self) -> Table {
+        let words = self.words;
+        let mut columns = vec![Column::words(words.col_corner)];
+        columns.extend([words.saw_displacement, words.saw_velocity].map(Column::figures));
+        let two = [words.model, words.col_curve];
+        columns.extend(two.map(|name| Column::figures(name).of(words.group_largest_force)));
+        columns.push(Column::figures(words.col_rms_difference));
+        columns.extend(two.map(|name| Column::figures(name).of(words.group_energy_j)));
+        let near = self.covered.is_some();
+        columns.extend(near.then(|| Column::figures(words.col_near_tests)));
+        let rows = self.figures.corners.iter().map(|c| {
+            let mut row = vec![
+                c.corner.to_owned(),
+                span(c.saw.displacement_m),
+                span(c.saw.velocity_m_s),
+                numbers::force(c.largest_force_n),
+                numbers::force(c.largest_force_fv_n),
+                numbers::error(c.rms_force_difference_n),
+                numbers::error(c.energy_j),
+                numbers::error(c.energy_fv_j),
+            ];
+            row.extend(near.then(|| numbers::error(100.0 * c.share_inside_tests.unwrap_or(0.0))));
+            row
+        });
+        Table { caption: words.corners_caption.to_owned(), columns, rows: rows.collect(), sortable: false }
+    }
+
+    fn vehicle(&self) -> Section {
+        let words = self.words;
+        let values = self.car.values();
+        let rows = values.iter().map(|v| vec![v.name.to_owned(), digits(v.value, 4), v.unit.to_owned()]);
+        let columns =
+            vec![Column::words(words.col_name), Column::figures(words.col_value), Column::words(words.col_unit)];
+        let table = Table { caption: words.vehicle_caption.to_owned(), columns, rows: rows.collect(), sortable: false };
+        Section::new("vehicle", words.vehicle_section, vec![Block::Table(table)])
+    }
+}
+
+/// What the exchange of force and motion asks of a host, where it asks anything.
+pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
+    let [all, moving, mass, slow] =
+        [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));
+    let figures = [("all", all.as_str()), ("moving", &moving), ("mass", &mass), ("slow", &slow)];
+    if f.coupling_moving > 1.0 {
+        return Some(fill(words.coupling_unstable, &figures));
+    }
+    (f.coupling > 1.0).then(|| fill(words.coupling_chatter, &figures))
+}
+
+/// A range in mm or mm/s.
+pub fn span(range: [f64; 2]) -> String {
+    format!("{} … {}", numbers::error(1e3 * range[0]), numbers::error(1e3 * range[1]))
+}
+
+fn plane(title: String, x: &str, y: &str, series: Vec<Series>) -> Plane {
+    let along = |k: usize| -> Vec<f64> { series.iter().flat_map(|s| s.lines.concat()).map(|p| p[k]).collect() };
+    Plane { title, x: Axis::around(x, along(0)), y: Axis::around(y, along(1)), series }
+}
+
+fn series(role: Role, label: &'static str, run: &Run, point: &dyn Fn(&Sample) -> [f64; 2]) -> Series {
+    Series { role, label, lines: vec![run.samples.iter().map(point).collect()], marks: Marks::Line }
+}

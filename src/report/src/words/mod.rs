@@ -1,0 +1,343 @@
+//! All text of the reports, in the languages that they are written in.
+//!
+//! Every language is one value of [`Words`]: the compiler refuses a language that lacks a text. Sentences with figures carry
+//! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What a reader of records noticed, and
+//! the meaning of parameters, come from other crates and stay English.
+
+mod de;
+mod en;
+mod fr;
+mod zh;
+
+pub use de::DE;
+pub use en::EN;
+pub use fr::FR;
+pub use zh::ZH;
+
+/// A language of the reports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Language {
+    /// English.
+    #[default]
+    English,
+    /// German.
+    German,
+    /// French.
+    French,
+    /// Chinese, simplified.
+    Chinese,
+}
+
+impl Language {
+    /// All, by the code that users write.
+    pub const ALL: [(&'static str, Language); 4] =
+        [("en", Language::English), ("de", Language::German), ("fr", Language::French), ("zh", Language::Chinese)];
+
+    /// Its texts.
+    pub fn words(self) -> &'static Words {
+        match self {
+            Language::English => &EN,
+            Language::German => &DE,
+            Language::French => &FR,
+            Language::Chinese => &ZH,
+        }
+    }
+}
+
+impl std::str::FromStr for Language {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.iter().find(|(code, _)| code.eq_ignore_ascii_case(text.trim()));
+        found
+            .map(|(_, language)| *language)
+            .ok_or_else(|| format!("reports are written in en, de, fr and zh, not {text:?}"))
+    }
+}
+
+/// A text with its figures put in, by name.
+pub fn fill(text: &str, figures: &[(&str, &str)]) -> String {
+    figures.iter().fold(text.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), value))
+}
+
+macro_rules! words {
+    ($($name:ident),* $(,)?) => {
+        /// Every text of the reports in one language.
+        #[derive(Debug, Clone, Copy)]
+        #[allow(missing_docs)] // the English text is the meaning
+        pub struct Words { $(pub $name: &'static str),* }
+
+        impl Words {
+            /// Every text with its name.
+            pub fn all(&self) -> Vec<(&'static str, &'static str)> {
+                vec![$((stringify!($name), self.$name)),*]
+            }
+        }
+    };
+}
+
+words!(
+    // The page.
+    code,
+    note,
+    all_tests_shown,
+    previous,
+    next,
+    test_shown,
+    figure_help,
+    zoom_reset,
+    save_table,
+    sort_help,
+    printed_brief,
+    // Figures.
+    measured,
+    model,
+    fv_curve,
+    noise_alone,
+    axis_velocity,
+    axis_displacement,
+    axis_force,
+    axis_error,
+    axis_time,
+    axis_gap,
+    axis_error_percent,
+    axis_peak_velocity,
+    axis_amplitude,
+    plot_force_velocity,
+    plot_force_displacement,
+    plot_force_time,
+    plot_error_velocity,
+    plot_error_displacement,
+    plot_force_space,
+    plot_error_space,
+    plot_gap,
+    plot_error_of_tests,
+    plot_error_map,
+    plot_error_map_note,
+    plot_peaks,
+    identified_curve,
+    measured_peaks,
+    model_peaks,
+    window,
+    // Validation: title and answer.
+    title_validation,
+    subtitle_validation,
+    answer,
+    over_one_test,
+    over_tests,
+    headline,
+    verdict_exact,
+    verdict_smaller,
+    verdict_same,
+    verdict_larger,
+    closer_in,
+    left_out_figures,
+    left_out_sentence,
+    only_fitted,
+    largest_error,
+    noise_sentence,
+    // Its sections.
+    fv_section,
+    fv_caption,
+    worst_section,
+    worst_caption,
+    matrix_section,
+    key_section,
+    tests_section,
+    single_section,
+    single_about,
+    single_most,
+    hysteresis_section,
+    identification_section,
+    parameters_section,
+    parameters_range,
+    made_section,
+    // Tables.
+    col_tests,
+    col_number,
+    col_force_of,
+    col_mean_error,
+    col_error_percent,
+    col_region1,
+    col_region2,
+    col_rms,
+    col_test,
+    col_amplitude,
+    col_frequency,
+    col_peak_velocity,
+    col_max_force,
+    col_in_fit,
+    yes,
+    no,
+    group_curve,
+    all_tests,
+    used_in_fit,
+    left_out_of_fit,
+    key_caption,
+    row_rule,
+    by_amplitude,
+    by_peak_velocity,
+    tests_caption,
+    row_amplitude,
+    row_peak_velocity,
+    row_slow,
+    row_not_periodic,
+    col_cycles,
+    group_gap,
+    group_gap_error,
+    group_area,
+    group_energy,
+    col_measured,
+    col_curve,
+    hysteresis_caption,
+    col_name,
+    col_value,
+    col_unit,
+    col_low,
+    col_high,
+    col_source,
+    col_note,
+    not_identified,
+    // Single tests.
+    notes_of_test,
+    motion_periodic,
+    motion_other,
+    temperature,
+    force_noise,
+    test_used,
+    test_left_out,
+    test_sentence,
+    // The literature.
+    against_section,
+    against_about,
+    against_caption,
+    col_model,
+    col_meaning,
+    // Limits.
+    certificate_title,
+    certificate_subtitle,
+    certificate_section,
+    certificate_pass,
+    certificate_fail,
+    certificate_untested,
+    certificate_model_passes,
+    certificate_model_fails,
+    certificate_caption,
+    col_limit,
+    col_at,
+    col_low_limit,
+    col_high_limit,
+    col_measured_n,
+    col_model_n,
+    col_verdict,
+    col_from,
+    pass,
+    fail,
+    not_tested,
+    force_rebound,
+    force_compression,
+    gas_force,
+    friction,
+    hysteresis,
+    // How it was made.
+    made_version,
+    made_date,
+    made_command,
+    made_again,
+    col_file,
+    col_bytes,
+    made_all,
+    made_files,
+    // Manoeuvres.
+    manoeuvre_title,
+    manoeuvre_subtitle,
+    manoeuvre_answer,
+    manoeuvre_answer_same,
+    manoeuvre_chassis,
+    corner_section,
+    corner_force_velocity,
+    corner_force_time,
+    corner_difference,
+    axis_difference,
+    corners_table,
+    corners_caption,
+    col_corner,
+    group_largest_force,
+    group_energy_j,
+    col_rms_difference,
+    road_section,
+    road_caption,
+    plot_road,
+    axis_road,
+    chassis_section,
+    plot_heave,
+    plot_heave_acceleration,
+    plot_roll,
+    plot_lateral,
+    axis_heave,
+    axis_heave_acceleration,
+    axis_roll,
+    axis_lateral,
+    region_section,
+    region_with_tests,
+    region_without_tests,
+    plot_region,
+    in_vehicle,
+    rig_tests,
+    vehicle_section,
+    vehicle_caption,
+    wheel_left,
+    wheel_right,
+    coupling_unstable,
+    coupling_chatter,
+    col_near_tests,
+    saw_displacement,
+    saw_velocity,
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// Names of the figures that a text takes.
+    fn figures(text: &str) -> BTreeSet<&str> {
+        text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect()
+    }
+
+    #[test]
+    fn every_language_has_every_text_with_the_same_figures() {
+        for (code, language) in Language::ALL {
+            let words = language.words();
+            assert_eq!(words.code, code);
+            for ((name, text), (_, english)) in words.all().into_iter().zip(EN.all()) {
+                assert!(!text.trim().is_empty(), "{code}: {name} is empty");
+                assert_eq!(figures(text), figures(english), "{code}: {name}");
+                // Sentences are translated, not copied.
+                let is_sentence = english.split(' ').count() > 3;
+                assert!(language == Language::English || !is_sentence || text != english, "{code}: {name}");
+            }
+        }
+    }
+
+    #[test]
+    fn titles_of_axes_end_with_their_unit() {
+        // The read-out of the figures takes name and unit from here.
+        for (code, language) in Language::ALL {
+            for (name, text) in language.words().all().into_iter().filter(|(name, _)| name.starts_with("axis_")) {
+                assert!(text.contains(", "), "{code}: {name} is {text:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn languages_are_asked_for_by_their_code() {
+        assert_eq!("DE".parse(), Ok(Language::German));
+        assert!("klingon".parse::<Language>().unwrap_err().contains("en, de, fr and zh"));
+    }
+
+    #[test]
+    fn figures_are_put_in_by_name() {
+        assert_eq!(fill("{a} of {b}, {a}", &[("a", "1"), ("b", "{a}")]), "1 of {a}, 1");
+    }
+}

@@ -1,0 +1,100 @@
+//! `--limits`: a damper that passes, one that fails, and limits that nobody could test, through the command.
+
+use dashpot_tests::cli::{campaign_folder, done, json, refused, run};
+use std::fs;
+use std::path::Path;
+
+/// A model of the records, quickly made.
+fn model(dir: &Path) {
+    done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
+}
+
+/// What the rig measured at a speed, from the figures.
+fn peak(dir: &Path, velocity: f64) -> [f64; 2] {
+    let figures = json(&dir.join("v.json"));
+    let peaks = figures["tests"].as_array().unwrap().iter().flat_map(|t| t["peaks"].as_array().unwrap().clone());
+    let of = |p: &serde_json::Value| [p["velocity_m_s"].as_f64().unwrap(), p["force_n"]["measured"].as_f64().unwrap()];
+    peaks.map(|p| of(&p)).min_by(|a, b| (a[0] - velocity).abs().total_cmp(&(b[0] - velocity).abs())).unwrap()
+}
+
+#[test]
+fn a_damper_passes_or_fails_by_its_windows() {
+    let folder = campaign_folder();
+    let dir = folder.path();
+    model(dir);
+    done(dir, &["validate", "m.toml", "records", "--json", "v.json"]);
+    let ([vr, fr], [vc, fc]) = (peak(dir, 1.047), peak(dir, -1.047));
+    let windows = |width: f64| {
+        format!(
+            "name,quantity,velocity_m_s,nominal,tolerance,low,high\nR1,force,{vr},{fr},{width} %,,\nC1,force,{vc},{fc},{width} %,,\n\
+             ,friction,,,,0,500\n,gas_force,,,,-1000,1000\n,hysteresis,{vr},,,,1000\n"
+        )
+    };
+    fs::write(dir.join("l.csv"), windows(10.0)).unwrap();
+    let args = ["validate", "m.toml", "records", "--limits", "l.csv", "--json", "c.json", "--certificate", "c.html"];
+    let passed = run(dir, &args);
+    assert_eq!(passed.code, Some(0), "{passed:?}");
+    assert!(passed.out.contains("PASS: all 5 limits are kept"), "{}", passed.out);
+    assert_eq!(json(&dir.join("c.json"))["limits"]["passed"], true);
+    let page = fs::read_to_string(dir.join("c.html")).unwrap();
+    assert!(
+        page.contains("PASS. The damper keeps all 5 limits.") && page.contains("l.csv") && page.contains("SHA-256")
+    );
+    assert_eq!(run(dir, &args).code, Some(0));
+    assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");
+    // The rebound window beside the damper: fail, with 1, and the limit is named.
+    fs::write(dir.join("l.csv"), windows(10.0).replace(&format!("{fr},10 %"), &format!("{},10 %", 1.3 * fr))).unwrap();
+    let german = [&args[..], &["--report", "r.html", "--language", "de", "--date", "2024-05-17"]].concat();
+    let failed = run(dir, &german);
+    assert_eq!(failed.code, Some(1), "{failed:?}");
+    assert!(failed.out.contains("FAIL: 1 of 5 limits are not kept"), "{}", failed.out);
+    let report = fs::read_to_string(dir.join("r.html")).unwrap();
+    assert!(
+        report.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 5 Grenzen nicht ein.")
+            && report.contains("2024-05-17")
+    );
+    // A speed that no test has is no pass.
+    fs::write(dir.join("l.csv"), "quantity,velocity_m_s,low,high\nforce,9,0,1e6\n").unwrap();
+    let untested = run(dir, &args);
+    assert!(untested.code == Some(1) && untested.out.contains("NOT TESTED"), "{untested:?}");
+}
+
+#[test]
+fn mistakes_in_limits_are_told_before_any_work() {
+    let folder = campaign_folder();
+    let dir = folder.path();
+    model(dir);
+    fs::write(dir.join("l.csv"), "quantity,velocity_m_s,low,high\nforce,-0.5,100,200\n").unwrap();
+    let told = refused(dir, &["validate", "m.toml", "records", "--limits", "l.csv", "--certificate", "c.html"]);
+    assert!(told.contains("l.csv, line 2") && told.contains("compression"), "{told}");
+    assert!(refused(dir, &["validate", "m.toml", "records", "--limits", "none.csv"]).contains("none.csv"));
+    assert!(refused(dir, &["validate", "m.toml", "records", "--certificate", "c.html"]).contains("--limits"));
+    assert!(refused(dir, &["validate", "m.toml", "records", "--language", "it"]).contains("en, de, fr and zh"));
+}
+
+#[test]
+fn a_table_of_peaks_starts_a_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    fs::write(
+        dir.join("pvp.csv"),
+        "Velocity [mm/s],Rebound [N],Compression [N]\n100,350,-290\n500,1100,-700\n1000,1900,-1000\n",
+    )
+    .unwrap();
+    done(dir, &["import", "peaks", "pvp.csv", "-o", "m.toml", "--gas-force", "100", "--friction", "40"]);
+    fs::write(dir.join("motion.csv"), motion()).unwrap();
+    done(dir, &["simulate", "m.toml", "motion.csv", "-o", "f.csv"]);
+    let (_, rows) = dashpot_tests::cli::table(&dir.join("f.csv"));
+    // At a steady 0.5 m/s the table's own force comes back: friction and gas force taken out and put in again.
+    let last = rows.last().unwrap();
+    assert!((last[1] - 1100.0).abs() < 2.0, "{last:?}");
+    fs::write(dir.join("pvp.csv"), "velocity_m_s,force_N\n0.1,300\n0.5,250\n-0.1,-300\n").unwrap();
+    let told = refused(dir, &["import", "peaks", "pvp.csv", "-o", "n.toml"]);
+    assert!(told.contains("pvp.csv, line 3") && told.contains("weaker"), "{told}");
+}
+
+/// Half a second at 0.5 m/s.
+fn motion() -> String {
+    let row = |i: i32| format!("{},{},0.5\n", 1e-3 * f64::from(i), 0.5e-3 * f64::from(i));
+    "time_s,displacement_m,velocity_m_s\n".to_owned() + &(0..500).map(row).collect::<String>()
+}
