@@ -11,12 +11,14 @@ use dashpot_core::{Model, Params};
 use dashpot_hosts::adams::folder;
 use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
 use dashpot_hosts::{fmu, runtimes};
+use dashpot_identification::model_file;
 use dashpot_identification::validation::validate;
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Profile, profile};
-use dashpot_report::ReportInput;
 use dashpot_report::diagnosis::DiagnosisReport;
+use dashpot_report::{Made, Print, ReportInput};
 use dashpot_rig::Matrix;
+use dashpot_simulation::comparison::at_constant_velocity;
 use std::path::{Path, PathBuf};
 
 /// A host that a model is exported to.
@@ -120,13 +122,18 @@ impl Session {
             let compared = compared(&file, &loaded, &ticked, report)?;
             let validation = validate(&compared).map_err(|e| e.to_string())?;
             let input = ReportInput {
-                title: "Damper model against rig records".to_owned(),
+                words: &dashpot_report::words::EN,
+                print: Print::Brief,
+                made: Made { version: env!("CARGO_PKG_VERSION").to_owned(), ..Made::default() },
+                curve: at_constant_velocity(
+                    &model_file::prepared(&file.params).map_err(|e| e.to_string())?,
+                    &validation,
+                ),
                 model_file: named,
                 data: loaded.named(),
                 validation: &validation,
                 tests: &compared,
                 parameters: Vec::new(),
-                parameter_range: String::new(),
                 identification: Vec::new(),
                 extra: Vec::new(),
             };
@@ -156,6 +163,7 @@ impl Session {
                 found: &found,
                 records: &records,
                 reading: loaded.campaign.notes.iter().map(|n| n.text.clone()).collect(),
+                over_whole_records: String::new(),
                 parameters: Vec::new(),
             };
             checked(&path, Kind::Report).map_err(|e| told(&e))?;

@@ -8,7 +8,7 @@ use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};
 use crate::words::Words;
 use dashpot_core::parameter::find;
-use dashpot_report::plot::axes::{Axis, Plane, Series};
+use dashpot_report::plot::axes::{Axis, Marks, Plane, Series};
 use dashpot_report::plot::palette::Role;
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, Ui, Vec2, WidgetInfo};
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
@@ -108,7 +108,7 @@ fn svg(title: &str, axes: Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>) -> St
     for (role, _, points) in lines {
         match series.iter_mut().find(|s| s.role == role) {
             Some(known) => known.lines.push(points),
-            None => series.push(Series { role, label: role_name(role), lines: vec![points], dotted: false }),
+            None => series.push(Series { role, label: role_name(role), lines: vec![points], marks: Marks::Line }),
         }
     }
     Plane {

@@ -17,7 +17,6 @@ use dashpot_report::against::{self, Rival};
 use dashpot_report::certificate::{self, CertificateInput};
 use dashpot_report::{Block, Made, ParameterRow, ReportInput};
 use dashpot_simulation::comparison;
-use dashpot_simulation::prediction::at_velocities;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -306,7 +305,7 @@ pub fn report_input<'a>(
         words: page.words(),
         print: page.print(),
         made,
-        curve: at_constant_velocity(&prepared(&model.params)?, validation),
+        curve: comparison::at_constant_velocity(&prepared(&model.params)?, validation),
         model_file: model_path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
         data: data.to_owned(),
         validation,
@@ -315,27 +314,6 @@ pub fn report_input<'a>(
         identification,
         extra: Vec::new(),
     })
-}
-
-/// The model's force at constant velocities over what the tests reach: close near zero, where friction and bleed make the
-/// shape.
-fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
-    /// Points to each side of zero.
-    const POINTS: i32 = 120;
-    let reach = |sign: f64| {
-        let peaks = validation.tests.iter().flat_map(|t| &t.peaks).map(|p| sign * p.velocity_m_s);
-        sign * peaks.fold(0.0, f64::max)
-    };
-    let (low, high) = (reach(-1.0), reach(1.0));
-    let side = |end: f64| {
-        move |k: i32| {
-            let share = f64::from(k) / f64::from(POINTS);
-            end * share * share
-        }
-    };
-    let velocities: Vec<f64> =
-        (1..=POINTS).rev().map(side(low)).chain(std::iter::once(0.0)).chain((1..=POINTS).map(side(high))).collect();
-    at_velocities(model, &velocities)
 }
 
 fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {

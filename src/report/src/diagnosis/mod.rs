@@ -40,7 +40,7 @@ pub struct DiagnosisReport<'a> {
     pub records: &'a [&'a Record],
     /// Remarks on reading: the sign that was worked out, what cleaning noticed.
     pub reading: Vec<String>,
-    /// What `dashpot validate` says of the models in it, in a sentence.
+    /// What `dashpot validate` says of the models in it, in a sentence; empty where nobody asked.
     pub over_whole_records: String,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
@@ -73,7 +73,9 @@ impl DiagnosisReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let found = self.found;
         let mut sections = vec![answer::section(found), places::section(found)];
-        sections[0].blocks.push(Block::Paragraph(self.over_whole_records.clone()));
+        if !self.over_whole_records.is_empty() {
+            sections[0].blocks.push(Block::Paragraph(self.over_whole_records.clone()));
+        }
         sections.extend(findings::section(found));
         sections.extend(loops::section(found));
         sections.extend(matrix::section(found, self.records));

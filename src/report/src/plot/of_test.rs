@@ -154,6 +154,7 @@ fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
 }
 
 #[cfg(test)]
+/// Tests, and what those of other pictures share.
 pub mod tests {
     use super::*;
     use dashpot_records::Record;
