@@ -1,7 +1,7 @@
 //! The Python package as its user gets it: built as a wheel, installed where nothing of the source tree is on the path, and tested there.
 //!
 //! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
-//! is no part of `cargo test --release` but a line of its own in `.ci/run` (`-- --ignored`).
+//! is no part of `cargo test --release`: `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
 
 use dashpot_tests::cli::program;
 use dashpot_tests::library::{directory, root};
@@ -51,7 +51,7 @@ fn environment(target: &Path) -> Option<PathBuf> {
 }
 
 #[test]
-#[ignore = "builds the workspace once more for the wheel; .ci/run has a line for it"]
+#[ignore = "builds the workspace once more for the wheel and installs half a gigabyte: run it with -- --ignored"]
 fn the_wheel_does_what_the_command_does() {
     let test = std::env::current_exe().expect("the path of this test");
     let target = test.ancestors().nth(3).expect("a target directory");
