@@ -127,8 +127,12 @@ impl Explained {
 
 /// The likeliest effect of a look where it is likely enough to be added.
 fn likely(round: &Round) -> Option<&Tried> {
-    // What is left beside a name is partly of that name's form, which is alike in all tests.
-    let odds = round.odds(if round.is_later { SURE } else { SUSPECTED });
+    // What is left beside a name is partly of that name's form, which is alike in all tests: whether anything more is missing is asked with
+    // few independent samples, which of the names it is with as many as ever.
+    if round.is_later && round.odds(SURE).effects.values().sum::<f64>() < NAMED {
+        return None;
+    }
+    let odds = round.odds(SUSPECTED);
     let (effect, _) = odds.effects.iter().filter(|(_, p)| **p >= NAMED).max_by(|a, b| a.1.total_cmp(b.1))?;
     round.tried.iter().find(|t| t.candidate.effect == *effect)
 }
