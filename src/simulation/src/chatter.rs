@@ -57,24 +57,39 @@ const ITS_DOING: f64 = 0.3;
 const FRICTION: [(&str, &str); 2] =
     [("coulomb_friction", "coulomb_force"), ("stribeck_friction", "stribeck_coulomb_force")];
 
+/// A motion looked at: a sine from its middle.
+#[derive(Clone, Copy)]
+struct Sine {
+    amplitude: f64,
+    speed: f64,
+    /// rad/s.
+    omega: f64,
+}
+
+impl Sine {
+    fn at(&self, time: f64) -> Input {
+        let phase = self.omega * time;
+        Input::motion(self.amplitude * phase.sin(), self.speed * phase.cos())
+    }
+}
+
+/// The motions that a host can follow.
+fn motions(host: Host) -> impl Iterator<Item = Sine> {
+    let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
+    all.map(|(amplitude, speed)| Sine { amplitude, speed, omega: speed / amplitude })
+        .filter(move |sine| sine.omega * host.step <= 0.5)
+}
+
 /// The largest gain over all motions, with the answer that has it and its velocity.
 fn largest(model: &Model, host: Host) -> (f64, f64, Output) {
     let gain = |o: &Output| host.step / host.mass * (o.force_by_velocity + host.step * o.force_by_displacement);
     let rest = Input::motion(0.0, 0.0);
     let at_rest = step(model, &model.settled(&rest), &rest, host.step).1;
     let mut most = (gain(&at_rest), 0.0, at_rest);
-    for (amplitude, speed) in AMPLITUDES.iter().flat_map(|a| SPEEDS.map(|v| (*a, v))) {
-        let omega = speed / amplitude;
-        // A motion faster than the host can follow is none of its.
-        if omega * host.step > 0.5 {
-            continue;
-        }
-        let input = |k: usize| {
-            let phase = omega * host.step * k as f64;
-            Input::motion(amplitude * phase.sin(), speed * phase.cos())
-        };
-        let mut state = model.settled(&Input::motion(0.0, 0.0));
-        let steps = (1.25 * std::f64::consts::TAU / (omega * host.step)) as usize;
+    for sine in motions(host) {
+        let input = |k: usize| sine.at(host.step * k as f64);
+        let mut state = model.settled(&rest);
+        let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {
             let (next, output) = step(model, &state, &input(k), host.step);
             state = next;
@@ -143,7 +158,7 @@ pub struct Softened {
 /// longer is tried, and of the shorter ones, which are nearer to friction that turns at once, the shortest of this gain.
 const LENGTH: f64 = 2e-4;
 const QUIET: f64 = 0.3;
-/// Step at which the two are compared, s, and the velocity below which nothing is compared: between two standstills both are right.
+/// Longest step at which the two are compared, s.
 const FINE: f64 = 1e-4;
 
 /// The damper with its steep friction as presliding friction, which acts like a stiff spring where the other jumps; `None` where no
@@ -181,16 +196,10 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     }
     let (before, after) = (Model::new(params)?, Model::new(&soft)?);
     let (mut squares, mut count, mut largest_error) = (0.0, 0.0, 0.0f64);
-    for (amplitude, speed) in AMPLITUDES.iter().flat_map(|a| SPEEDS.map(|v| (*a, v))) {
-        let omega = speed / amplitude;
-        if omega * host.step > 0.5 {
-            continue;
-        }
+    for sine in motions(host) {
+        let omega = sine.omega;
         let dt = FINE.min(0.01 / omega).max(0.25 * std::f64::consts::TAU / (omega * STEPS as f64));
-        let input = |k: usize| {
-            let phase = omega * dt * k as f64;
-            Input::motion(amplitude * phase.sin(), speed * phase.cos())
-        };
+        let input = |k: usize| sine.at(dt * k as f64);
         let (mut a, mut b) = (before.settled(&input(0)), after.settled(&input(0)));
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
