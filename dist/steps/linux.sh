@@ -1,11 +1,12 @@
 # The Linux package as a tree below a prefix: what /usr or an unpacked folder holds.
 say "command for Linux with glibc $glibc"
-PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli --target "$linux_target.$glibc" "${profile[@]}"
+PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli -p dashpot-bench --target "$linux_target.$glibc" "${profile[@]}"
 
 tree=$staged/linux
 rm -rf "$tree"
 put() { install -D -m "$1" "$2" "$tree/$3"; }
 put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot" bin/dashpot
+put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot-window" bin/dashpot-window
 put 644 "$CARGO_TARGET_DIR/release/libdashpot.so" lib/libdashpot.so
 put 644 "$CARGO_TARGET_DIR/release/libdashpot.a" lib/libdashpot.a
 put 644 include/dashpot.h include/dashpot.h
@@ -17,7 +18,7 @@ for file in dashpotConfig.cmake dashpotConfigVersion.cmake; do
 done
 sed "s/@VERSION@/$version/" dist/linux/dashpot.pc >"$work/dashpot.pc"
 put 644 "$work/dashpot.pc" lib/pkgconfig/dashpot.pc
-for file in examples/*; do put 644 "$file" "share/dashpot/$file"; done
+find examples -type f | sort | while read -r file; do put 644 "$file" "share/dashpot/$file"; done
 
 command=$tree/bin/dashpot
 rm -rf "$work/said"
@@ -35,13 +36,13 @@ complete fish share/fish/vendor_completions.d/dashpot.fish
 documents=share/doc/dashpot
 for file in README.md CHANGELOG.md VERSIONING.md SECURITY.md LICENSE-MIT LICENSE-APACHE; do put 644 "$file" "$documents/$file"; done
 find docs -name '*.md' -o -name '*.svg' | while read -r file; do put 644 "$file" "$documents/$file"; done
-python3 dist/licences.py texts "$linux_target" dashpot-cli dashpot-dll >"$work/said/licences"
+python3 dist/licences.py texts "$linux_target" dashpot-cli dashpot-bench dashpot-dll >"$work/said/licences"
 put 644 "$work/said/licences" "$documents/THIRD-PARTY.txt"
-"$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-dll >"$work/said/bill"
+"$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-bench dashpot-dll >"$work/said/bill"
 put 644 "$work/said/bill" "$documents/dashpot.cdx.json"
 
 # What a program asks of the system it starts on: refused here rather than there.
-for file in bin/dashpot lib/libdashpot.so lib/dashpot/dashpot_adams.so lib/dashpot/dashpot_damper.so; do
+for file in bin/dashpot bin/dashpot-window lib/libdashpot.so lib/dashpot/dashpot_adams.so lib/dashpot/dashpot_damper.so; do
     newest=$(objdump -T "$tree/$file" | sed -n 's/.*GLIBC_\([0-9.]*\).*/\1/p' | sort -Vu | tail -1)
     needed=$(objdump -p "$tree/$file" | sed -n 's/^ *NEEDED *//p' | tr '\n' ' ')
     say "$file asks for glibc ${newest:-of any version}, libraries: ${needed:-none}"

@@ -11,7 +11,7 @@ for_windows() {
 }
 # The library has no std: with that of the command's build it would bring a second panic handler. It is the quicker one of the two.
 for_windows -p dashpot-dll -Zbuild-std=core
-for_windows -p dashpot-cli -Zbuild-std=std,panic_abort
+for_windows -p dashpot-cli -p dashpot-bench -Zbuild-std=std,panic_abort
 
 tree=$staged/windows
 rm -rf "$tree"
@@ -23,6 +23,7 @@ text() {
 }
 built=$CARGO_TARGET_DIR/$windows_target/release
 put 755 "$built/dashpot.exe" dashpot.exe
+put 755 "$built/dashpot-window.exe" dashpot-window.exe
 put 755 "$built/dashpot.dll" sdk/bin/dashpot.dll
 # What a linker of mingw takes, and what Microsoft's link.exe takes: lists of the functions, both made from the library itself.
 mkdir -p "$work/import"
@@ -45,7 +46,7 @@ done
 put 755 "$DASHPOT_RUNTIMES/win64/dashpot_adams.dll" adams/dashpot_adams.dll
 put 755 "$DASHPOT_RUNTIMES/win64/dashpot_damper.dll" fmu/dashpot_damper.dll
 text adams-usersub/README.md adams/README.md
-for file in examples/*; do text "$file" "$file"; done
+find examples -type f | sort | while read -r file; do text "$file" "$file"; done
 for file in dist/windows/*; do text "$file" "${file##*/}"; done
 for file in CHANGELOG.md VERSIONING.md SECURITY.md; do text "$file" "documents/$file"; done
 text README.md documents/README.md
@@ -53,18 +54,20 @@ find docs -name '*.md' | while read -r file; do text "$file" "documents/$file"; 
 find docs -name '*.svg' | while read -r file; do put 644 "$file" "documents/$file"; done
 for file in LICENSE-MIT LICENSE-APACHE; do text "$file" "licences/$file.txt"; done
 mkdir -p "$work/said"
-python3 dist/licences.py texts $windows_target dashpot-cli dashpot-dll >"$work/said/licences.windows"
+python3 dist/licences.py texts $windows_target dashpot-cli dashpot-bench dashpot-dll >"$work/said/licences.windows"
 text "$work/said/licences.windows" licences/THIRD-PARTY.txt
-"$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-dll >"$work/said/bill.windows"
+"$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-bench dashpot-dll >"$work/said/bill.windows"
 put 644 "$work/said/bill.windows" licences/dashpot.cdx.json
 
 # Nothing but what every 64-bit Windows 10 has.
-for file in dashpot.exe sdk/bin/dashpot.dll adams/dashpot_adams.dll fmu/dashpot_damper.dll; do
+for file in dashpot.exe dashpot-window.exe sdk/bin/dashpot.dll adams/dashpot_adams.dll fmu/dashpot_damper.dll; do
     needed=$(x86_64-w64-mingw32-objdump -p "$tree/$file" | sed -n 's/^.*DLL Name: //p' | tr 'A-Z\n' 'a-z ')
     say "$file needs $needed"
     for library in $needed; do
         case $library in
             kernel32.dll | msvcrt.dll | ntdll.dll | advapi32.dll | bcrypt.dll | bcryptprimitives.dll | userenv.dll | ws2_32.dll | api-ms-win-*) ;;
+            # What a window needs.
+            combase.dll | dwmapi.dll | dwrite.dll | gdi32.dll | imm32.dll | ole32.dll | oleaut32.dll | opengl32.dll | propsys.dll | rpcrt4.dll | shell32.dll | uiautomationcore.dll | user32.dll | uxtheme.dll) ;;
             *) fail "dist/build: $file needs $library, which Windows may not have" ;;
         esac
     done

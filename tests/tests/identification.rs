@@ -4,6 +4,7 @@ use dashpot_core::{Model, Params};
 use dashpot_estimation::samples::segments;
 use dashpot_identification::{Fit, FitOptions, Standing, first_guess, fit};
 use dashpot_records::Record;
+use dashpot_records::taken_out::{Off, taken_out};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -61,7 +62,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     for seed in 1..=SEEDS {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
         let chosen: Vec<_> = found.choices.iter().map(|c| c.chosen).collect();
-        assert_eq!(chosen, ["simplified Stribeck", "quadratic", "without slow tests"]);
+        assert_eq!(chosen, ["simplified Stribeck", "quadratic", "without slow tests", "as recorded"]);
         for e in found.estimates.iter().filter(|e| e.standing == Standing::Identified) {
             let (low, high) = (e.low.unwrap(), e.high.unwrap());
             let value = match e.index {
@@ -93,6 +94,70 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     let (count, hits) = covered.values().fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1));
     let share = f64::from(hits) / f64::from(count);
     assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
+}
+
+/// The same measured later and later, by a rig that is off.
+fn measured_wrongly(mut records: Vec<Record>, off: &Off) -> Vec<Record> {
+    for (k, record) in records.iter_mut().enumerate() {
+        record.time.iter_mut().for_each(|t| *t += 40.0 * k as f64);
+        // The motion of a moment later beside every force.
+        *record = taken_out(record, &Off { delay_s: -off.delay_s, ..Off::NONE });
+        for (force, t) in record.force.iter_mut().zip(&record.time) {
+            *force = *force * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t;
+        }
+    }
+    records
+}
+
+#[test]
+fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
+    const SEEDS: u64 = 4;
+    let truth = truth();
+    let all = Off { delay_s: 0.7e-3, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
+    let one = |off: Off| (off, 1);
+    let cases = [
+        one(Off { delay_s: all.delay_s, ..Off::NONE }),
+        one(Off { gain_per_s: all.gain_per_s, ..Off::NONE }),
+        one(Off { zero_n_per_s: all.zero_n_per_s, ..Off::NONE }),
+        (all, 3),
+    ];
+    let (mut count, mut hits) = (0, 0);
+    for (case, (off, numbers)) in cases.iter().enumerate() {
+        for seed in 1..=SEEDS {
+            let found = fitted(&measured_wrongly(campaign(&truth, seed, 0.01, |_| None), off));
+            assert_eq!(found.measured.len(), *numbers, "case {case}, seed {seed}: {:?}", found.measured);
+            let of = |name: &str| match name {
+                "delay" => off.delay_s,
+                "gain_drift" => off.gain_per_s,
+                _ => off.zero_n_per_s,
+            };
+            for m in &found.measured {
+                count += 1;
+                hits += u32::from((m.low..=m.high).contains(&of(m.name)));
+                assert!((m.value / of(m.name) - 1.0).abs() < 0.3, "case {case}, seed {seed}: {m:?}");
+                assert!(found.notes.contains(&m.in_words()));
+            }
+            for name in ["series_stiffness", "gas_force"] {
+                assert!(
+                    (found.params.scalar(name) / truth.scalar(name) - 1.0).abs() < 0.05,
+                    "case {case}, seed {seed}: {name}"
+                );
+            }
+        }
+    }
+    println!("{hits} of {count} intervals hold the truth");
+    assert!(f64::from(hits) / f64::from(count) >= 0.85);
+}
+
+#[test]
+fn one_rate_of_turning_tells_no_delay_from_compliance_and_that_is_said() {
+    let tests: Vec<Sine> = [0.05, 0.03, 0.02, 0.01, 0.005].map(|amplitude| Sine::new(amplitude, 2.0)).to_vec();
+    let found = fitted(&kernel_campaign::campaign(&truth(), &tests, 1, 0.01));
+    assert!(
+        found.measured.is_empty() && found.notes.iter().any(|n| n.contains("three times the frequency")),
+        "{:?}",
+        found.notes
+    );
 }
 
 #[test]
@@ -129,7 +194,7 @@ fn the_comparison_models_fit_too_and_are_worse() {
     use dashpot_identification::Family;
     let records = campaign(&truth(), 7, 0.01, |_| None);
     let refs: Vec<&Record> = records.iter().collect();
-    let of = |family| fit(&refs, &FitOptions { family, elements: None }, |_| ()).unwrap();
+    let of = |family| fit(&refs, &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();
     let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
     assert!(thesis.misfit < 0.8, "{}", thesis.misfit);
     assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);

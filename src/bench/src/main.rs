@@ -1,5 +1,8 @@
 //! `dashpot-window [CAMPAIGN] [MODEL]`: what `dashpot open` starts.
 
+// Windows opens no console beside it.
+#![cfg_attr(windows, windows_subsystem = "windows")]
+
 use dashpot_bench::app::App;
 use dashpot_bench::dialogs::Native;
 use eframe::egui;
@@ -40,7 +43,12 @@ fn main() -> ExitCode {
     match ran {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("dashpot: no window can be opened here ({error}); on a machine without a screen use the verbs");
+            let told = format!("no window can be opened here ({error}); on a machine without a screen use the verbs");
+            if cfg!(windows) {
+                // Nobody would read it elsewhere.
+                rfd::MessageDialog::new().set_title("dashpot").set_description(told.as_str()).show();
+            }
+            eprintln!("dashpot: {told}");
             ExitCode::from(2)
         }
     }

@@ -59,6 +59,16 @@ fn command() -> clap::Command {
 }
 
 fn main() -> ExitCode {
+    // With nothing to say and nobody to read it: somebody who has never opened a terminal.
+    if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
+        let code = ended(verbs::open::start());
+        if code != ExitCode::SUCCESS {
+            // The console closes with the command, and what it says with it.
+            eprintln!("Press Enter to close.");
+            let _ = std::io::stdin().read_line(&mut String::new());
+        }
+        return code;
+    }
     let parsed = command().try_get_matches();
     let parsed = parsed.and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
@@ -93,6 +103,11 @@ fn main() -> ExitCode {
         Verb::Completions(args) => verbs::completions::run(&args, command()),
         Verb::Man(args) => verbs::man::run(&args, command()),
     };
+    ended(done)
+}
+
+/// What the shell is told.
+fn ended(done: anyhow::Result<()>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         // A reader that has read enough, such as `head`, is no error.

@@ -100,7 +100,7 @@ impl Integration {
         let substeps = params.scalar("substeps") as u32;
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3), and further on
-        // in proportion to them (0.1 % at 4 to 6 each, the less damping the less: tests/tests/bridge_accuracy.rs).
+        // in proportion to them (0.1 % at 4 to 6 each, the less damping the less: tests/tests/hosts/bridge_accuracy.rs).
         let bushing = &elements.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.scalar("series_stiffness") * (1.0 + added);

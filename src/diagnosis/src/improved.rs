@@ -59,6 +59,7 @@ impl Diagnosis {
             params: self.improved,
             estimates: self.estimates.clone(),
             choices: Vec::new(),
+            measured: Vec::new(),
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

@@ -83,6 +83,7 @@ fn sine(d: &Design) -> Test {
             top: 1.0,
             peak_velocity: d.amplitude * w,
             amplitude: d.amplitude,
+            clock: 0.0,
         },
         allowed: vec![1.0; PER_CYCLE],
         mean_noise: 0.0,
@@ -90,7 +91,6 @@ fn sine(d: &Design) -> Test {
         growth: 0.0,
         noise_freedom: f64::INFINITY,
         frequency: d.frequency,
-        clock: 0.0,
     }
 }
 

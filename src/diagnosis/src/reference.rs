@@ -136,6 +136,7 @@ mod tests {
                 top: 100.0,
                 peak_velocity: amplitude * TAU * frequency,
                 amplitude,
+                clock: 0.0,
             },
             allowed: vec![1.0; n],
             mean_noise: 1.0,
@@ -143,7 +144,6 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
-            clock: 0.0,
         }
     }
 

@@ -88,7 +88,7 @@ pub struct Screened {
 /// Weighted force that a constant artefact adds; `None` where it is none.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
-    let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(t)).collect();
+    let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
     let list: Vec<f64> =
         tests.iter().zip(per_test?).flat_map(|(t, per)| t.allowed.iter().map(move |a| value * per / a)).collect();
     Some(DVector::from_vec(list))

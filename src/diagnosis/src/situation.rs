@@ -90,7 +90,7 @@ impl Situation {
         let reach = span(&mut inputs().filter_map(|i| i.displacement));
         let temperatures = span(&mut inputs().map(|i| i.temperature));
         let side = span(&mut inputs().map(|i| i.side_force.abs()));
-        let clock = span(&mut tests.iter().map(|t| t.clock));
+        let clock = span(&mut tests.iter().map(|t| t.segment.clock));
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let fastest = span(&mut inputs().map(|i| i.velocity));
@@ -112,7 +112,7 @@ impl Situation {
             .filter(|((v, _), s)| v[0] >= 0.0 && **s < 0.5 * steepest)
             .map(|((_, f), _)| f[0])
             .next();
-        let mut clocks: Vec<f64> = tests.iter().map(|t| t.clock).collect();
+        let mut clocks: Vec<f64> = tests.iter().map(|t| t.segment.clock).collect();
         clocks.sort_by(f64::total_cmp);
         let pauses = clocks
             .windows(2)

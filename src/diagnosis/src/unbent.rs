@@ -107,7 +107,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     let _ = model.set_list("fv_force", &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
         if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {
-            *value = Unknowns { base: model, list: vec![rise.clone()] }.start()[0];
+            *value = Unknowns { base: model, list: vec![rise.clone()], rig: Vec::new() }.start()[0];
         }
     }
     start
@@ -141,6 +141,7 @@ mod tests {
                     top: 3000.0,
                     peak_velocity: amplitude * omega,
                     amplitude,
+                    clock: 0.0,
                 },
                 allowed: vec![5.0; 80],
                 mean_noise: 5.0,
@@ -148,7 +149,6 @@ mod tests {
                 growth: 0.0,
                 noise_freedom: 1000.0,
                 frequency,
-                clock: 0.0,
             }
         };
         let mut tests: Vec<Test> = sines.iter().map(test).collect();

@@ -36,12 +36,12 @@ impl Heating {
         let mut spans: Vec<(f64, f64)> = inputs.iter().map(|i| (i.0, i.1)).collect();
         spans.sort_by(|a, b| a.0.total_cmp(&b.0));
         let continues = spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9);
-        Heating { inputs, looks: tests.iter().map(|t| (t.clock, t.record)).collect(), continues }
+        Heating { inputs, looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), continues }
     }
 
     /// The same heat, looked at in the middle of other tests.
     pub fn of_tests(&self, tests: &[Test]) -> Heating {
-        Heating { looks: tests.iter().map(|t| (t.clock, t.record)).collect(), ..self.clone() }
+        Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
 
     /// Temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.

@@ -87,7 +87,7 @@ impl Hypothesis {
                 places.push(place);
             }
         }
-        (Unknowns { base: self.base, list }, values, places)
+        (Unknowns { base: self.base, list, rig: Vec::new() }, values, places)
     }
 
     /// The parameter set that a vector stands for; what the rig added is not in it.
@@ -168,7 +168,7 @@ impl Hypothesis {
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         for (number, value) in self.numbers.iter().zip(theta) {
             if let Free::Rig(artefact) = number.free {
-                artefact.apply(*value, test, forces);
+                artefact.apply(*value, &test.segment, forces);
             }
         }
     }
@@ -291,7 +291,7 @@ impl Hypothesis {
 
 /// A free number of the model, starting from a parameter set, with what dampers show of it.
 pub fn number(base: &Params, unknown: Unknown) -> Number {
-    let one = Unknowns { base: *base, list: vec![unknown.clone()] };
+    let one = Unknowns { base: *base, list: vec![unknown.clone()], rig: Vec::new() };
     let start = one.start()[0];
     let (low, high) = one.bounds();
     let step = match &unknown {

@@ -78,7 +78,7 @@ impl Residuals for Problem<'_> {
 
     fn residuals(&self, block: usize, at: &At) -> Option<Vec<f64>> {
         Some(match self.segments.get(block) {
-            Some(segment) => residuals(segment, &at.run.forces(segment)),
+            Some(segment) => residuals(segment, &self.unknowns.forces(&at.run, &at.theta, segment)),
             None => self.shape.rows(&at.theta).into_iter().map(|r| self.held * r).collect(),
         })
     }
@@ -87,7 +87,7 @@ impl Residuals for Problem<'_> {
         let Some(segment) = self.segments.get(block) else {
             return Some((self.residuals(block, at)?, self.shape.jacobian(&at.theta) * self.held));
         };
-        let (forces, rows) = at.run.jacobian(segment, self.unknowns, &at.theta);
+        let (forces, rows) = self.unknowns.jacobian(&at.run, &at.theta, segment);
         let scored = rows.columns(segment.from, segment.force.len() - segment.from);
         Some((residuals(segment, &forces), scored.transpose() / segment.scale))
     }
@@ -117,7 +117,8 @@ const SETTLED: f64 = 1.5;
 pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: Effort) -> Solution {
     let (low, high) = unknowns.bounds();
     let bounds = Bounds { low, high };
-    let usual: Vec<Option<(f64, f64)>> = unknowns.list.iter().map(in_search).collect();
+    let of_the_rig = unknowns.rig.iter().map(|number| Some(number.usual));
+    let usual: Vec<Option<(f64, f64)>> = unknowns.list.iter().map(in_search).chain(of_the_rig).collect();
     let mut problem =
         Problem { segments, unknowns, accuracy: effort.accuracy, shape: SmoothCurve::new(unknowns), held: 1.0 };
     let at_start = |problem: &Problem| -> Option<Vec<Vec<f64>>> {
@@ -173,7 +174,7 @@ pub fn left_out_errors(segments: &[&Segment], unknowns: &Unknowns, theta: &[f64]
     let parts: Vec<(DMatrix<f64>, DVector<f64>)> = segments
         .par_iter()
         .map(|segment| {
-            let (forces, rows) = run.jacobian(segment, unknowns, theta);
+            let (forces, rows) = unknowns.jacobian(&run, theta, segment);
             let count = segment.force.len() - segment.from;
             let rows = rows.columns(segment.from, count) / segment.scale;
             let residual = DVector::from_fn(count, |k, _| {
@@ -221,7 +222,7 @@ pub fn covariance(
     let parts: Vec<(DMatrix<f64>, f64)> = segments
         .par_iter()
         .map(|segment| {
-            let (forces, rows) = run.jacobian(segment, unknowns, theta);
+            let (forces, rows) = unknowns.jacobian(&run, theta, segment);
             let count = segment.force.len() - segment.from;
             let residual: Vec<f64> =
                 (segment.from..segment.force.len()).map(|i| (forces[i] - segment.force[i]) / segment.scale).collect();

@@ -7,6 +7,7 @@
 //! | [`samples`] | the mean cycle of every test and the error that noise allows it |
 //! | [`unknowns`] | which numbers are free, and the parameter set that a vector of them stands for |
 //! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives over the free numbers, in one run |
+//! | [`as_read`] | the same as the rig read them: late, with a zero and a gain of its own |
 //! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
 //! | [`priors`] | what dampers show of each number before any record is seen |
 //! | [`measurement`] | what the rig adds to a record that the damper did not do |
@@ -17,6 +18,7 @@
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
+pub mod as_read;
 pub mod cancel;
 pub mod curve_weights;
 pub mod deviations;

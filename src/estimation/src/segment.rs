@@ -23,4 +23,6 @@ pub struct Segment {
     pub peak_velocity: f64,
     /// Amplitude, m.
     pub amplitude: f64,
+    /// Middle of it on the campaign's clock, s.
+    pub clock: f64,
 }

@@ -480,6 +480,7 @@ mod tests {
             top: 1.0,
             peak_velocity: 1.0,
             amplitude,
+            clock: 0.0,
         }
     }
 
@@ -595,7 +596,7 @@ mod tests {
                 assert!(!series);
                 continue;
             }
-            let unknowns = Unknowns { base, list };
+            let unknowns = Unknowns { base, list, rig: Vec::new() };
             let theta = unknowns.start();
             // The instant at which a void closes, or a lag changes its table, jumps from sample to sample; that with gas in
             // it also where it opens.
@@ -652,7 +653,7 @@ mod tests {
             }
             let mut base = base;
             base.set("spring_linear", 500.0).unwrap();
-            let unknowns = Unknowns { base, list };
+            let unknowns = Unknowns { base, list, rig: Vec::new() };
             let theta = unknowns.start();
             for test in [segment(0.03, 3.0), segment(0.002, 20.0)] {
                 off(&unknowns, &theta, &test, 0, |unknown, off, size| {

@@ -95,7 +95,7 @@ mod tests {
         base.set_list("fv_velocity", &v).unwrap();
         base.set_list("fv_force", &v.map(force)).unwrap();
         let list = Unknowns::rises(&base, CurveName::Fv);
-        Unknowns { base, list }
+        Unknowns { base, list, rig: Vec::new() }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What a fit may change, and how a vector of unknowns becomes a parameter set.
 
+use crate::as_read::RigNumber;
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
 
@@ -10,6 +11,8 @@ pub struct Unknowns {
     pub base: Params,
     /// One entry per component of the vector.
     pub list: Vec<Unknown>,
+    /// What the rig added: components behind those of the list.
+    pub rig: Vec<RigNumber>,
 }
 
 /// One component of the vector of unknowns.
@@ -100,6 +103,7 @@ impl Unknowns {
                     (f[*point] - f[inner]).abs()
                 }
             })
+            .chain(self.rig.iter().map(|number| number.start))
             .collect()
     }
 
@@ -126,10 +130,20 @@ impl Unknowns {
                     Unknown::Rise { .. } => (0.0, 3e4),
                 }
             })
+            .chain(self.rig.iter().map(RigNumber::bounds))
             .unzip()
     }
 
-    /// The parameter set that a vector stands for.
+    /// The same unknowns, started from where a vector stands.
+    pub fn starting_at(mut self, theta: &[f64]) -> Unknowns {
+        self.base = self.params(theta);
+        for (number, value) in self.rig.iter_mut().zip(&theta[self.list.len()..]) {
+            number.start = *value;
+        }
+        self
+    }
+
+    /// The parameter set that a vector stands for; what the rig added is not in it.
     pub fn params(&self, theta: &[f64]) -> Params {
         let mut params = self.base;
         for curve in [CurveName::Fv, CurveName::Spring] {
@@ -197,7 +211,7 @@ mod tests {
         let base = Params::new();
         let mut list = Unknowns::rises(&base, CurveName::Fv);
         list.extend([Unknown::Log("series_stiffness"), Unknown::Linear("gas_force")]);
-        let unknowns = Unknowns { base, list };
+        let unknowns = Unknowns { base, list, rig: Vec::new() };
         let back = unknowns.params(&unknowns.start());
         for (a, b) in back.list("fv_force").iter().zip(base.list("fv_force")) {
             assert!((a - b).abs() < 1e-9);

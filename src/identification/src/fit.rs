@@ -3,8 +3,9 @@
 use super::first_guess::{self, SLOW};
 use super::intervals::{Estimate, Standing, estimates};
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
+use super::of_the_rig::{self, Measured, OfTheRig};
 use super::variants::{
-    Candidate, Choice, FEWEST_TESTS, FRICTION, SPRING, Structure, Variant, choose, identified, with_slow_points,
+    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, SPRING, Structure, Variant, choose, identified, with_slow_points,
 };
 use dashpot_core::Params;
 use dashpot_core::elements;
@@ -12,7 +13,7 @@ use dashpot_core::parameter::find;
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
-use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_estimation::sensitivity::{Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_records::Record;
 
@@ -40,6 +41,8 @@ pub struct FitOptions {
     pub family: Family,
     /// Elements that may be used; all of the family's where `None`.
     pub elements: Option<Vec<String>>,
+    /// How late the force channel is by a first look at the records, s, where that stood out.
+    pub late: Option<f64>,
 }
 
 /// Why there is no fit.
@@ -98,6 +101,8 @@ pub struct Fit {
     pub estimates: Vec<Estimate>,
     /// How friction and spring were chosen.
     pub choices: Vec<Choice>,
+    /// What the records are off by, taken out of the comparison and never part of the model.
+    pub measured: Vec<Measured>,
     /// Remarks for the engineer.
     pub notes: Vec<String>,
     /// Names of the tests used.
@@ -115,6 +120,7 @@ struct Found {
     params: Params,
     estimates: Vec<Estimate>,
     choices: Vec<Choice>,
+    measured: Vec<Measured>,
     notes: Vec<String>,
     misfit: f64,
 }
@@ -183,11 +189,12 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     found.notes.extend(coverage_notes(&segments));
     progress(Stage { done: 1.0, text: "done" });
-    let Found { params, estimates, choices, notes, misfit } = found;
+    let Found { params, estimates, choices, measured, notes, misfit } = found;
     Ok(Fit {
         params,
         estimates,
         choices,
+        measured,
         notes,
         tests: records.iter().map(|r| r.name.clone()).collect(),
         fingerprints: records.iter().map(|r| r.fingerprint()).collect(),
@@ -203,7 +210,7 @@ fn fv_unknowns(from: &Params) -> Unknowns {
     let _ = base.enable("gas_preload", true);
     let mut list = Unknowns::rises(&base, CurveName::Fv);
     list.push(Unknown::Linear("gas_force"));
-    Unknowns { base, list }
+    Unknowns { base, list, rig: Vec::new() }
 }
 
 fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Found {
@@ -223,6 +230,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         series: allowed("series_compliance"),
         gas: allowed("gas_preload"),
         side_force: varied_side_force && allowed("side_force_friction"),
+        rig: OfTheRig::NONE,
     };
     // Several starts: a soft and a stiff series spring are separated by a hill.
     progress(Stage { done: 0.1, text: "first fit from several starts" });
@@ -244,7 +252,15 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         // Nothing can be left out to judge by: the simplest that still has friction.
         structure.spring = find_variant(&springs, "none");
     } else {
-        (structure, from) = choose_structure(structure, &frictions, &springs, from, segments, &mut choices, progress);
+        let variants = (&frictions[..], &springs[..]);
+        (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
+        let before = structure;
+        (structure, from) = look_at_the_measurement(structure, from, segments, options.late, &mut choices, progress);
+        if structure.rig != before.rig {
+            // What the measurement did was taken for friction or a spring until now.
+            choices.retain(|choice| choice.of == "measurement");
+            (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
+        }
     }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
@@ -255,6 +271,13 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
              spring were taken",
             structure.friction.name
         ));
+    }
+    if structure.series && !of_the_rig::tells_delay(segments) {
+        found.notes.push(
+            "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the \
+             channel was taken as on time; the same stroke at three times the frequency would tell them apart"
+                .to_owned(),
+        );
     }
     if !varied_side_force && allowed("side_force_friction") {
         found.leave_out(
@@ -271,8 +294,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
 /// Chooses friction, spring and FV points one after the other, each with the ones before it.
 fn choose_structure(
     mut structure: Structure,
-    frictions: &[Variant],
-    springs: &[Variant],
+    (frictions, springs): (&[Variant], &[Variant]),
     mut from: Params,
     segments: &[Segment],
     choices: &mut Vec<Choice>,
@@ -286,23 +308,47 @@ fn choose_structure(
         let rigid = |v: &Variant| with(Structure { friction: *v, series: false, ..structure }, v.rigid, &from);
         list.extend(frictions.iter().map(rigid));
     }
-    let (k, choice, found) = choose("friction", &list, segments);
-    (structure, from) = (list[k].structure, found);
-    choices.extend((list.len() > 1).then_some(choice));
+    let mut take = |of: &'static str, list: &[Candidate]| {
+        let chosen = choose(of, list, segments, Keep::Simplest);
+        choices.extend((list.len() > 1).then_some(chosen.choice));
+        (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
+    };
+    (structure, from) = take("friction", &list);
     progress(Stage { done: 0.55, text: "choosing the spring" });
     let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
-    let (k, choice, found) = choose("spring", &list, segments);
-    (structure.spring, from) = (springs[k], found);
-    choices.extend((list.len() > 1).then_some(choice));
+    (structure, from) = take("spring", &list);
     let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
     if let Some(denser) = with_slow_points(&from, slow_peak) {
         progress(Stage { done: 0.8, text: "choosing the FV points" });
         let list = [with(structure, "without slow tests", &from), with(structure, "with slow tests", &denser)];
-        let (_, choice, found) = choose("FV points", &list, segments);
-        from = found;
-        choices.extend((list.len() > 1).then_some(choice));
+        (structure, from) = take("FV points", &list);
     }
     (structure, from)
+}
+
+/// Whether the measurement is off, and by what. Of several faults at once each alone may be worth little beside the others, so that
+/// they are tried together too; what an interval then leaves at zero is taken out by [`finish`].
+fn look_at_the_measurement(
+    structure: Structure,
+    from: Params,
+    segments: &[Segment],
+    late: Option<f64>,
+    choices: &mut Vec<Choice>,
+    progress: &impl Fn(Stage),
+) -> (Structure, Params) {
+    progress(Stage { done: 0.82, text: "looking at the measurement" });
+    let mut list = vec![Candidate { name: "as recorded", structure, from }];
+    let ways = OfTheRig::ways(segments, late).into_iter();
+    list.extend(ways.map(|(name, rig)| Candidate { name, structure: Structure { rig, ..structure }, from }));
+    if list.len() == 1 {
+        return (structure, from);
+    }
+    let chosen = choose("measurement", &list, segments, Keep::First);
+    choices.push(chosen.choice);
+    if chosen.place == 0 {
+        return (structure, from);
+    }
+    (Structure { rig: chosen.rig, ..structure }, chosen.params)
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
@@ -325,7 +371,7 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
             continue;
         };
         let mut estimate = list[worst].clone();
-        unknowns.base = unknowns.params(&theta);
+        unknowns = unknowns.starting_at(&theta);
         unknowns.list.remove(worst);
         // Held where the fit left it, or at its default if that is as good.
         let mut held = solve(&refs, &unknowns, &unknowns.start(), effort);
@@ -348,9 +394,20 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
             estimate.name, estimate.value, estimate.unit
         ));
     }
-    let params = unknowns.params(&theta);
-    let misfit = misfit(segments, &params);
     let mut estimates = estimates;
+    let mut measured = of_the_rig::measured(segments, &unknowns, &theta, Accuracy::Full);
+    if let Some(nothing) = measured.iter().position(|m| !m.is_there()) {
+        // Chance chose it: the model is what it is without.
+        unknowns = unknowns.starting_at(&theta);
+        unknowns.rig.remove(nothing);
+        let mut again = finish(segments, unknowns, choices);
+        again.estimates.extend(left_out);
+        return again;
+    }
+    let params = unknowns.params(&theta);
+    let misfit = misfit_as_read(segments, &unknowns, &theta);
+    measured.sort_by_key(|m| m.name);
+    notes.extend(measured.iter().map(Measured::in_words));
     for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
         notes.push(format!(
             "{} ran into the bound of its range at {:.4} {}: the data asks for something this element cannot do",
@@ -358,7 +415,7 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
         ));
     }
     estimates.extend(left_out);
-    Found { params, estimates, choices, notes, misfit }
+    Found { params, estimates, choices, measured, notes, misfit }
 }
 
 /// Rise of the cost at which a default is no worse than a fitted value.
@@ -373,10 +430,15 @@ fn width(estimate: &Estimate) -> f64 {
 }
 
 fn misfit(segments: &[Segment], params: &Params) -> f64 {
-    let Ok(model) = dashpot_core::Model::new(params) else { return f64::NAN };
+    misfit_as_read(segments, &Unknowns { base: *params, list: Vec::new(), rig: Vec::new() }, &[])
+}
+
+/// The same of a model and what the rig added.
+fn misfit_as_read(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> f64 {
+    let Some(run) = Run::new(unknowns, theta, Accuracy::Full) else { return f64::NAN };
     let (mut sum, mut count) = (0.0, 0usize);
     for s in segments {
-        let f = dashpot_estimation::sensitivity::forces(&model, s);
+        let f = unknowns.forces(&run, theta, s);
         for i in s.from..s.force.len() {
             sum += ((f[i] - s.force[i]) / s.scale).powi(2);
             count += 1;
@@ -389,7 +451,7 @@ fn misfit(segments: &[Segment], params: &Params) -> f64 {
 fn as_found(segments: &[Segment], unknowns: Unknowns) -> Found {
     let (estimates, _) = estimates(segments, &unknowns, &unknowns.start(), Accuracy::Full);
     let misfit = misfit(segments, &unknowns.base);
-    Found { params: unknowns.base, estimates, choices: Vec::new(), notes: Vec::new(), misfit }
+    Found { params: unknowns.base, estimates, choices: Vec::new(), measured: Vec::new(), notes: Vec::new(), misfit }
 }
 
 /// The piecewise-linear curve of the literature, with intervals.
@@ -408,7 +470,7 @@ fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Foun
     ];
     let mut list: Vec<Unknown> = POSITIVE.map(Unknown::Log).to_vec();
     list.push(Unknown::Linear("gas_force"));
-    Ok(as_found(segments, Unknowns { base, list }))
+    Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
 }
 
 /// The polynomial with lag of the literature, with intervals.
@@ -418,7 +480,7 @@ fn fit_lag(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, Fit
     let terms = base.list("polynomial").len();
     let mut list: Vec<Unknown> = (0..terms).map(|k| Unknown::Entry("polynomial", k)).collect();
     list.extend([Unknown::Log("lag_slow"), Unknown::Log("lag_fast")]);
-    Ok(as_found(segments, Unknowns { base, list }))
+    Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
 }
 
 /// A model of the literature that the kernel has elements for.
@@ -479,7 +541,7 @@ mod tests {
         // The seventh power of 0.07 m/s asks for coefficients that the parameter table refuses.
         let record = slow_sine();
         for family in [Family::Lag, Family::Piecewise, Family::Fv] {
-            let found = fit(&[&record], &FitOptions { family, elements: None }, |_| ()).unwrap();
+            let found = fit(&[&record], &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();
             assert!(found.misfit.is_finite() && dashpot_core::Model::new(&found.params).is_ok(), "{family:?}");
         }
     }

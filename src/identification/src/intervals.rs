@@ -9,7 +9,7 @@ use dashpot_estimation::unknowns::{Unknown, Unknowns, anchor};
 use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
-const Z: f64 = 1.96;
+pub(super) const Z: f64 = 1.96;
 /// Half-width beyond which a parameter is not identified: relative to its value ...
 const RELATIVE: f64 = 0.5;
 /// ... unless its force effect is known to within this share of the largest force.
@@ -174,9 +174,20 @@ pub fn estimates(
     (list, loose)
 }
 
+/// Covariance of all numbers of a fit.
+pub(super) fn covariance_of(
+    segments: &[Segment],
+    unknowns: &Unknowns,
+    theta: &[f64],
+    accuracy: Accuracy,
+) -> Option<nalgebra::DMatrix<f64>> {
+    let refs: Vec<&Segment> = segments.iter().collect();
+    Some(covariance(&refs, unknowns, theta, accuracy)?.0)
+}
+
 /// For every unknown, which kind of test carries its information.
 fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<String> {
-    let n = theta.len();
+    let n = unknowns.list.len();
     let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![String::new(); n] };
     let kinds = ["slow tests", "small strokes", "large strokes"];
     let mut information = vec![[0.0; 3]; n];

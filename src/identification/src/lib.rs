@@ -10,10 +10,12 @@ mod intervals;
 pub mod limits;
 pub mod literature;
 pub mod model_file;
+mod of_the_rig;
 pub mod peaks;
 pub mod validation;
 mod variants;
 
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
+pub use of_the_rig::Measured;
 pub use variants::Choice;

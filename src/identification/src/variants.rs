@@ -1,5 +1,6 @@
 //! The variants of friction and spring, and the choice among them by tests that the fit did not see.
 
+use super::of_the_rig::OfTheRig;
 use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use dashpot_core::parameter::find;
@@ -172,6 +173,8 @@ pub struct Structure {
     pub gas: bool,
     /// Friction growing with side force.
     pub side_force: bool,
+    /// What is looked for in the measurement itself.
+    pub rig: OfTheRig,
 }
 
 impl Structure {
@@ -233,7 +236,7 @@ impl Structure {
                 }
             }
         }
-        Unknowns { base, list }
+        Unknowns { base, list, rig: self.rig.numbers() }
     }
 }
 
@@ -283,7 +286,7 @@ pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
 /// The outcome of one choice.
 #[derive(Debug, Clone, Serialize)]
 pub struct Choice {
-    /// What was chosen: "friction", "spring" or "FV points".
+    /// What was chosen: "friction", "spring", "FV points" or "measurement".
     pub of: &'static str,
     /// The name of the variant that was kept.
     pub chosen: &'static str,
@@ -324,14 +327,40 @@ fn as_usual(from: &Params) -> Option<Params> {
     (usual != *from).then_some(usual)
 }
 
-/// Chooses among ways to fit; returns the place of the winner, the account, and the fitted parameters.
+/// Which way to fit was chosen.
+pub struct Chosen {
+    /// Its place among the candidates.
+    pub place: usize,
+    /// The account.
+    pub choice: Choice,
+    /// Parameters that its fit found.
+    pub params: Params,
+    /// What it found of the measurement.
+    pub rig: OfTheRig,
+}
+
+/// Which way to fit is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keep {
+    /// The simplest that predicts left-out tests as well as the best, within chance.
+    Simplest,
+    /// The first, unless another is clearly likelier: what a wrong form of the model leaves looks like a fault of the measurement too.
+    First,
+}
+
+/// How much likelier than the records as they are a fault of the measurement must be, as the logarithm of the odds: nine to one. Each
+/// test counts as one independent sample, since the error of a model's form is alike all through a test.
+const BELIEVED: f64 = 2.2;
+
+/// Chooses among ways to fit.
 ///
-/// Every candidate is fitted to all tests and then judged on each test as predicted from all others. The simplest
+/// Every candidate is fitted to all tests and then judged on each test as predicted from all others. [`Keep::Simplest`]: the simplest
 /// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984,
 /// 3.4.3), each unknown costing [`WORTH`] of the error.
-pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) -> (usize, Choice, Params) {
+pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], keep: Keep) -> Chosen {
     struct Judged {
         params: Params,
+        rig: OfTheRig,
         unknowns: usize,
         errors: Vec<f64>,
     }
@@ -341,23 +370,21 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
         .map(|candidate| {
             // From where the last choice ended, and from a damper as it is usual: another friction may need another series path.
             let usual = as_usual(&candidate.from);
-            let fits = [Some(&candidate.from), usual.as_ref().filter(|_| of == "friction")].into_iter().flatten().map(
-                |from| {
-                    let unknowns = candidate.structure.unknowns(from, segments);
-                    let found = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH);
-                    (found.cost, found.theta, unknowns)
-                },
-            );
+            let again = usual.as_ref().filter(|_| of == "friction" || keep == Keep::First);
+            let fits = [Some(&candidate.from), again].into_iter().flatten().map(|from| {
+                let unknowns = candidate.structure.unknowns(from, segments);
+                let found = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH);
+                (found.cost, found.theta, unknowns)
+            });
             let best = fits.min_by(|a, b| a.0.total_cmp(&b.0));
             let (_, theta, unknowns) = best.unwrap_or_else(|| {
                 let unknowns = candidate.structure.unknowns(&candidate.from, segments);
                 (f64::INFINITY, unknowns.start(), unknowns)
             });
-            Judged {
-                params: unknowns.params(&theta),
-                unknowns: unknowns.list.len(),
-                errors: left_out_errors(&all, &unknowns, &theta),
-            }
+            let errors = left_out_errors(&all, &unknowns, &theta);
+            let unknowns = unknowns.starting_at(&theta);
+            let rig = candidate.structure.rig.starting_at(&unknowns.rig);
+            Judged { params: unknowns.base, rig, unknowns: theta.len(), errors }
         })
         .collect();
     let n = segments.len() as f64;
@@ -372,8 +399,11 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
         let m = d.iter().sum::<f64>() / n;
         (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
     };
+    let likelier =
+        n * (rms(0) / rms(best)).ln() - 0.5 * (judged[best].unknowns as f64 - judged[0].unknowns as f64) * n.ln();
     let kept = places
         .clone()
+        .filter(|_| keep == Keep::Simplest)
         .filter(|k| mean(*k) - mean(best) <= tie(*k))
         .min_by(|a, b| {
             // Among those that explain the records alike, one that every host can run.
@@ -383,7 +413,7 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
                 .then(judged[*a].unknowns.cmp(&judged[*b].unknowns))
                 .then(mean(*a).total_cmp(&mean(*b)))
         })
-        .unwrap_or(best);
+        .unwrap_or(if keep == Keep::First && likelier < BELIEVED { 0 } else { best });
     let others = places
         .clone()
         .filter(|k| *k != kept)
@@ -396,10 +426,13 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment]) 
         if others.is_empty() { String::new() } else { format!(" ({others})") },
         if kept == best {
             "no other is better by what its parameters cost"
+        } else if keep == Keep::First {
+            "no other is so much likelier that it is not as well an error of the model's form"
         } else {
             "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper"
         }
     );
     let scores = places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
-    (kept, Choice { of, chosen: candidates[kept].name, scores, why }, judged[kept].params)
+    let choice = Choice { of, chosen: candidates[kept].name, scores, why };
+    Chosen { place: kept, choice, params: judged[kept].params, rig: judged[kept].rig }
 }

@@ -3,7 +3,7 @@
 use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
 use crate::progress::Progress;
-use dashpot_identification::{Choice, Estimate, Family, FitOptions, model_file};
+use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
 use dashpot_records::SignFinding;
 use dashpot_records::hold_out::kept;
 use pyo3::prelude::*;
@@ -15,6 +15,7 @@ struct FitJson<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
     choices: &'a [Choice],
+    measured: &'a [Measured],
     notes: &'a [String],
     misfit: f64,
     sign: &'a SignFinding,
@@ -44,7 +45,7 @@ pub fn fit(
         return Err(say::<FitError>("elements chooses the elements of the family thesis; the others have no choice"));
     }
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
-    let options = FitOptions { family, elements };
+    let options = FitOptions { family, elements, late: campaign.read.delay.map(|d| d.seconds) };
     let progress = Progress::new(progress);
     let found =
         py.detach(|| dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text)));
@@ -54,6 +55,7 @@ pub fn fit(
         tests: &found.tests,
         parameters: &found.estimates,
         choices: &found.choices,
+        measured: &found.measured,
         notes: &found.notes,
         misfit: found.misfit,
         sign: &campaign.read.sign,

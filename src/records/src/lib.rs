@@ -32,6 +32,7 @@ mod slips;
 pub mod smoothing;
 mod swapped;
 mod table;
+pub mod taken_out;
 mod tdms;
 mod unit;
 mod xlsx;

@@ -81,5 +81,5 @@ fn fv_only(file: &ModelFile, campaign: &Campaign) -> Result<Params, CompareError
         return curve.params().map_err(CompareError::FvOnly);
     }
     let records: Vec<&Record> = campaign.records.iter().collect();
-    Ok(fit(&records, &FitOptions { family: Family::Fv, elements: None }, |_| ())?.params)
+    Ok(fit(&records, &FitOptions { family: Family::Fv, ..FitOptions::default() }, |_| ())?.params)
 }

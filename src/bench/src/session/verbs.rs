@@ -96,7 +96,7 @@ pub fn compared<'a>(
     let fv_only = match &file.identification.fv_only {
         Some(curve) => curve.params()?,
         None => {
-            let options = FitOptions { family: Family::Fv, elements: None };
+            let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
             fit(&records, &options, |_| ()).map_err(|e| e.to_string())?.params
         }
     };

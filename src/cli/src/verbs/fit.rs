@@ -8,9 +8,10 @@ use clap::ValueEnum;
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Standing, fit};
+use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, Standing, fit};
 use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
+use dashpot_records::taken_out::{Off, taken_out};
 use dashpot_records::{Campaign, Record, SignFinding};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,8 @@ use std::path::{Path, PathBuf};
 /// Identify a damper from rig records
 ///
 /// FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the
-/// variants of friction and spring are chosen by tests left out of the fit.
+/// variants of friction and spring are chosen by tests left out of the fit. A late force channel and a gain or zero
+/// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json")]
 pub struct Args {
@@ -95,6 +97,8 @@ struct Json<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
     choices: &'a [Choice],
+    /// What the records are off by; taken out before the errors below.
+    measured: &'a [Measured],
     notes: &'a [String],
     misfit: f64,
     /// Errors over every sample of the fitted tests, as `dashpot validate` measures them.
@@ -182,6 +186,12 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     Ok(())
 }
 
+/// What the fit found of the measurement, as records lose it.
+fn off(measured: &[Measured]) -> Off {
+    let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
+    Off { delay_s: of("delay"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
+}
+
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let json = args.json.as_deref();
@@ -202,8 +212,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             Becomes::Literature(name) => return literature(args, &campaign, name, on_stdout > 0),
         },
         elements: args.elements.clone(),
+        late: campaign.delay.map(|delay| delay.seconds),
     };
-    let found = identify(&kept(&campaign, &args.hold_out)?, &options, &args.output)?;
+    let records = kept(&campaign, &args.hold_out)?;
+    let found = identify(&records, &options, &args.output)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     tell_of_records(&campaign, &say)?;
     for choice in &found.choices {
@@ -222,7 +234,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &found.notes {
         say(&format!("note: {note}"))?;
     }
-    let over_whole_records = whole_records::deviation(&found.params, &kept(&campaign, &args.hold_out)?)?;
+    let off = off(&found.measured);
+    let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
+    let over_whole_records = whole_records::deviation(&found.params, &right.iter().collect::<Vec<_>>())?;
     let error = whole_records::in_words(&over_whole_records);
     say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
@@ -233,6 +247,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 tests: &found.tests,
                 parameters: &found.estimates,
                 choices: &found.choices,
+                measured: &found.measured,
                 notes: &found.notes,
                 misfit: found.misfit,
                 over_whole_records,

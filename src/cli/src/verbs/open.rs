@@ -26,14 +26,41 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(missing) = paths.iter().find(|p| !p.exists()) {
         bail!("{}: there is no such file or folder; check the path", missing.display());
     }
-    let window = std::env::current_exe()?.with_file_name(WINDOW);
-    if !window.is_file() {
-        bail!("there is no {}; build it with `cargo build --release -p dashpot-bench`", window.display());
-    }
+    let window = window()?;
     let status =
         Command::new(&window).args(paths).status().with_context(|| format!("cannot start {}", window.display()))?;
     if !status.success() {
         bail!("the window ended with {status}");
     }
     Ok(())
+}
+
+fn window() -> anyhow::Result<PathBuf> {
+    let window = std::env::current_exe()?.with_file_name(WINDOW);
+    if !window.is_file() {
+        bail!("there is no {}; build it with `cargo build --release -p dashpot-bench`", window.display());
+    }
+    Ok(window)
+}
+
+/// Starts the window with nothing in it, and does not wait: a console that a double-click opened goes away with this command.
+pub fn start() -> anyhow::Result<()> {
+    let window = window()?;
+    Command::new(&window).spawn().with_context(|| format!("cannot start {}", window.display()))?;
+    Ok(())
+}
+
+/// Whether the command was started from the desktop: then Windows has made a console for it alone.
+#[cfg(windows)]
+pub fn was_double_clicked() -> bool {
+    let mut processes = [0u32; 2];
+    // SAFETY: the list is as long as is said, and the function writes no more than that.
+    let count = unsafe { windows_sys::Win32::System::Console::GetConsoleProcessList(processes.as_mut_ptr(), 2) };
+    count == 1
+}
+
+/// Elsewhere a desktop starts the window itself.
+#[cfg(not(windows))]
+pub fn was_double_clicked() -> bool {
+    false
 }

@@ -9,7 +9,7 @@ mod motion;
 mod resonance;
 mod second_order;
 
-use super::samples::Test;
+use super::segment::Segment;
 use force_loop::loop_over_force;
 pub use guide::Load;
 use guide::guide;
@@ -24,6 +24,8 @@ pub enum Artefact {
     Delay,
     /// It passes a low-pass filter that makes it late by so much, s.
     LowPass,
+    /// The gain of the load cell moves with the campaign's clock, 1/s.
+    GainDrift,
     /// The load cell does not read zero without load, N.
     Offset,
     /// Its zero was set anew after this time on the campaign's clock, s: a step, N.
@@ -46,10 +48,11 @@ pub enum Artefact {
 }
 
 impl Artefact {
-    /// Name in the vocabulary.
+    /// Name in the vocabulary; a gain that drifts is looked for in fits alone.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
+            Artefact::GainDrift => "gain_drift",
             Artefact::Offset | Artefact::Step(_) => "force_offset",
             Artefact::Drift | Artefact::WarmUp(_) => "force_drift",
             Artefact::Guide(_) | Artefact::GuideAlong(_) => "load_dependent_friction",
@@ -62,6 +65,7 @@ impl Artefact {
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "delay",
+            Artefact::GainDrift => "gain_drift",
             Artefact::Offset | Artefact::Step(_) => "offset",
             Artefact::Drift => "drift",
             Artefact::WarmUp(_) => "whole_drift",
@@ -75,6 +79,7 @@ impl Artefact {
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "s",
+            Artefact::GainDrift => "1/s",
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => "N",
             Artefact::Drift => "N/s",
             Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => "-",
@@ -86,6 +91,7 @@ impl Artefact {
     pub fn bounds(self) -> (f64, f64) {
         let most = match self {
             Artefact::Delay | Artefact::LowPass => 5e-3,
+            Artefact::GainDrift => 1e-3,
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => 500.0,
             Artefact::Drift => 1.0,
             Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => 0.5,
@@ -96,35 +102,37 @@ impl Artefact {
 
     /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion
     /// ([`earlier`]), and behind a filter what [`low_pass`] makes of it at finer steps.
-    pub fn apply(self, value: f64, test: &Test, forces: &mut [f64]) {
+    pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {
         match self {
             Artefact::Delay | Artefact::LowPass => {}
-            Artefact::Guide(load) => guide(value, false, load, &test.segment.input, forces),
-            Artefact::GuideAlong(load) => guide(value, true, load, &test.segment.input, forces),
-            Artefact::Ring(hz) => resonance(value, f64::from(hz), false, &test.segment.dt, forces),
-            Artefact::RingAcross(hz) => resonance(value, f64::from(hz), true, &test.segment.dt, forces),
+            Artefact::GainDrift => forces.iter_mut().for_each(|f| *f *= 1.0 + value * segment.clock),
+            Artefact::Guide(load) => guide(value, false, load, &segment.input, forces),
+            Artefact::GuideAlong(load) => guide(value, true, load, &segment.input, forces),
+            Artefact::Ring(hz) => resonance(value, f64::from(hz), false, &segment.dt, forces),
+            Artefact::RingAcross(hz) => resonance(value, f64::from(hz), true, &segment.dt, forces),
             Artefact::Loop(width) => loop_over_force(value, f64::from(width), forces),
             Artefact::Offset | Artefact::Step(_) | Artefact::Drift | Artefact::WarmUp(_) => {
-                let added = value * self.per_value(test).unwrap_or(0.0);
+                let added = value * self.per_value(segment).unwrap_or(0.0);
                 forces.iter_mut().for_each(|f| *f += added);
             }
         }
     }
 
     /// Force that one unit of its number adds all through a test; `None` where it is no constant.
-    pub fn per_value(self, test: &Test) -> Option<f64> {
+    pub fn per_value(self, segment: &Segment) -> Option<f64> {
         match self {
             Artefact::Delay
             | Artefact::LowPass
+            | Artefact::GainDrift
             | Artefact::Guide(_)
             | Artefact::GuideAlong(_)
             | Artefact::Loop(_)
             | Artefact::Ring(_)
             | Artefact::RingAcross(_) => None,
             Artefact::Offset => Some(1.0),
-            Artefact::Step(after) => Some(f64::from(u8::from(test.clock > f64::from(after)))),
-            Artefact::Drift => Some(test.clock),
-            Artefact::WarmUp(time) => Some(1.0 - (-test.clock / f64::from(time)).exp()),
+            Artefact::Step(after) => Some(f64::from(u8::from(segment.clock > f64::from(after)))),
+            Artefact::Drift => Some(segment.clock),
+            Artefact::WarmUp(time) => Some(1.0 - (-segment.clock / f64::from(time)).exp()),
         }
     }
 }

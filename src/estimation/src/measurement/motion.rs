@@ -92,6 +92,7 @@ mod tests {
             top: 1.0,
             peak_velocity: 0.4,
             amplitude: 0.01,
+            clock: 0.0,
         }
     }
 

@@ -142,7 +142,8 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     });
     let cycles = bounds.len() as f64;
     let noise = mean_noise.powi(2) / independence;
-    let segment = segment(record, dt, input, force, lead, noise);
+    let clock = 0.5 * (bounds[0].0 + bounds[bounds.len() - 1].1);
+    let segment = segment(record, clock, dt, input, force, lead, noise);
     let times: Vec<f64> = alone.iter().map(|alone| if *alone { cycles } else { 1.0 }).collect();
     Test {
         record: place,
@@ -153,7 +154,6 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         growth,
         noise_freedom: (cycles - 1.0).max(1.0) * count as f64 * independence,
         frequency: 1.0 / period,
-        clock: 0.5 * (bounds[0].0 + bounds[bounds.len() - 1].1),
     }
 }
 

@@ -120,6 +120,7 @@ mod tests {
             top: 300.0,
             peak_velocity: 0.16,
             amplitude: 1e-3,
+            clock: 0.0,
         };
         let test = Test {
             record: 0,
@@ -130,7 +131,6 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
-            clock: 0.0,
         };
         let lead = usual(1.0 / frequency, COUNT);
         Test { segment: led_in(&test, &places(lead, COUNT), lead), ..test }

@@ -45,8 +45,6 @@ pub struct Test {
     pub noise_freedom: f64,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
-    /// Middle of the stretch on the campaign's clock, s.
-    pub clock: f64,
 }
 
 impl Test {
@@ -101,8 +99,16 @@ fn of_record(place: usize, record: &Record, most: usize) -> Vec<Test> {
         .collect()
 }
 
-/// A segment of a record, which is scored from `from` on; `noise` is the variance of a sample.
-fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, from: usize, noise: f64) -> Segment {
+/// A segment of a record about a time of its clock, which is scored from `from` on; `noise` is the variance of a sample.
+fn segment(
+    record: &Record,
+    clock: f64,
+    dt: Vec<f64>,
+    input: Vec<Input>,
+    force: Vec<f64>,
+    from: usize,
+    noise: f64,
+) -> Segment {
     let top = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     Segment {
         name: record.name.clone(),
@@ -114,5 +120,6 @@ fn segment(record: &Record, dt: Vec<f64>, input: Vec<Input>, force: Vec<f64>, fr
         top,
         peak_velocity: record.peak_velocity,
         amplitude: record.amplitude,
+        clock,
     }
 }

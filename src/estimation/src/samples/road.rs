@@ -43,7 +43,8 @@ pub fn road(place: usize, record: &Record, motion: &Motion) -> Test {
     let every = (picks.len() / SCORED).max(1);
     let thinned = independence(lag1.powi((stride * every) as i32));
     let noise = mean_noise.powi(2) / thinned;
-    let segment = segment(record, dt, input, force, lead, noise);
+    let clock = 0.5 * (record.time[0] + record.time[n - 1]);
+    let segment = segment(record, clock, dt, input, force, lead, noise);
     let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
     // The model goes through all of it; samples between the scored ones count nothing.
     for (k, allowed) in allowed.iter_mut().enumerate() {
@@ -61,7 +62,6 @@ pub fn road(place: usize, record: &Record, motion: &Motion) -> Test {
         growth: 0.0,
         noise_freedom: n as f64 * independence(lag1),
         frequency: 0.0,
-        clock: 0.5 * (record.time[0] + record.time[n - 1]),
     }
 }
 
@@ -108,6 +108,7 @@ mod tests {
             top: 1.0,
             peak_velocity: 0.4,
             amplitude: 0.02,
+            clock: 0.0,
         };
         record.force = forces(&model, &all);
         let test = road(0, &record, &smooth(&record));

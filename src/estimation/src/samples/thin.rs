@@ -70,6 +70,7 @@ mod tests {
             top: 1000.0,
             peak_velocity: 1.0,
             amplitude: 0.01,
+            clock: 0.0,
         };
         let allowed = (0..count).map(|k| 1.0 + k as f64).collect();
         Test {
@@ -81,7 +82,6 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
-            clock: 0.0,
         }
     }
 

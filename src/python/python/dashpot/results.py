@@ -97,12 +97,25 @@ class Choice(Result):
 
 
 @dataclass(frozen=True)
+class Measured(Result):
+    """What the records are off by; taken out of the comparison and not part of the model."""
+
+    name: str
+    value: float
+    low: float
+    high: float
+    unit: str
+    option: str | None = None
+
+
+@dataclass(frozen=True)
 class FitResult(Result):
     """What a fit found; the JSON of ``dashpot fit`` without the file name."""
 
     tests: tuple[str, ...]
     parameters: tuple[Estimate, ...]
     choices: tuple[Choice, ...]
+    measured: tuple[Measured, ...]
     notes: tuple[str, ...]
     misfit: float
     sign: SignFinding

@@ -76,7 +76,7 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
 }
 
 /// The value at a time after sample `at`: of the cubic through four samples, where there are as many on both sides.
-fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
+pub(crate) fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
     let n = time.len();
     let from = at.saturating_sub(1).min(n.saturating_sub(4));
     let to = (from + 4).min(n);

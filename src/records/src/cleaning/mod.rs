@@ -22,7 +22,7 @@ use super::record::{Note, Record};
 use super::samples::{Samples, range};
 use super::swapped;
 
-pub(crate) use corrections::delay_motion;
+pub(crate) use corrections::{between, delay_motion};
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
 pub(crate) use cycles::{Cycle, robust_peak};

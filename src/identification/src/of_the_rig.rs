@@ -1,0 +1,181 @@
+//! What a fit looks for in the measurement itself: how late the force channel is, and how gain and zero of the load cell move through a
+//! campaign.
+//!
+//! A zero that is off all the time is not among them: of the force it is the same as another gas force, of the displacement the same as
+//! another table of the spring, so that only the user can tell them ([`dashpot_records::Options`]). The others are estimated beside the numbers of the model, where tests left out of the fit are predicted better with them, and never
+//! become part of the model.
+
+use super::intervals::{Z, covariance_of};
+use dashpot_estimation::as_read::RigNumber;
+use dashpot_estimation::measurement::Artefact;
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_estimation::unknowns::Unknowns;
+use serde::Serialize;
+
+/// A number of the measurement that is looked for: what is usual of it and where its fit starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sought {
+    usual: (f64, f64),
+    start: f64,
+}
+
+/// The numbers of the measurement in a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OfTheRig {
+    delay: Option<Sought>,
+    gain_drift: Option<Sought>,
+    force_drift: Option<Sought>,
+}
+
+/// How late the force channel of a rig usually comes, s: a filter of 200 Hz makes 1 ms.
+const DELAY: f64 = 1e-3;
+/// How much a load cell's gain (as a share) and zero (N) usually move in a campaign.
+const GAIN: f64 = 0.02;
+const ZERO: f64 = 20.0;
+
+impl OfTheRig {
+    /// None of them.
+    pub const NONE: OfTheRig = OfTheRig { delay: None, gain_drift: None, force_drift: None };
+
+    /// Each of them that these tests can show, alone, and all together, with names for the report. `late` is the delay that a first look at
+    /// the records found.
+    pub fn ways(segments: &[Segment], late: Option<f64>) -> Vec<(&'static str, OfTheRig)> {
+        let around = |mean: f64, spread: f64| Some(Sought { usual: (mean, spread), start: mean });
+        let mut all = OfTheRig::NONE;
+        let mut ways = Vec::new();
+        if tells_delay(segments) {
+            all.delay = around(late.unwrap_or(0.0), DELAY);
+            ways.push(("a late force channel", OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
+        }
+        let clocks = segments.iter().map(|s| s.clock);
+        let last = clocks.clone().fold(0.0, f64::max);
+        let span = last - clocks.fold(f64::INFINITY, f64::min);
+        // Each file with a clock of its own says nothing about the campaign's.
+        if segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
+            (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO / last));
+            ways.push(("a gain that drifts", OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
+            ways.push(("a zero that drifts", OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
+        }
+        if ways.len() > 1 {
+            ways.push(("all of these", all));
+        }
+        ways
+    }
+
+    /// In the order in which the load cell makes them.
+    fn all(self) -> impl Iterator<Item = (Artefact, Sought)> {
+        [(Artefact::Delay, self.delay), (Artefact::GainDrift, self.gain_drift), (Artefact::Drift, self.force_drift)]
+            .into_iter()
+            .filter_map(|(artefact, sought)| Some((artefact, sought?)))
+    }
+
+    /// As numbers of a fit.
+    pub fn numbers(self) -> Vec<RigNumber> {
+        self.all().map(|(artefact, s)| RigNumber { artefact, start: s.start, usual: s.usual }).collect()
+    }
+
+    /// The same from where another fit of them ended.
+    pub fn starting_at(mut self, ended: &[RigNumber]) -> OfTheRig {
+        for number in ended {
+            let sought = match number.artefact {
+                Artefact::Delay => &mut self.delay,
+                Artefact::GainDrift => &mut self.gain_drift,
+                Artefact::Drift => &mut self.force_drift,
+                _ => continue,
+            };
+            if let Some(sought) = sought {
+                sought.start = number.start;
+            }
+        }
+        self
+    }
+}
+
+/// Fewest tests from which a drift through a campaign shows apart from the tests' own differences, and its shortest span, s.
+const FEWEST: usize = 6;
+const SHORTEST: f64 = 60.0;
+
+/// How much faster the fastest test must turn than the slowest for a delay to be told from compliance, whose loop grows otherwise
+/// with frequency.
+const APART: f64 = 1.5;
+
+/// Whether the frequencies of the tests tell a delay from a soft series path.
+pub fn tells_delay(segments: &[Segment]) -> bool {
+    let turns = |s: &Segment| s.peak_velocity / s.amplitude;
+    let (low, high) = segments
+        .iter()
+        .filter(|s| s.amplitude > 0.0)
+        .map(turns)
+        .fold((f64::INFINITY, 0.0f64), |(l, h), w| (l.min(w), h.max(w)));
+    high > APART * low
+}
+
+/// One number of the measurement that the records are off by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Measured {
+    /// What it is: `delay`, `gain_drift` or `drift` (of the force's zero).
+    pub name: &'static str,
+    /// Value.
+    pub value: f64,
+    /// Lower end of the 95 % interval.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Unit.
+    pub unit: &'static str,
+    /// How to tell the reader of records, where it has an option for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub option: Option<&'static str>,
+}
+
+impl Measured {
+    /// Whether the interval is off zero.
+    pub fn is_there(&self) -> bool {
+        self.low > 0.0 || self.high < 0.0
+    }
+
+    /// In a sentence.
+    pub fn in_words(&self) -> String {
+        let (factor, unit, what) = match self.name {
+            "delay" => (1e3, "ms", "the force channel comes late by"),
+            "gain_drift" => (100.0 * 60.0, "% a minute", "the gain of the force channel drifts by"),
+            _ => (60.0, "N a minute", "the zero of the force channel drifts by"),
+        };
+        let of = |value: f64| format!("{:.3}", factor * value);
+        let then = match self.option {
+            Some(option) => format!(
+                "; it was taken out here and is not in the model: give {option} {:.6} to validate and diagnose, or write it into campaign.toml",
+                self.value
+            ),
+            None => "; it was taken out here and is not in the model".to_owned(),
+        };
+        format!("{what} {} {unit} (95 %: {} to {}){then}", of(self.value), of(self.low), of(self.high))
+    }
+}
+
+/// What a fit found of the measurement.
+pub fn measured(segments: &[Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Vec<Measured> {
+    if unknowns.rig.is_empty() {
+        return Vec::new();
+    }
+    let Some(covariance) = covariance_of(segments, unknowns, theta, accuracy) else { return Vec::new() };
+    let numbers = unknowns.rig.iter().enumerate();
+    numbers
+        .map(|(k, number)| {
+            let place = unknowns.list.len() + k;
+            let (value, half) = (theta[place], Z * covariance[(place, place)].max(0.0).sqrt());
+            Measured {
+                name: number.artefact.parameter(),
+                value,
+                low: value - half,
+                high: value + half,
+                unit: number.artefact.unit(),
+                option: match number.artefact {
+                    Artefact::Delay => Some("--delay"),
+                    _ => None,
+                },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,102 @@
+//! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
+
+use super::cleaning::between;
+use super::record::{Note, Record};
+
+/// What a record is off by.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Off {
+    /// How late the force is, s.
+    pub delay_s: f64,
+    /// Growth of the force's gain with the record's clock, 1/s.
+    pub gain_per_s: f64,
+    /// Growth of the force's zero with the record's clock, N/s.
+    pub zero_n_per_s: f64,
+}
+
+impl Off {
+    /// Not off at all.
+    pub const NONE: Off = Off { delay_s: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
+}
+
+/// The record without it; samples whose motion was not recorded, at an end, are left out.
+pub fn taken_out(record: &Record, off: &Off) -> Record {
+    if *off == Off::NONE {
+        return record.clone();
+    }
+    let mut right = if off.delay_s == 0.0 { record.clone() } else { earlier(record, off.delay_s) };
+    for (force, t) in right.force.iter_mut().zip(&right.time) {
+        *force = (*force - off.zero_n_per_s * t) / (1.0 + off.gain_per_s * t);
+    }
+    let text = "what the fit found the measurement to be off by was taken out".into();
+    right.notes.push(Note { kind: "corrected", text });
+    right
+}
+
+/// Every force with the motion of `delay` before.
+fn earlier(record: &Record, delay: f64) -> Record {
+    let time = &record.time;
+    let n = time.len();
+    let (Some(first), Some(last)) = (time.first(), time.last()) else { return record.clone() };
+    let from = time.partition_point(|t| t - delay < *first);
+    let to = time.partition_point(|t| t - delay <= *last).max(from);
+    let of = |values: &[f64]| -> Vec<f64> {
+        let mut at = 0;
+        let value = |t: &f64| {
+            while at + 2 < n && time[at + 1] <= t - delay {
+                at += 1;
+            }
+            between(time, values, at, t - delay)
+        };
+        time[from..to].iter().map(value).collect()
+    };
+    let cut = |values: &[f64]| values[from..to].to_vec();
+    Record {
+        displacement: of(&record.displacement),
+        velocity: of(&record.velocity),
+        time: cut(time),
+        force: cut(&record.force),
+        side_force: record.side_force.as_deref().map(cut),
+        temperature: record.temperature.as_deref().map(cut),
+        // The force is where it was; a cycle of it begins where it began.
+        cycles: record
+            .cycles
+            .iter()
+            .filter(|cycle| cycle.start >= from && cycle.end <= to)
+            .map(|cycle| cycle.start - from..cycle.end - from)
+            .collect(),
+        ..record.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_is_what_it_was_before_it_went_wrong() {
+        let (n, h, omega) = (400, 2e-3, 20.0);
+        let time: Vec<f64> = (0..n).map(|i| 100.0 + h * i as f64).collect();
+        let x = |t: f64| 0.01 * (omega * t).sin();
+        let v = |t: f64| 0.01 * omega * (omega * t).cos();
+        let force = |t: f64| 3000.0 * v(t) + 2000.0 * x(t);
+        let off = Off { delay_s: 3.3e-3, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
+        let read = Record {
+            displacement: time.iter().map(|t| x(*t)).collect(),
+            velocity: time.iter().map(|t| v(*t)).collect(),
+            force: time
+                .iter()
+                .map(|t| force(t - off.delay_s) * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t)
+                .collect(),
+            time,
+            ..Record::default()
+        };
+        let right = taken_out(&read, &off);
+        assert!(right.time.len() == n - 2 && right.time[0] == read.time[2]);
+        for i in 4..n - 6 {
+            let wanted = 3000.0 * right.velocity[i] + 2000.0 * right.displacement[i];
+            assert!((right.force[i] - wanted).abs() < 0.1, "{i}: {} {wanted}", right.force[i]);
+        }
+        assert_eq!(taken_out(&read, &Off::NONE).force, read.force);
+    }
+}

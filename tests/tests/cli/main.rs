@@ -1,0 +1,15 @@
+//! The command, as its users run it.
+
+mod about;
+mod accuracy;
+mod against;
+mod check;
+mod contract;
+mod diagnose;
+mod limits;
+mod manoeuvre;
+mod mistakes;
+mod nothing_lost;
+mod records;
+mod same_result;
+mod simulate;
