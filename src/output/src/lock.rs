@@ -52,7 +52,7 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// A file in the folder that others cannot open and that the system removes with the run.
+/// A file that others cannot open and that the system removes with the run: beside the folder, since what is in it is looked at.
 #[cfg(windows)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     use std::os::windows::fs::OpenOptionsExt as _;
@@ -62,7 +62,12 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     const SHARING_VIOLATION: i32 = 32;
     let mut open = fs::OpenOptions::new();
     open.write(true).create(true).share_mode(0).custom_flags(DELETE_ON_CLOSE);
-    match open.open(folder.join(".dashpot-lock")) {
+    let beside = fs::canonicalize(folder).ok().and_then(|folder| {
+        let name = format!(".{}.dashpot-lock", folder.file_name()?.to_string_lossy());
+        Some(folder.with_file_name(name))
+    });
+    let Some(beside) = beside else { return Ok(None) };
+    match open.open(beside) {
         Ok(file) => Ok(Some(file)),
         Err(error) if error.raw_os_error() == Some(SHARING_VIOLATION) => Err(Held),
         Err(_) => Ok(None),
