@@ -16,6 +16,7 @@ use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_records::Record;
+use rayon::prelude::*;
 
 /// Which kind of model is fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -234,16 +235,18 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     };
     // Several starts: a soft and a stiff series spring are separated by a hill.
     progress(Stage { done: 0.1, text: "first fit from several starts" });
-    let mut best: Option<(f64, Params)> = None;
-    for stiffness in if start.series { &STIFFNESS_STARTS[..] } else { &STIFFNESS_STARTS[..1] } {
-        let mut from = *guess;
-        let _ = from.set("series_stiffness", *stiffness);
-        let unknowns = start.unknowns(&from, segments);
-        let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
-        if best.as_ref().is_none_or(|(cost, _)| found.cost < *cost) {
-            best = Some((found.cost, unknowns.params(&found.theta)));
-        }
-    }
+    let starts = if start.series { &STIFFNESS_STARTS[..] } else { &STIFFNESS_STARTS[..1] };
+    let fits: Vec<(f64, Params)> = starts
+        .par_iter()
+        .map(|stiffness| {
+            let mut from = *guess;
+            let _ = from.set("series_stiffness", *stiffness);
+            let unknowns = start.unknowns(&from, segments);
+            let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
+            (found.cost, unknowns.params(&found.theta))
+        })
+        .collect();
+    let best = fits.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let mut from = best.map_or(*guess, |(_, params)| params);
     let mut choices = Vec::new();
     let mut structure = start;

@@ -7,6 +7,7 @@ use dashpot_core::parameter::find;
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// Relative fall of the error that one more parameter must bring to be worth having.
@@ -366,11 +367,12 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     }
     let all: Vec<&Segment> = segments.iter().collect();
     let judged: Vec<Judged> = candidates
-        .iter()
+        .par_iter()
         .map(|candidate| {
             // From where the last choice ended, and from a damper as it is usual: another friction may need another series path.
             let usual = as_usual(&candidate.from);
-            let again = usual.as_ref().filter(|_| of == "friction" || keep == Keep::First);
+            let matters = candidate.structure.series && (of == "friction" || keep == Keep::First);
+            let again = usual.as_ref().filter(|_| matters);
             let fits = [Some(&candidate.from), again].into_iter().flatten().map(|from| {
                 let unknowns = candidate.structure.unknowns(from, segments);
                 let found = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH);

@@ -4,6 +4,7 @@ use crate::errors::{ExportError, OutputError, raise};
 use crate::model::Model;
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Options, Scales, Version};
+use dashpot_simulation::chatter::{self, Host};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -35,7 +36,9 @@ pub fn export_fmu(
         let corners = fmu::corners(&params, four)?;
         let scales = Scales::checked(corners.len(), motion_scale, force_scale, position_offset)?;
         let from_source = library.as_deref();
-        fmu::fmu(&corners, &Options { version, scales, name, from_source, sources, more: &[] })
+        let mut remarks: Vec<String> = params.iter().flat_map(|p| chatter::remarks(p, Host::USUAL)).collect();
+        remarks.dedup();
+        fmu::fmu(&corners, &Options { version, scales, name, from_source, sources, more: &[], remarks: &remarks })
     });
     let made = made.map_err(raise::<ExportError>)?;
     dashpot_output::write(&path, &made.bytes).map_err(raise::<OutputError>)?;

@@ -24,6 +24,16 @@ pub struct Host {
     pub mass: f64,
 }
 
+impl Host {
+    /// A real-time host with the lightest mass that a damper of a car moves: wheel, hub and half the links of a small car's front corner.
+    pub const USUAL: Host = Host { step: 1e-3, mass: 40.0 };
+}
+
+/// What must be known beside an export of a damper: how it chatters, where it does in that host.
+pub fn remarks(params: &Params, host: Host) -> Vec<String> {
+    chatter(params, host).ok().filter(|c| c.gain >= RINGS).map(|c| c.told(host)).into_iter().collect()
+}
+
 /// Gain from which a disturbance changes sign at every step.
 pub const RINGS: f64 = 1.0;
 /// Gain from which it grows.

@@ -363,3 +363,26 @@ fn a_binary_for_another_platform_goes_inside() {
         files.contains(&"binaries/win64/dashpot_damper.dll") && files.contains(&"binaries/linux64/dashpot_damper.so")
     );
 }
+
+#[test]
+fn the_page_says_that_a_damper_chatters_in_a_host_that_holds_its_force() {
+    let with = |steepness: u32| {
+        format!(
+            "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
+             fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = {steepness}.0\n"
+        )
+    };
+    for (steepness, chatters) in [(5000, true), (50, false)] {
+        let folder = tempfile::tempdir().expect("a directory");
+        let at = folder.path();
+        exported(at, &with(steepness), "2", false, &[]);
+        unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
+        let page = std::fs::read_to_string(at.join("unpacked/documentation/index.html")).expect("the page");
+        assert_eq!(
+            page.contains("This damper.") && page.contains("At a host step of 1 ms and 40 kg"),
+            chatters,
+            "{page}"
+        );
+        assert!(!page.contains("REMARKS"));
+    }
+}

@@ -18,6 +18,7 @@ use dashpot_records::{Profile, profile};
 use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::{Made, Print, ReportInput};
 use dashpot_rig::Matrix;
+use dashpot_simulation::chatter;
 use dashpot_simulation::comparison::at_constant_velocity;
 use std::path::{Path, PathBuf};
 
@@ -200,6 +201,7 @@ fn export(host: Host, params: &Params, text: &str, path: &Path) -> anyhow::Resul
                 from_source: (!holds_one).then_some(library.as_path()),
                 sources: true,
                 more: &[],
+                remarks: &chatter::remarks(params, chatter::Host::USUAL),
             };
             let made = fmu::fmu(&[*params], &options)?;
             write(path, Kind::Fmu, &made.bytes)

@@ -5,19 +5,14 @@ use dashpot_core::Params;
 use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Chatter, Host, Softened, chatter, softened};
 
-/// The lightest mass that a damper of a car moves, kg: wheel, hub and half the links of a small car's front corner.
-const WHEEL: f64 = 40.0;
-/// The step that chatter is judged at where none is given, s: that of real-time hosts.
-const STEP: f64 = 1e-3;
-
 /// What is said of the host.
 #[derive(clap::Args, Debug, Clone)]
 pub struct HostArgs {
     /// Step of the host, s, at which chatter is judged
-    #[arg(long, value_name = "S", default_value_t = STEP)]
+    #[arg(long, value_name = "S", default_value_t = Host::USUAL.step)]
     host_step: f64,
     /// The lightest mass that the damper moves, kg
-    #[arg(long, value_name = "KG", default_value_t = WHEEL)]
+    #[arg(long, value_name = "KG", default_value_t = Host::USUAL.mass)]
     wheel_mass: f64,
     /// Replace friction that chatters in a host of this step, s, by presliding friction; what that changes is said
     #[arg(long, value_name = "S")]

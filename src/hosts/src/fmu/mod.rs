@@ -50,6 +50,8 @@ pub struct Options<'a> {
     pub sources: bool,
     /// Binaries for further platforms.
     pub more: &'a [Binary],
+    /// What its page says of this damper, such as that it chatters in a host that holds the force over a step.
+    pub remarks: &'a [String],
 }
 
 /// An FMU in the making, and what it runs on.
@@ -161,7 +163,7 @@ pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
     let mut archive = zip::Zip::default();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes());
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
-    archive.add("documentation/index.html", page::page(&variables).as_bytes());
+    archive.add("documentation/index.html", page::page(&variables, options.remarks).as_bytes());
     for (platform, suffix, content) in &binaries {
         archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content);
     }

@@ -3,8 +3,13 @@
 use super::variables::{Kind, Variable};
 use std::fmt::Write as _;
 
-/// `documentation/index.html`.
-pub fn page(variables: &[Variable]) -> String {
+/// A text as HTML shows it.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;")
+}
+
+/// `documentation/index.html`; remarks are what must be known of this damper.
+pub fn page(variables: &[Variable], remarks: &[String]) -> String {
     let mut out = String::from(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
          <h1>dashpot damper</h1>\n\
@@ -29,13 +34,15 @@ pub fn page(variables: &[Variable]) -> String {
          <tr><td>set inputs</td><td>t (extrapolate, derivatives) or t + h (hold)</td><td>nothing yet</td></tr>\n\
          <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
          <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n\
-         <p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
+         REMARKS<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
          that falls) is refused with a message, and the old one stays.</p>\n<table border=\"1\">\n\
          <tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n",
     );
+    let told: String = remarks.iter().map(|r| format!("<p><b>This damper.</b> {}</p>\n", escaped(r))).collect();
+    out = out.replace("REMARKS", &told);
     for v in variables.iter().filter(|v| !matches!(v.kind, Kind::State | Kind::Rate | Kind::Time | Kind::SpeedMargin)) {
         let start = v.start.map_or(String::new(), |s| s.to_string());
-        let meaning = v.meaning.replace('&', "&amp;").replace('<', "&lt;");
+        let meaning = escaped(&v.meaning);
         let _ = writeln!(out, "<tr><td>{}</td><td>{}</td><td>{start}</td><td>{meaning}</td></tr>", v.name, v.unit);
     }
     out.push_str("</table>\n</body></html>\n");

@@ -5,6 +5,7 @@ use dashpot_core::elements::{self, GROUPS};
 use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
+use dashpot_simulation::chatter::{Host, remarks};
 use std::path::PathBuf;
 
 /// Write the FV curve of a model as an Adams Car damper property file
@@ -51,6 +52,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !left_out.is_empty() {
         notes.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
     }
+    let mut alone = file.params;
+    alone.disable_all();
+    alone.enable("fv_curve", true).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+    notes.extend(remarks(&alone, Host::USUAL));
     let points = curve.velocities.len();
     let text = property::write(&Properties { curve, straight: false, gas_force, notes }, form);
     dashpot_output::write(&args.output, &text)?;

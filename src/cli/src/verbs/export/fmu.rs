@@ -64,13 +64,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("-o needs a file name: an FMU is a zip archive");
     }
     dashpot_output::check([args.output.as_path()])?;
-    let mut notes = Vec::new();
+    let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Params> = Vec::new();
     for path in &args.models {
         let file = model_file::read(path)?;
         model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
         let ready = args.host.ready(&file.params)?;
         notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
+        remarks.extend(ready.notes());
         models.push(ready.params);
     }
     let corners = fmu::corners(&models, args.four)?;
@@ -99,6 +100,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             from_source: library.as_deref(),
             sources: !args.no_sources,
             more: &more,
+            remarks: &remarks,
         },
     )?;
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
