@@ -188,3 +188,36 @@ fn why(tried: &Tried, before: &super::evidence::Weighed, share: f64) -> String {
         says
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::round::tests::{round, tried};
+    use super::*;
+
+    #[test]
+    fn what_is_explained_is_a_share_of_what_is_beyond_the_noise() {
+        assert_eq!(explained(9.0, 1.0), 1.0);
+        assert_eq!(explained(9.0, 5.0), 0.5);
+        assert_eq!(explained(9.0, 17.0), -1.0);
+        // Nothing was to be explained.
+        assert_eq!(explained(0.8, 0.5), 0.0);
+    }
+
+    #[test]
+    fn rivals_come_likeliest_first_without_the_winner_and_say_what_they_explain() {
+        let look = round(9.0, vec![tried("aeration", "", 1.2), tried("free_play", "", 1.5), tried("bushing", "", 6.0)]);
+        let all = rivals(&look, Some("aeration"));
+        assert_eq!(all.iter().map(|r| r.effect).collect::<Vec<_>>(), ["free_play", "bushing"]);
+        assert!(all[0].confidence > all[1].confidence && all[0].why.contains("94 %"), "{all:?}");
+        // What is hardly possible is no suspect.
+        assert!(suspects(&look).iter().all(|r| r.confidence >= LISTED));
+    }
+
+    #[test]
+    fn numbers_that_dampers_hardly_show_are_told_as_the_reason() {
+        let mut strange = tried("bushing", "", 1.2);
+        strange.weighed.implausibility = 2.0 * STRANGE;
+        let all = rivals(&round(9.0, vec![tried("aeration", "", 1.2), strange]), Some("aeration"));
+        assert!(all[0].why.contains("hardly show"), "{all:?}");
+    }
+}

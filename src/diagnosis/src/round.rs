@@ -240,3 +240,98 @@ fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
     });
     order
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use dashpot_core::Params;
+    use nalgebra::{DMatrix, DVector};
+
+    /// Tests of a campaign, as many as a small one has.
+    const TESTS: usize = 20;
+
+    fn weighed(mean_square: f64, numbers: f64) -> Weighed {
+        Weighed { mean_squares: vec![mean_square; TESTS], numbers, implausibility: 0.0 }
+    }
+
+    /// A form that leaves so much.
+    pub fn tried(effect: &'static str, form: &'static str, leaves: f64) -> Tried {
+        let hypothesis = Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None };
+        let refit = Refit::at(&hypothesis, Vec::new(), DVector::zeros(0), DMatrix::zeros(0, 0));
+        let candidate = Candidate {
+            effect,
+            form,
+            elements: &["gas_spring"],
+            fixed: Vec::new(),
+            fresh: Vec::new(),
+            starts: Vec::new(),
+            jumps: false,
+            unnamed: None,
+        };
+        Tried { candidate, hypothesis, refit, weighed: weighed(leaves, 2.0) }
+    }
+
+    /// A first look at a base that leaves so much, with these forms tried.
+    pub fn round(before: f64, mut tried: Vec<Tried>) -> Round {
+        let log = |t: &Tried| t.weighed.log_evidence(2.0);
+        tried.sort_by(|a, b| log(b).total_cmp(&log(a)));
+        Round {
+            before: weighed(before, 0.0),
+            named_so_far: 0.0,
+            is_later: false,
+            tried,
+            invisible: Vec::new(),
+            choice: 18,
+        }
+    }
+
+    fn sum(odds: &Odds) -> f64 {
+        odds.nothing + odds.without_name + odds.effects.values().sum::<f64>()
+    }
+
+    #[test]
+    fn the_odds_are_probabilities_and_follow_what_is_left() {
+        let quiet = round(1.0, vec![tried("aeration", "", 0.99)]).odds(2.0);
+        assert!((sum(&quiet) - 1.0).abs() < 1e-12 && quiet.nothing > 0.9, "{quiet:?}");
+        let loud = round(9.0, vec![tried("aeration", "", 1.05), tried("free_play", "", 5.0)]).odds(2.0);
+        assert!((sum(&loud) - 1.0).abs() < 1e-12 && loud.effects["aeration"] > 0.9, "{loud:?}");
+        // Nothing explains it: it has no name.
+        let strange = round(9.0, vec![tried("aeration", "", 8.5)]).odds(2.0);
+        assert!(strange.without_name > 0.5 && strange.nothing < 1e-3, "{strange:?}");
+        // Fewer independent samples make every answer less sure.
+        let rather = round(3.0, vec![tried("aeration", "", 1.2)]);
+        assert!(rather.odds(1.0).effects["aeration"] < rather.odds(2.0).effects["aeration"]);
+    }
+
+    #[test]
+    fn a_name_with_which_the_records_are_no_likelier_is_none() {
+        let odds = round(4.0, vec![tried("aeration", "", 3.99)]).odds(2.0);
+        assert!(odds.effects.is_empty(), "{odds:?}");
+    }
+
+    #[test]
+    fn forms_share_the_odds_of_their_effect() {
+        let one = round(4.0, vec![tried("aeration", "a", 1.2), tried("free_play", "", 1.2)]).odds(2.0);
+        assert!((one.effects["aeration"] - one.effects["free_play"]).abs() < 1e-12);
+        let many = ["b", "c", "d"].map(|form| tried("aeration", form, 3.9));
+        let mut list = vec![tried("aeration", "a", 1.2), tried("free_play", "", 1.2)];
+        list.extend(many);
+        let two = round(4.0, list);
+        // Forms that were tried in vain cost the effect; two good ones gain it nothing.
+        let odds = two.odds(2.0);
+        assert!(odds.effects["aeration"] < 0.5 * odds.effects["free_play"], "{odds:?}");
+        assert_eq!(two.named().len(), 2);
+        assert_eq!(two.promising().len(), 3);
+        let same =
+            round(4.0, vec![tried("aeration", "a", 1.2), tried("aeration", "b", 1.2), tried("free_play", "", 1.2)]);
+        let odds = same.odds(2.0);
+        assert!((odds.effects["aeration"] - odds.effects["free_play"]).abs() < 1e-9, "{odds:?}");
+    }
+
+    #[test]
+    fn after_a_name_another_is_less_likely_beforehand() {
+        let first = round(1.6, vec![tried("aeration", "", 1.1)]);
+        let later = Round { is_later: true, named_so_far: 4.0, ..round(1.6, vec![tried("aeration", "", 1.1)]) };
+        assert!(later.odds(2.0).nothing > first.odds(2.0).nothing);
+    }
+}

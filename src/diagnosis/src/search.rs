@@ -342,6 +342,20 @@ mod tests {
     use dashpot_core::{Model, Params};
 
     #[test]
+    fn a_name_is_looked_for_only_where_something_is_missing_for_sure() {
+        use crate::round::tests::{round, tried};
+        let of = |before: f64, after: f64| {
+            let look = round(before, vec![tried("aeration", "", after), tried("bushing", "", before)]);
+            likely(&look).map(|t| t.candidate.effect)
+        };
+        assert_eq!(of(9.0, 1.1), Some("aeration"));
+        // Little is missing, and little is gained.
+        assert_eq!(of(1.2, 1.1), None);
+        // Something is missing that the effect does not explain.
+        assert_eq!(of(9.0, 8.0), None);
+    }
+
+    #[test]
     fn an_effect_that_is_taken_out_leaves_the_damper_as_it_was() {
         let mut params = Params::new();
         params.enable("stribeck_friction", false).unwrap();

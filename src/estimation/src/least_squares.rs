@@ -270,3 +270,103 @@ fn correlation_factor(residual: &[f64]) -> f64 {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unknowns::{CurveName, Unknown};
+    use dashpot_core::{Input, Params};
+
+    /// Sines on a damper of a curve and gas, each with an error of its own that no model has.
+    fn campaign() -> (Vec<Segment>, Unknowns) {
+        let mut base = Params::new();
+        base.disable_all();
+        for element in ["fv_curve", "gas_preload"] {
+            base.enable(element, true).unwrap();
+        }
+        let mut list = Unknowns::rises(&base, CurveName::Fv);
+        list.push(Unknown::Linear("gas_force"));
+        let unknowns = Unknowns { base, list, rig: Vec::new() };
+        let run = Run::new(&unknowns, &unknowns.start(), Accuracy::Full).unwrap();
+        let segments = (0..12)
+            .map(|k| {
+                let (amplitude, omega) = (0.004 * (1.0 + f64::from(k % 4)), 6.0 * (1.0 + f64::from(k / 4)).powi(2));
+                let n = 200;
+                let at = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
+                let mut segment = Segment {
+                    name: format!("{k}"),
+                    dt: vec![std::f64::consts::TAU / omega / n as f64; n],
+                    input: (0..n)
+                        .map(|i| Input::motion(amplitude * at(i).sin(), amplitude * omega * at(i).cos()))
+                        .collect(),
+                    force: vec![0.0; n],
+                    from: 20,
+                    scale: 5.0,
+                    top: 1000.0,
+                    peak_velocity: amplitude * omega,
+                    amplitude,
+                    clock: 0.0,
+                };
+                let off = 6.0 * (f64::from(k) * 2.4).sin();
+                segment.force = run.forces(&segment);
+                segment.force.iter_mut().enumerate().for_each(|(i, f)| *f += off + 3.0 * (7.1 * i as f64).sin());
+                segment
+            })
+            .collect();
+        (segments, unknowns)
+    }
+
+    #[test]
+    fn a_test_left_out_is_predicted_as_by_a_fit_without_it() {
+        let (segments, unknowns) = campaign();
+        let all: Vec<&Segment> = segments.iter().collect();
+        let common = solve(&all, &unknowns, &unknowns.start(), Effort::FINE);
+        let errors = left_out_errors(&all, &unknowns, &common.theta);
+        for (k, error) in errors.iter().enumerate() {
+            let others: Vec<&Segment> = segments.iter().enumerate().filter(|(i, _)| *i != k).map(|(_, s)| s).collect();
+            let without = solve(&others, &unknowns, &common.theta, Effort::FINE).theta;
+            let run = Run::new(&unknowns, &without, Accuracy::Full).unwrap();
+            let residual = residuals(&segments[k], &run.forces(&segments[k]));
+            let wanted = residual.iter().map(|r| r * r).sum::<f64>() / residual.len() as f64;
+            // What is usual of a curve's shape weighs a little in a fit and nothing in the pass.
+            assert!((error - wanted).abs() < 0.15 * wanted + 0.02, "{k}: {error}, {wanted}");
+        }
+    }
+
+    #[test]
+    fn samples_that_are_alike_count_as_one() {
+        let noise: Vec<f64> = (0..400).map(|i| (f64::from(i) * 12.9898).sin() * 43758.547 % 1.0).collect();
+        let slow: Vec<f64> = (0..400).map(|i| (f64::from(i) * 0.03).sin()).collect();
+        assert!(correlation_factor(&noise) < 2.0, "{}", correlation_factor(&noise));
+        assert!(correlation_factor(&slow) > 20.0);
+        assert!(held([noise.as_slice()].into_iter()) < 2.0);
+        let loud: Vec<f64> = slow.iter().map(|r| 3.0 * r).collect();
+        assert!(held([loud.as_slice()].into_iter()) > 4.0 * held([slow.as_slice()].into_iter()));
+    }
+
+    #[test]
+    fn the_covariance_is_that_of_repeated_campaigns() {
+        let (segments, unknowns) = campaign();
+        let place = unknowns.list.len() - 1;
+        let all: Vec<&Segment> = segments.iter().collect();
+        let common = solve(&all, &unknowns, &unknowns.start(), Effort::FINE);
+        let (covariance, determined) = covariance(&all, &unknowns, &common.theta, Accuracy::Full).unwrap();
+        assert!(determined[place] > 0.05, "{determined:?}");
+        // The same campaigns, with the tests' own errors the other way round or dealt anew.
+        let fits: Vec<f64> = (1..=24)
+            .map(|seed| {
+                let mut other = segments.clone();
+                for (k, segment) in other.iter_mut().enumerate() {
+                    let old = 6.0 * (k as f64 * 2.4).sin();
+                    let new = 6.0 * ((k as f64 + 1.0) * f64::from(seed) * 2.4).sin();
+                    segment.force.iter_mut().for_each(|f| *f += new - old);
+                }
+                solve(&other.iter().collect::<Vec<_>>(), &unknowns, &common.theta, Effort::FINE).theta[place]
+            })
+            .collect();
+        let mean = fits.iter().sum::<f64>() / fits.len() as f64;
+        let spread = (fits.iter().map(|f| (f - mean).powi(2)).sum::<f64>() / (fits.len() - 1) as f64).sqrt();
+        let told = covariance[(place, place)].sqrt();
+        assert!((0.5..2.0).contains(&(told / spread)), "{told} told, {spread} seen");
+    }
+}
