@@ -328,14 +328,22 @@ mod tests {
             let run = Run::new(&unknowns, &without, Accuracy::Full).unwrap();
             let residual = residuals(&segments[k], &run.forces(&segments[k]));
             let wanted = residual.iter().map(|r| r * r).sum::<f64>() / residual.len() as f64;
-            // What is usual of a curve's shape weighs a little in a fit and nothing in the pass.
-            assert!((error - wanted).abs() < 0.15 * wanted + 0.02, "{k}: {error}, {wanted}");
+            // What is usual of a curve's shape weighs in a fit, most at its ends, and nothing in the pass.
+            assert!((0.66..1.5).contains(&(error / wanted)), "{k}: {error}, {wanted}");
         }
     }
 
     #[test]
     fn samples_that_are_alike_count_as_one() {
-        let noise: Vec<f64> = (0..400).map(|i| (f64::from(i) * 12.9898).sin() * 43758.547 % 1.0).collect();
+        let mut state = 88_172_645_463_325_252u64;
+        let noise: Vec<f64> = std::iter::repeat_with(|| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        })
+        .take(400)
+        .collect();
         let slow: Vec<f64> = (0..400).map(|i| (f64::from(i) * 0.03).sin()).collect();
         assert!(correlation_factor(&noise) < 2.0, "{}", correlation_factor(&noise));
         assert!(correlation_factor(&slow) > 20.0);
