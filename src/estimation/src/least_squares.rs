@@ -322,7 +322,8 @@ mod tests {
         let all: Vec<&Segment> = segments.iter().collect();
         let common = solve(&all, &unknowns, &unknowns.start(), Effort::FINE);
         let errors = left_out_errors(&all, &unknowns, &common.theta);
-        for (k, error) in errors.iter().enumerate() {
+        // The last test alone reaches the fastest point of the curve; without it that point would be arbitrary, and is held instead.
+        for (k, error) in errors.iter().enumerate().take(11) {
             let others: Vec<&Segment> = segments.iter().enumerate().filter(|(i, _)| *i != k).map(|(_, s)| s).collect();
             let without = solve(&others, &unknowns, &common.theta, Effort::FINE).theta;
             let run = Run::new(&unknowns, &without, Accuracy::Full).unwrap();
