@@ -107,13 +107,13 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
             Some(branch) => format!("; it acts in the path {:?} ({})", branch.name, percent(branch.probability)),
             None => String::new(),
         };
+        let why = match names[..] {
+            [one] => format!("{one} is the likeliest name, but too few tests speak for it to give it"),
+            _ => format!("these records cannot tell {} apart", names.join(" and ")),
+        };
         return Judged {
             verdict: Verdict::CannotTell,
-            summary: format!(
-                "something is missing: the model is off by {}, and these records cannot tell {} apart{place}",
-                times(before),
-                names.join(" and ")
-            ),
+            summary: format!("something is missing: the model is off by {}, and {why}{place}", times(before)),
             suspects,
             notes,
         };

@@ -31,11 +31,17 @@ const MOST: f64 = 8.0;
 /// Probability that a name is right to which the rule gives `suspected` where each test counts as two independent samples and `sure`
 /// where it counts as one; `against` where a reference campaign took out what both dampers share.
 pub fn confidence(suspected: f64, sure: f64, against: bool) -> f64 {
+    let c = &*CALIBRATION;
+    // No more than as many as were right where it was surest.
+    before_limit(suspected, sure) * if against { c.against_reference } else { c.alone }
+}
+
+/// The same before it is held to what was right where it was surest: from one half on a name is more likely right than not.
+pub fn before_limit(suspected: f64, sure: f64) -> f64 {
     let odds = |p: f64| (p.max(1e-12) / (1.0 - p).max(1e-12)).ln().clamp(-MOST, MOST);
     let c = &*CALIBRATION;
     let log = c.constant + c.by_suspected * odds(suspected) + c.by_sure * odds(sure);
-    // No more than as many as were right where it was surest.
-    (1.0 / (1.0 + (-log).exp())) * if against { c.against_reference } else { c.alone }
+    1.0 / (1.0 + (-log).exp())
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The search for what is missing: the likeliest effect is added where it is likely enough, then the next beside it; pairs that hide each
 //! other are tried beside that; each name is weighed once more with all the others in.
 
+use super::calibration::before_limit;
 use super::decisions::{NAMED, NOTHING_MORE, SURE, SUSPECTED, WITH_NAME, WITHOUT_NAME};
 use super::evidence::{Weighed, noise_chi2};
 use super::finer_curve::with_enough_points;
@@ -133,7 +134,12 @@ fn likely(round: &Round) -> Option<&Tried> {
         return None;
     }
     let odds = round.odds(SUSPECTED);
-    let (effect, _) = odds.effects.iter().filter(|(_, p)| **p >= NAMED).max_by(|a, b| a.1.total_cmp(b.1))?;
+    let (effect, suspected) = odds.effects.iter().filter(|(_, p)| **p >= NAMED).max_by(|a, b| a.1.total_cmp(b.1))?;
+    // What hangs on each test counting twice is a suspect, not a name.
+    let sure = round.odds(SURE).effects.get(effect).copied().unwrap_or(0.0);
+    if before_limit(*suspected, sure) < NAMED {
+        return None;
+    }
     round.tried.iter().find(|t| t.candidate.effect == *effect)
 }
 
