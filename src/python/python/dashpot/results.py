@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Branch", "Change", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "MatrixCell", "MatrixRow", "NextTest", "Noise",
-    "Note", "OfEach", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome",
+    "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Noise", "Note", "OfEach", "PeakForce", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome",
     "TestValidation", "Tried", "Validation", "Value",
 ]
 
@@ -185,6 +185,14 @@ class Hysteresis(Result):
 
 
 @dataclass(frozen=True)
+class PeakForce(Result):
+    """Force at the peak velocity of one stroke of a test."""
+
+    velocity_m_s: float
+    force_n: OfEach
+
+
+@dataclass(frozen=True)
 class TestValidation(Errors):
     """Every figure of one test."""
 
@@ -200,6 +208,7 @@ class TestValidation(Errors):
     cycles: int
     noise_rms_n: float
     hysteresis: Hysteresis | None
+    peaks: tuple[PeakForce, ...]
 
 
 @dataclass(frozen=True)
