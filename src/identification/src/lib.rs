@@ -17,5 +17,5 @@ mod variants;
 
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
-pub use of_the_rig::Measured;
+pub use of_the_rig::{Measured, off};
 pub use variants::Choice;

@@ -11,6 +11,7 @@ use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::unknowns::Unknowns;
+use dashpot_records::taken_out::Off;
 use serde::Serialize;
 
 /// A number of the measurement that is looked for: what is usual of it and where its fit starts.
@@ -152,6 +153,12 @@ impl Measured {
         };
         format!("{what} {} {unit} (95 %: {} to {}){then}", of(self.value), of(self.low), of(self.high))
     }
+}
+
+/// What a fit found of the measurement, as records lose it.
+pub fn off(measured: &[Measured]) -> Off {
+    let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
+    Off { delay_s: of("delay"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
 }
 
 /// What a fit found of the measurement.

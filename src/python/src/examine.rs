@@ -7,23 +7,35 @@ use crate::progress::Progress;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::held_out;
+use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde::Serialize;
 
 /// A diagnosis.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Diagnosed {
     found: Diagnosis,
+    over_whole_records: OfDiagnosis,
     improved: String,
+}
+
+/// What `dashpot diagnose --json` writes.
+#[derive(Serialize)]
+struct DiagnosisJson<'a> {
+    #[serde(flatten)]
+    found: &'a Diagnosis,
+    over_whole_records: OfDiagnosis,
 }
 
 #[pymethods]
 impl Diagnosed {
     /// What `dashpot diagnose --json` writes.
     fn json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.found).map_err(raise::<DiagnosisError>)
+        let said = DiagnosisJson { found: &self.found, over_whole_records: self.over_whole_records };
+        serde_json::to_string(&said).map_err(raise::<DiagnosisError>)
     }
 
     /// The text of the model file with the named effects added.
@@ -74,11 +86,12 @@ pub fn diagnose(
     let reference = reference.map_or_else(Vec::new, |r| r.read.records.clone());
     let options = Options { max_effects, candidates, reference };
     let progress = Progress::new(progress);
-    let found = py.detach(|| {
+    let found = py.detach(|| -> anyhow::Result<Diagnosed> {
         let say = |done: f64, text: &str| progress.say(done, text);
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, model.file.plain()));
-        Ok::<_, dashpot_diagnosis::DiagnosisError>(Diagnosed { found, improved })
+        let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
+        Ok(Diagnosed { found, over_whole_records, improved })
     });
     progress.end()?;
     found.map_err(raise::<DiagnosisError>)

@@ -3,9 +3,11 @@
 use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
 use crate::progress::Progress;
+use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
 use dashpot_records::SignFinding;
 use dashpot_records::hold_out::kept;
+use dashpot_simulation::whole_records;
 use pyo3::prelude::*;
 use serde::Serialize;
 
@@ -18,6 +20,7 @@ struct FitJson<'a> {
     measured: &'a [Measured],
     notes: &'a [String],
     misfit: f64,
+    over_whole_records: Deviation,
     sign: &'a SignFinding,
 }
 
@@ -47,10 +50,13 @@ pub fn fit(
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
     let options = FitOptions { family, elements, late: campaign.read.delay.map(|d| d.seconds) };
     let progress = Progress::new(progress);
-    let found =
-        py.detach(|| dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text)));
+    let found = py.detach(|| -> anyhow::Result<_> {
+        let found = dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text))?;
+        let over_whole_records = whole_records::of_fit(&found, &records)?;
+        Ok((found, over_whole_records))
+    });
     progress.end()?;
-    let found = found.map_err(raise::<FitError>)?;
+    let (found, over_whole_records) = found.map_err(raise::<FitError>)?;
     let said = FitJson {
         tests: &found.tests,
         parameters: &found.estimates,
@@ -58,6 +64,7 @@ pub fn fit(
         measured: &found.measured,
         notes: &found.notes,
         misfit: found.misfit,
+        over_whole_records,
         sign: &campaign.read.sign,
     };
     Ok((model_file::write(&found), serde_json::to_string(&said).map_err(raise::<FitError>)?))

@@ -22,6 +22,7 @@ mod page;
 mod parameters;
 pub mod plot;
 mod summary;
+pub mod whole_records;
 pub mod words;
 
 pub use blocks::{Block, Figure, Section};

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
+//! | [`whole_records`] | how far a model is off over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`chatter`] | whether a damper chatters in a host that holds its force over a step |
@@ -15,3 +16,4 @@ pub mod comparison;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod vehicle;
+pub mod whole_records;

@@ -24,7 +24,6 @@ pub mod verbs;
 
 use campaign::Loaded;
 use dashpot_core::Params;
-use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Validation;
 use dashpot_identification::{Estimate, Fit};
@@ -37,7 +36,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 use study::Study;
-use tasks::{Kind, Outcome, Standing, Task};
+use tasks::{Diagnosed, Kind, Outcome, Standing, Task};
 
 /// Called from any thread when there is something new to show.
 pub type Waker = Arc<dyn Fn() + Send + Sync>;
@@ -58,8 +57,8 @@ pub struct Answers {
     pub fit: Option<Box<Fit>>,
     /// Of a validation.
     pub validation: Option<Box<Validation>>,
-    /// Of a diagnosis, and which tests no refit saw.
-    pub diagnosis: Option<(Box<Diagnosis>, Vec<bool>)>,
+    /// Of a diagnosis.
+    pub diagnosis: Option<Diagnosed>,
 }
 
 /// Everything that is open.
@@ -321,7 +320,7 @@ impl Session {
                 self.answers.fit = Some(fit);
             }
             Outcome::Validated(validation) => self.answers.validation = Some(validation),
-            Outcome::Diagnosed(found, left_out) => self.answers.diagnosis = Some((found, left_out)),
+            Outcome::Diagnosed(diagnosed) => self.answers.diagnosis = Some(diagnosed),
             Outcome::Studied(study) => {
                 self.study = Some(study);
                 self.generation += 1;

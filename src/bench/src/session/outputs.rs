@@ -3,7 +3,7 @@
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
-use crate::session::tasks::{Kind as Work, Outcome};
+use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use anyhow::{Context as _, bail};
 use dashpot_core::elements::{self, GROUPS};
@@ -145,7 +145,7 @@ impl Session {
 
     /// Writes the report of the diagnosis.
     pub fn write_diagnosis(&mut self, path: PathBuf) {
-        let (Some(loaded), Some((found, _)), Some(model)) =
+        let (Some(loaded), Some(Diagnosed { found, over_whole_records, .. }), Some(model)) =
             (self.campaign.clone(), &self.answers.diagnosis, &self.model)
         else {
             return;
@@ -155,7 +155,7 @@ impl Session {
             .as_ref()
             .and_then(|p| p.file_name())
             .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        let (found, ticked) = (found.clone(), self.ticked());
+        let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
         self.begin(Work::Write, move |_| {
             let records: Vec<_> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
             let report = DiagnosisReport {
@@ -164,7 +164,7 @@ impl Session {
                 found: &found,
                 records: &records,
                 reading: loaded.campaign.notes.iter().map(|n| n.text.clone()).collect(),
-                over_whole_records: String::new(),
+                over_whole_records,
                 parameters: Vec::new(),
             };
             checked(&path, Kind::Report).map_err(|e| told(&e))?;

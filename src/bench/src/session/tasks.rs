@@ -8,6 +8,7 @@ use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
 use dashpot_identification::Fit;
 use dashpot_identification::validation::Validation;
+use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex};
@@ -32,6 +33,16 @@ pub enum Kind {
     Write,
 }
 
+/// A diagnosis with what it was made from.
+pub struct Diagnosed {
+    /// The answer.
+    pub found: Box<Diagnosis>,
+    /// Which tests no refit saw.
+    pub left_out: Vec<bool>,
+    /// Errors of the models in it over every sample of the tests.
+    pub over_whole_records: OfDiagnosis,
+}
+
 /// What came of it.
 pub enum Outcome {
     /// Records.
@@ -42,8 +53,8 @@ pub enum Outcome {
     Fitted(Box<Fit>),
     /// Errors.
     Validated(Box<Validation>),
-    /// An answer, and which tests no refit saw.
-    Diagnosed(Box<Diagnosis>, Vec<bool>),
+    /// What a model lacks.
+    Diagnosed(Diagnosed),
     /// A family of loops.
     Studied(Study),
     /// A file or folder was written.

@@ -2,7 +2,7 @@
 
 use crate::session::campaign::Loaded;
 use crate::session::study::{Question, study};
-use crate::session::tasks::{Kind, Outcome};
+use crate::session::tasks::{Diagnosed, Kind, Outcome};
 use crate::session::{Session, tasks};
 use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
@@ -11,6 +11,7 @@ use dashpot_identification::validation::{Compared, validate};
 use dashpot_identification::{Family, FitOptions, fit};
 use dashpot_records::Record;
 use dashpot_simulation::prediction::predict;
+use dashpot_simulation::whole_records::OfDiagnosis;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -47,7 +48,9 @@ impl Session {
             let reference = reference.map_or_else(Vec::new, |r| r.campaign.records.clone());
             let options = DiagnosisOptions { reference, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, report).map_err(|e| e.to_string())?;
-            Ok(Outcome::Diagnosed(Box::new(found), left_out))
+            let over_whole_records =
+                OfDiagnosis::of(&params, &found.base, &found.improved, &records).map_err(|e| e.to_string())?;
+            Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records }))
         });
     }
 
@@ -62,7 +65,7 @@ impl Session {
 
     /// The model that the diagnosis improved, as the text of its file.
     pub fn improved_text(&self) -> Option<String> {
-        let (found, left_out) = self.answers.diagnosis.as_ref()?;
+        let Diagnosed { found, left_out, .. } = self.answers.diagnosis.as_ref()?;
         let model = self.model.as_ref()?;
         let loaded = self.campaign.as_ref()?;
         let ticked = self.ticked();

@@ -2,6 +2,7 @@
 
 use crate::dialogs::Ask;
 use crate::session::Session;
+use crate::session::tasks::Diagnosed;
 use crate::units::digits;
 use crate::views::View;
 use crate::words::Words;
@@ -23,7 +24,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             wrapped(ui, RichText::new(w.no_answer));
         }
         let mut take = false;
-        if let Some((found, _)) = &session.answers.diagnosis {
+        if let Some(Diagnosed { found, .. }) = &session.answers.diagnosis {
             ui.heading(w.diagnosis_answer);
             diagnosis(ui, found, w);
             ui.horizontal_wrapped(|ui| {

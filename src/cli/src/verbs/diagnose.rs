@@ -2,20 +2,19 @@
 
 use super::data::{DataArgs, sign_in_words};
 use super::groups::{self, Answers, Group};
-use super::whole_records;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
-use dashpot_core::Params;
 use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
 use dashpot_identification::Standing;
 use dashpot_identification::model_file::{self, ModelFile};
-use dashpot_identification::validation::Deviation;
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, hold_out};
 use dashpot_report::ParameterRow;
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
+use dashpot_report::whole_records;
+use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -83,37 +82,7 @@ pub struct Diagnosed {
     /// Which records no refit saw.
     pub left_out: Vec<bool>,
     /// What `dashpot validate` says of the models in it.
-    pub over_whole_records: OverWholeRecords,
-}
-
-/// Errors over every sample of every record, as `dashpot validate` measures them.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub struct OverWholeRecords {
-    /// The model as it came.
-    pub as_it_came: Deviation,
-    /// The same model, refitted.
-    pub refitted: Deviation,
-    /// With the findings that belong to the damper; what is of the rig is in no model.
-    pub improved: Deviation,
-}
-
-impl OverWholeRecords {
-    fn of(model: &Params, found: &Diagnosis, records: &[&Record]) -> anyhow::Result<OverWholeRecords> {
-        let of = |params: &Params| whole_records::deviation(params, records);
-        Ok(OverWholeRecords { as_it_came: of(model)?, refitted: of(&found.base)?, improved: of(&found.improved)? })
-    }
-
-    /// In a sentence.
-    pub fn told(&self) -> String {
-        let of = whole_records::in_words;
-        format!(
-            "Over every sample of all records, as dashpot validate measures: {} as the model came, {} refitted, {} improved. The figures \
-             above are of mean cycles, in which noise is averaged out.",
-            of(&self.as_it_came),
-            of(&self.refitted),
-            of(&self.improved)
-        )
-    }
+    pub over_whole_records: OfDiagnosis,
 }
 
 /// The findings as JSON, with the errors over whole records.
@@ -121,7 +90,7 @@ impl OverWholeRecords {
 pub struct Json<'a> {
     #[serde(flatten)]
     found: &'a Diagnosis,
-    over_whole_records: OverWholeRecords,
+    over_whole_records: OfDiagnosis,
 }
 
 /// Diagnoses a model against a campaign.
@@ -134,7 +103,7 @@ pub fn examine(
     let records: Vec<&Record> = campaign.records.iter().collect();
     let progress = Progress::new("diagnosing");
     let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
-    let over_whole_records = OverWholeRecords::of(&model.params, &found, &records)?;
+    let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &records)?;
     Ok(Diagnosed { found, left_out, over_whole_records })
 }
 
@@ -147,7 +116,7 @@ impl Diagnosed {
     /// In lines.
     pub fn told(&self) -> Vec<String> {
         let mut lines = told(&self.found);
-        lines.push(self.over_whole_records.told());
+        lines.push(whole_records::told(&self.over_whole_records));
         lines
     }
 
@@ -168,14 +137,13 @@ impl Diagnosed {
         let records: Vec<&Record> = campaign.records.iter().collect();
         let mut reading = vec![sign_in_words(&campaign.sign)];
         reading.extend(campaign.notes.iter().map(|n| n.text.clone()));
-        let over_whole_records = self.over_whole_records.told();
         write(&DiagnosisReport {
             model_file: model.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
             data: data.named(),
             found: &self.found,
             records: &records,
             reading,
-            over_whole_records,
+            over_whole_records: self.over_whole_records,
             parameters: parameter_rows(&self.found),
         })
     }

@@ -1,7 +1,6 @@
 //! `dashpot fit`: records in, model file out.
 
 use super::data::{DataArgs, is_said_first, sign_in_words};
-use super::whole_records;
 use crate::progress::Progress;
 use anyhow::bail;
 use clap::ValueEnum;
@@ -11,8 +10,9 @@ use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, Standing, fit};
 use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
-use dashpot_records::taken_out::{Off, taken_out};
 use dashpot_records::{Campaign, Record, SignFinding};
+use dashpot_report::whole_records::in_words;
+use dashpot_simulation::whole_records;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -186,12 +186,6 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     Ok(())
 }
 
-/// What the fit found of the measurement, as records lose it.
-fn off(measured: &[Measured]) -> Off {
-    let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
-    Off { delay_s: of("delay"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
-}
-
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let json = args.json.as_deref();
@@ -234,10 +228,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &found.notes {
         say(&format!("note: {note}"))?;
     }
-    let off = off(&found.measured);
-    let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
-    let over_whole_records = whole_records::deviation(&found.params, &right.iter().collect::<Vec<_>>())?;
-    let error = whole_records::in_words(&over_whole_records);
+    let over_whole_records = whole_records::of_fit(&found, &records)?;
+    let error = in_words(&over_whole_records);
     say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
         dashpot_output::json(

@@ -19,4 +19,3 @@ pub mod open;
 pub mod rig;
 pub mod simulate;
 pub mod validate;
-mod whole_records;

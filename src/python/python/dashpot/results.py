@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Branch", "Change", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
     "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "PeakForce", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome",
     "TestValidation", "Tried", "Validation", "Value",
 ]
 
@@ -118,6 +118,8 @@ class FitResult(Result):
     measured: tuple[Measured, ...]
     notes: tuple[str, ...]
     misfit: float
+    over_whole_records: Deviation
+    """Over every sample of the fitted tests, as a validation measures, after what is ``measured`` was taken out of them."""
     sign: SignFinding
 
     def _rows(self) -> list[dict[str, Any]]:
@@ -446,6 +448,15 @@ class Tried(Result):
 
 
 @dataclass(frozen=True)
+class OverWholeRecords(Result):
+    """Errors of the models in a diagnosis over every sample of every record, as a validation measures."""
+
+    as_it_came: Deviation
+    refitted: Deviation
+    improved: Deviation
+
+
+@dataclass(frozen=True)
 class Diagnosis(Result):
     """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
 
@@ -467,6 +478,7 @@ class Diagnosis(Result):
     tests: tuple[TestOutcome, ...]
     rounds: tuple[tuple[Tried, ...], ...]
     corrections: dict[str, float]
+    over_whole_records: OverWholeRecords
     improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The model with the named effects added; what is of the rig is not put into it."""
     _diagnosed: _native.Diagnosed | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)

@@ -22,9 +22,11 @@ pub use answer::{headline, picture};
 
 use super::page::{self, Print};
 use super::{Block, ParameterRow, Section, parameters, write_figures, write_page};
+use crate::whole_records;
 use crate::words::EN;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
+use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::{Path, PathBuf};
 
 /// Everything the report of a diagnosis tells.
@@ -40,8 +42,8 @@ pub struct DiagnosisReport<'a> {
     pub records: &'a [&'a Record],
     /// Remarks on reading: the sign that was worked out, what cleaning noticed.
     pub reading: Vec<String>,
-    /// What `dashpot validate` says of the models in it, in a sentence; empty where nobody asked.
-    pub over_whole_records: String,
+    /// What `dashpot validate` says of the models in it.
+    pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
 }
@@ -73,9 +75,7 @@ impl DiagnosisReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let found = self.found;
         let mut sections = vec![answer::section(found), places::section(found)];
-        if !self.over_whole_records.is_empty() {
-            sections[0].blocks.push(Block::Paragraph(self.over_whole_records.clone()));
-        }
+        sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records)));
         sections.extend(findings::section(found));
         sections.extend(loops::section(found));
         sections.extend(matrix::section(found, self.records));

@@ -1,0 +1,80 @@
+//! How far a model is off over whole records: the same figures for a fit, a validation and a diagnosis, so that they can be laid side by
+//! side.
+//!
+//! A fit and a diagnosis work on mean cycles, in which noise is averaged out, and a diagnosis refits first; their own figures are smaller
+//! than those of a validation, which takes every sample of every record from the settled start.
+
+use crate::prediction::predict;
+use dashpot_core::Params;
+use dashpot_identification::model_file::{NoModel, prepared};
+use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
+use dashpot_identification::{Fit, off};
+use dashpot_records::Record;
+use dashpot_records::smoothing::smooth;
+use dashpot_records::taken_out::taken_out;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Why a model has no error over records.
+#[derive(Debug, thiserror::Error)]
+pub enum WholeRecordsError {
+    /// The parameters do not make a model.
+    #[error(transparent)]
+    Model(#[from] NoModel),
+    /// The records cannot be compared with anything.
+    #[error(transparent)]
+    Records(#[from] ValidationError),
+}
+
+/// Mean figures of a model over records, as a validation measures them.
+///
+/// # Errors
+/// Where there is no model, or nothing to compare it with.
+pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
+    let model = prepared(params)?;
+    let compared: Vec<Compared> = records
+        .par_iter()
+        .map(|record| {
+            let forces = predict(&model, record, &smooth(record));
+            Compared { record, fv_only: forces.clone(), model: forces, used_in_fit: true }
+        })
+        .collect();
+    Ok(validate(&compared)?.overall.errors.model)
+}
+
+/// The same of a fit, over the records that it was made of, without what it found them to be off by.
+///
+/// # Errors
+/// As [`deviation`].
+pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
+    let off = off(&fit.measured);
+    let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
+    deviation(&fit.params, &right.iter().collect::<Vec<_>>())
+}
+
+/// The three models of a diagnosis, over every sample of every record.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct OfDiagnosis {
+    /// The model as it came.
+    pub as_it_came: Deviation,
+    /// The same model, refitted.
+    pub refitted: Deviation,
+    /// With the findings that belong to the damper; what is of the rig is in no model.
+    pub improved: Deviation,
+}
+
+impl OfDiagnosis {
+    /// Of the model as it came, refitted and improved.
+    ///
+    /// # Errors
+    /// As [`deviation`].
+    pub fn of(
+        as_it_came: &Params,
+        refitted: &Params,
+        improved: &Params,
+        records: &[&Record],
+    ) -> Result<OfDiagnosis, WholeRecordsError> {
+        let of = |params: &Params| deviation(params, records);
+        Ok(OfDiagnosis { as_it_came: of(as_it_came)?, refitted: of(refitted)?, improved: of(improved)? })
+    }
+}
