@@ -46,8 +46,8 @@ pub enum Outcome {
     Diagnosed(Box<Diagnosis>, Vec<bool>),
     /// A family of loops.
     Studied(Study),
-    /// A file or folder was written.
-    Written(PathBuf),
+    /// A file or folder was written, and what must be known beside it.
+    Written(PathBuf, Vec<String>),
 }
 
 /// How far it is.
