@@ -15,7 +15,7 @@ windows_name=dashpot-$version-windows-x86_64
 # The time of the commit stands for the time of building in every archive.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH CARGO_TARGET_DIR=$work/cargo LC_ALL=C TZ=UTC
-# Said, because a build for a named target looks below that target's folder.
+# Where runtimes.sh writes and the build of the command looks, whatever the caller's own is.
 export DASHPOT_RUNTIMES=$CARGO_TARGET_DIR/runtimes
 # Panic messages hold the paths of sources: without the folders of this machine.
 maps="--remap-path-prefix=$root=/dashpot --remap-path-prefix=$cargo_home=/cargo"

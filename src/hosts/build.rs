@@ -44,9 +44,8 @@ const COMPILED: [(&str, &str); 5] = [
 /// Takes in what lies in target/runtimes, or where DASHPOT_RUNTIMES points, if it was compiled of the sources as they are now.
 fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
-    // OUT_DIR is target/<profile>/build/<package>/out; a target triple may come between.
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
-    let usual = out.ancestors().find(|a| a.join("CACHEDIR.TAG").is_file()).unwrap_or(project).join("runtimes");
+    let usual = target_folder(&out).unwrap_or_else(|| project.join("target")).join("runtimes");
     let folder = env::var_os("DASHPOT_RUNTIMES").map_or(usual, |path| project.join(path));
     println!("cargo::rerun-if-changed={}", folder.join("sources.txt").display());
     for part in ["include", "vi-crt-bridge/bridge", "vi-crt-bridge/fmu", "adams-usersub/src"] {
@@ -69,6 +68,14 @@ fn runtimes(project: &Path) {
     }
     list.push_str("];\n");
     fs::write(out.join("runtimes.rs"), list).expect("a file");
+}
+
+/// Cargo's target folder, which cargo marks and into which runtimes.sh writes. With --target a folder named after the triple, marked as
+/// well, comes between it and OUT_DIR.
+fn target_folder(out: &Path) -> Option<PathBuf> {
+    let nearest = out.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file())?;
+    let of_a_triple = nearest.file_name() == env::var_os("TARGET").as_deref();
+    Some(if of_a_triple { nearest.parent()? } else { nearest }.to_owned())
 }
 
 /// The sources in one text, in the order and the form in which runtimes.sh writes them.
