@@ -1,7 +1,7 @@
 //! Files and folders that the user names, in the system's own dialogs, beside the window.
 
 use crate::session::Waker;
-use crate::session::outputs::Host;
+use crate::session::exports::Host;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 

@@ -529,3 +529,47 @@ fn a_step_ends_where_evaluation_finds_it() {
         }
     }
 }
+
+/// A valve that the method would carry beyond open, and a control chamber beyond full, stay where they end; the slopes know it.
+#[test]
+fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
+    let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
+    let stroke: &[(&str, f64)] = &[("fsd_form", 1.0), ("fsd_time", 1e-3), ("fsd_velocity", 1e-3)];
+    let bypass: &[(&str, f64)] = &[("fsd_form", 2.0), ("fsd_time", 1e-3), ("fsd_force", 1.0)];
+    for (elements, changes, least) in [
+        (["valve_hysteresis", "free_play"], late, 0.0),
+        (["frequency_selective_damping", "free_play"], stroke, -1.0),
+        (["frequency_selective_damping", "free_play"], bypass, -1.0),
+    ] {
+        let mut p = params(changes);
+        for element in elements {
+            p.enable(element, true).unwrap();
+        }
+        p.set_list("fv_velocity", &[-0.003, 0.0, 0.001, 0.01, 0.06, 0.09]).unwrap();
+        p.set_list("fv_force", &[-360.0, 0.0, 620.0, 625.0, 700.0, 740.0]).unwrap();
+        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(METHODS[2], 1));
+        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        let mut ends = 0;
+        for i in 0..400 {
+            // To and fro at uneven speeds.
+            let v = 0.6 * (1.7 * f64::from(i)).sin();
+            let input = |x: f64, v: f64| Input::motion(x, v);
+            let x = 0.003 * (0.9 * f64::from(i)).sin();
+            let (next, output) = step(&model, &state, &input(x, v), 2e-3);
+            let at = next.memory[0];
+            assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
+            // What is beyond its range when the last stage begins ends near there.
+            ends += usize::from(at > 0.9 || at < least + 0.1);
+            // Where differences themselves agree, the slope is theirs.
+            let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
+            let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
+            let (coarse, fine) = (central(1e-6), central(5e-7));
+            if (coarse - fine).abs() < 1e-4 * fine.abs() {
+                let got = output.force_by_velocity;
+                assert!((got - fine).abs() < 1e-3 * (fine.abs() + 100.0), "{elements:?} {i}: {got} {fine}");
+            }
+            state = next;
+        }
+        assert!(ends > 0, "{elements:?} comes to no end of its range");
+    }
+}

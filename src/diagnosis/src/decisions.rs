@@ -16,7 +16,8 @@ pub const SUSPECTED: f64 = 2.0;
 /// The same for what is sure.
 pub const SURE: f64 = 1.0;
 
-/// Odds, at [`SUSPECTED`], from which an effect is added.
+/// Probability from which an effect is added: at [`SUSPECTED`], and of the name being right by the calibration, before that is held to
+/// what was right where the rule was surest. Below it the name is more likely wrong than right.
 pub const NAMED: f64 = 0.5;
 
 /// Largest error of the model's form that counts as nothing missing, in units of what noise and curves through a dozen points leave.

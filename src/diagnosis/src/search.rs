@@ -130,13 +130,14 @@ impl Explained {
 fn likely(round: &Round) -> Option<&Tried> {
     // What is left beside a name is partly of that name's form, which is alike in all tests: whether anything more is missing is asked with
     // few independent samples, which of the names it is with as many as ever.
-    if round.is_later && round.odds(SURE).effects.values().sum::<f64>() < NAMED {
+    let as_sure = round.odds(SURE).effects;
+    if round.is_later && as_sure.values().sum::<f64>() < NAMED {
         return None;
     }
     let odds = round.odds(SUSPECTED);
     let (effect, suspected) = odds.effects.iter().filter(|(_, p)| **p >= NAMED).max_by(|a, b| a.1.total_cmp(b.1))?;
     // What hangs on each test counting twice is a suspect, not a name.
-    let sure = round.odds(SURE).effects.get(effect).copied().unwrap_or(0.0);
+    let sure = as_sure.get(effect).copied().unwrap_or(0.0);
     if before_limit(*suspected, sure) < NAMED {
         return None;
     }

@@ -174,17 +174,6 @@ pub fn estimates(
     (list, loose)
 }
 
-/// Covariance of all numbers of a fit.
-pub(super) fn covariance_of(
-    segments: &[Segment],
-    unknowns: &Unknowns,
-    theta: &[f64],
-    accuracy: Accuracy,
-) -> Option<nalgebra::DMatrix<f64>> {
-    let refs: Vec<&Segment> = segments.iter().collect();
-    Some(covariance(&refs, unknowns, theta, accuracy)?.0)
-}
-
 /// For every unknown, which kind of test carries its information.
 fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<String> {
     let n = unknowns.list.len();

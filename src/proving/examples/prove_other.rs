@@ -1,8 +1,9 @@
 //! Runs the second laboratory's cases: `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference]
-//! [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it. In place of the
+//! [fitted] [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it; with
+//! `fitted` the model is what `dashpot fit` makes of the records, not one with series spring, Coulomb friction and gas alone. In place of the
 //! first seed stands `split=calibrate`, `split=check`, or `split=locked="what for"`, which opens seeds that nobody has seen and retires them.
 
-use dashpot_proving::laboratory::{run, suite};
+use dashpot_proving::laboratory::{Way, run, suite};
 use dashpot_proving::outcome::Outcome;
 use dashpot_proving::score;
 use dashpot_proving::split::first_seed;
@@ -10,7 +11,8 @@ use dashpot_proving::split::first_seed;
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let number = |place: usize, or: u64| args.get(place).and_then(|a| a.parse().ok()).unwrap_or(or);
-    let with_reference = args.iter().any(|a| a == "reference");
+    let asked = |what: &str| args.iter().any(|a| a == what);
+    let way = Way { reference: asked("reference"), whole_fit: asked("fitted") };
     let only: Option<&str> = args.iter().find_map(|a| a.strip_prefix("only="));
     let mut outcomes: Vec<Outcome> = Vec::new();
     let first = match first_seed(&args) {
@@ -25,13 +27,14 @@ fn main() {
         if only.is_some_and(|names| !names.split(',').any(|name| name == hidden)) {
             continue;
         }
-        match run(block, &case, with_reference) {
+        match run(block, &case, way) {
             Ok((o, _)) => {
                 eprintln!(
-                    "{} {} {} {:?} seed {} -> {:?} {:?} {:?} gap {:?} {:.1}s",
+                    "{} {} {}{} {:?} seed {} -> {:?} {:?} {:?} gap {:?} {:.1}s",
                     o.block,
                     case.plant.name(),
                     hidden,
+                    if o.in_the_model { " (in the model)" } else { "" },
                     o.forms,
                     o.seed,
                     o.verdict,

@@ -6,6 +6,7 @@ use crate::case::{Measured, base_model};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
+use dashpot_identification::{FitOptions, fit};
 use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind};
 use dashpot_records::{self as records, Record};
 use dashpot_rig::{HiddenEffect, Truth};
@@ -20,16 +21,26 @@ const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
+/// Which model is diagnosed, and against what.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Way {
+    /// Against the same damper before anything was hidden in it.
+    pub reference: bool,
+    /// The model that `fit` makes with all that it may use, as a user has it, in place of [`base_model`].
+    pub whole_fit: bool,
+}
+
 /// The campaign of a case as the diagnosis gets it; the strengths are those of the case.
 ///
 /// # Errors
 /// What laboratory, reader or fit refuse.
-pub fn measure(case: &Case) -> Result<Measured, ProvingError> {
+pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
     let campaign = case.run()?;
     let records = read(&campaign)?;
     let clean = read(&campaign.without_noise())?;
     let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(HELD_OUT)).collect();
-    let base = base_of(case, &seen(&records))?;
+    let seen = seen(&records);
+    let base = if whole_fit { fit(&seen, &FitOptions::default(), |_| ())?.params } else { base_of(case, &seen)? };
     let effects = campaign.truth.hidden.iter().map(|hidden| HiddenEffect {
         name: hidden.effect.clone(),
         form: hidden.law.clone(),
@@ -76,13 +87,13 @@ pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     all
 }
 
-/// Runs and scores one case; with the same damper without what is hidden as its reference, where that is wanted.
+/// Runs and scores one case.
 ///
 /// # Errors
 /// What laboratory, reader, fit or diagnosis refuse.
-pub fn run(block: &'static str, case: &Case, with_reference: bool) -> Result<(Outcome, Diagnosis), ProvingError> {
-    let measured = measure(case)?;
-    let reference = if with_reference { read(&case.reference().run()?)? } else { Vec::new() };
+pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), ProvingError> {
+    let measured = measure(case, way.whole_fit)?;
+    let reference = if way.reference { read(&case.reference().run()?)? } else { Vec::new() };
     let options = Options { reference, ..Options::default() };
     judged(block, case.seed, &case.effects, &measured, &options)
 }
@@ -225,7 +236,7 @@ mod tests {
         let reached =
             Ground::new(&case, &neutral).unwrap().severity(&case, "free_play", found.effects[0].1, 2.0).unwrap();
         assert!((reached / 2.0).ln().abs() < 0.35, "{reached}");
-        let measured = measure(&found).unwrap();
+        let measured = measure(&found, false).unwrap();
         assert_eq!(measured.records.len(), measured.held_out.len());
         assert_eq!(measured.truth.effects[0].name, "free_play");
         assert!(measured.held_out.iter().any(|out| *out) && measured.base.is_on("fv_curve"));

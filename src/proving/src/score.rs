@@ -37,6 +37,14 @@ pub fn table(all: &[Outcome]) -> String {
     let right = |o: &&Outcome| o.named.first().is_some_and(|(name, _)| Some(name.as_str()) == o.truth());
     let first_wrong = |o: &&Outcome| o.named.first().is_some_and(|(name, _)| Some(name.as_str()) != o.truth());
     let single = of("single");
+    let taken_up = single.iter().filter(|o| o.in_the_model).count();
+    let named = single.iter().filter(|o| o.in_the_model && !o.named.is_empty()).count();
+    let _ = writeln!(
+        out,
+        "in the model that the fit has made already: {taken_up} of {}, {named} of them with a name",
+        single.len()
+    );
+    let single: Vec<_> = single.into_iter().filter(|o| !o.in_the_model).collect();
     let severity = |o: &Outcome| o.hidden[0].1;
     for (label, low, high) in [("severity >= 0.75", 0.75, f64::MAX), ("severity 0.5", 0.0, 0.75)] {
         let some: Vec<_> = single.iter().copied().filter(|o| (low..high).contains(&severity(o))).collect();

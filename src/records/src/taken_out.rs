@@ -1,6 +1,6 @@
 //! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
 
-use super::cleaning::between;
+use super::cleaning::Earlier;
 use super::record::{Note, Record};
 
 /// What a record is off by.
@@ -35,29 +35,16 @@ pub fn taken_out(record: &Record, off: &Off) -> Record {
 
 /// Every force with the motion of `delay` before.
 fn earlier(record: &Record, delay: f64) -> Record {
-    let time = &record.time;
-    let n = time.len();
-    let (Some(first), Some(last)) = (time.first(), time.last()) else { return record.clone() };
-    let from = time.partition_point(|t| t - delay < *first);
-    let to = time.partition_point(|t| t - delay <= *last).max(from);
-    let of = |values: &[f64]| -> Vec<f64> {
-        let mut at = 0;
-        let value = |t: &f64| {
-            while at + 2 < n && time[at + 1] <= t - delay {
-                at += 1;
-            }
-            between(time, values, at, t - delay)
-        };
-        time[from..to].iter().map(value).collect()
-    };
-    let cut = |values: &[f64]| values[from..to].to_vec();
+    let earlier = Earlier::new(&record.time, delay);
+    let (from, to) = (earlier.range.start, earlier.range.end);
+    let kept = |values: &[f64]| earlier.kept(values);
     Record {
-        displacement: of(&record.displacement),
-        velocity: of(&record.velocity),
-        time: cut(time),
-        force: cut(&record.force),
-        side_force: record.side_force.as_deref().map(cut),
-        temperature: record.temperature.as_deref().map(cut),
+        displacement: earlier.values(&record.displacement),
+        velocity: earlier.values(&record.velocity),
+        time: kept(&record.time),
+        force: kept(&record.force),
+        side_force: record.side_force.as_deref().map(kept),
+        temperature: record.temperature.as_deref().map(kept),
         // The force is where it was; a cycle of it begins where it began.
         cycles: record
             .cycles

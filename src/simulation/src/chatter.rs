@@ -31,7 +31,7 @@ impl Host {
 
 /// What must be known beside an export of a damper: how it chatters, where it does in that host.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
-    chatter(params, host).ok().filter(|c| c.gain >= RINGS).map(|c| c.told(host)).into_iter().collect()
+    chatter(params, host).ok().and_then(|c| c.remark(host)).into_iter().collect()
 }
 
 /// Gain from which a disturbance changes sign at every step.
@@ -178,7 +178,7 @@ const FINE: f64 = 1e-4;
 /// Parameters that make no model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let found = chatter(params, host)?;
-    let Some((replaced, _)) = found.element.filter(|_| found.gain >= RINGS) else { return Ok(None) };
+    let Some((replaced, _)) = found.element.filter(|_| found.rings()) else { return Ok(None) };
     let Some((_, level)) = FRICTION.iter().find(|(name, _)| *name == replaced) else { return Ok(None) };
     let level = params.scalar(level);
     if params.is_on("presliding_friction") {
@@ -227,6 +227,16 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
 }
 
 impl Chatter {
+    /// Whether a disturbance changes sign at every step.
+    pub fn rings(&self) -> bool {
+        self.gain >= RINGS
+    }
+
+    /// What must be known of it beside an export: nothing where it does not chatter.
+    pub fn remark(&self, host: Host) -> Option<String> {
+        self.rings().then(|| self.told(host))
+    }
+
     /// What to know of it, in sentences.
     pub fn told(&self, host: Host) -> String {
         let Host { step, mass } = host;
@@ -238,7 +248,7 @@ impl Chatter {
             self.by_displacement,
             1e3 * self.velocity
         );
-        if self.gain < RINGS {
+        if !self.rings() {
             return format!("{head}: it does not chatter in a host that holds its force over a step.");
         }
         let by = match self.element {

@@ -384,5 +384,12 @@ fn the_page_says_that_a_damper_chatters_in_a_host_that_holds_its_force() {
             "{page}"
         );
         assert!(!page.contains("REMARKS"));
+
+        // Front and rear alike: what is to be said of both is said once.
+        let car = run_with(at, &["export", "fmu", "model.toml", "model.toml", "-o", "car.fmu"], &[]);
+        assert_eq!(car.code, Some(0), "{}", car.err);
+        unpacked(&at.join("car.fmu"), &at.join("car"));
+        let page = std::fs::read_to_string(at.join("car/documentation/index.html")).expect("the page");
+        assert_eq!(page.matches("At a host step of 1 ms and 40 kg").count(), usize::from(chatters), "{page}");
     }
 }

@@ -136,3 +136,24 @@ fn a_lag_that_changes_with_speed_stays_between_its_targets() {
     let run = case.run(&prepare(&case).unwrap(), false).unwrap_or_else(|f| panic!("{}", f.what));
     assert!(run.forces.iter().all(|f| f.abs() <= 1.25 * 12e3), "{:?}", run.forces);
 }
+
+/// The method of fourth order puts its last stage together from those before it: that had a blow-off valve open two and a half
+/// times over, whose force then fell with the flow, and the third step came to 1e22 N.
+#[test]
+fn a_valve_opens_no_further_than_open() {
+    let mut case = millimetre(
+        &["free_play", "cavitation", "frequency_selective_damping", "valve_hysteresis"],
+        &[
+            ("free_play_force", &[5553.2]),
+            ("valve_hysteresis_share", &[0.7565]),
+            ("fv_velocity", &[-0.0028, 0.0, 0.00099, 0.0139, 0.0304, 0.0551, 0.05524, 0.05533, 0.0864]),
+            ("fv_force", &[-363.9, 0.0, 623.48, 623.5, 623.5, 630.3, 696.4, 744.4, 744.5]),
+        ],
+    );
+    case.start = 0.00285;
+    let x = Some(0.003442);
+    case.motion = [0.5922, -0.5922, 0.5922, -0.5922].map(|v| given(x, v, 0.002)).to_vec();
+    holds(&case);
+    let run = case.run(&prepare(&case).unwrap(), false).unwrap();
+    assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
+}

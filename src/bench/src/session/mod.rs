@@ -7,11 +7,12 @@
 //! | [`simulation`] | its forces for every test, computed beside the window |
 //! | [`tasks`] | long work with progress and cancel |
 //! | [`verbs`] | fit, validate, diagnose |
-//! | [`outputs`] | everything that is written |
+//! | [`outputs`], [`exports`] | everything that is written |
 //! | [`matrix`], [`study`] | the error matrix, one number at several values |
 //! | [`recent`] | campaigns that were open lately |
 
 pub mod campaign;
+pub mod exports;
 pub mod history;
 pub mod matrix;
 pub mod model;
@@ -325,7 +326,10 @@ impl Session {
                 self.study = Some(study);
                 self.generation += 1;
             }
-            Outcome::Written(path) => self.say(path.display().to_string()),
+            Outcome::Written(path, said) => {
+                let path = path.display().to_string();
+                self.say(if said.is_empty() { path } else { format!("{path}: {}", said.join(" ")) });
+            }
         }
     }
 

@@ -72,6 +72,12 @@ impl Tuned {
         Ok(Tuned { text: Some(text), ..Tuned::new(file.params, file.identification) })
     }
 
+    /// The name of its file; empty where it was never saved.
+    pub fn name(&self) -> String {
+        let file = self.path.as_ref().and_then(|p| p.file_name());
+        file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+    }
+
     /// Values as they are now.
     pub fn params(&self) -> &Params {
         self.history.now()

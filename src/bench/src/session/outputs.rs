@@ -1,48 +1,20 @@
-//! Everything that is written: model files, what is known about records, files for hosts, reports. All through the guards of
+//! Everything that is written: model files, what is known about records, reports, plots. All through the guards of
 //! the command's outputs: a file of another kind is never replaced, and nothing is ever half written.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
+use crate::session::exports::{Export, Host};
 use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
 use crate::session::verbs::compared;
-use anyhow::{Context as _, bail};
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::{Model, Params};
-use dashpot_hosts::adams::folder;
-use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
-use dashpot_hosts::{fmu, runtimes};
+use anyhow::Context as _;
 use dashpot_identification::model_file;
 use dashpot_identification::validation::validate;
-use dashpot_output::{FolderLock, Kind};
+use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
 use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::{Made, Print, ReportInput};
-use dashpot_rig::Matrix;
-use dashpot_simulation::chatter;
 use dashpot_simulation::comparison::at_constant_velocity;
 use std::path::{Path, PathBuf};
-
-/// A host that a model is exported to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Host {
-    /// FMI 2.0.
-    Fmu,
-    /// A run folder of Adams.
-    Adams,
-    /// A property file of Adams Car.
-    Property,
-}
-
-impl Host {
-    /// The name of the file or folder that is proposed.
-    pub fn proposed(self) -> &'static str {
-        match self {
-            Host::Fmu => "damper.fmu",
-            Host::Adams => "adams",
-            Host::Property => "damper.dpr",
-        }
-    }
-}
 
 /// The error with its causes in one sentence.
 fn told(error: &anyhow::Error) -> String {
@@ -103,21 +75,17 @@ impl Session {
     /// Writes files for a host.
     pub fn export(&mut self, host: Host, path: PathBuf) {
         let Some(model) = &self.model else { return };
-        let (params, text) = (*model.params(), model.text());
+        let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
         self.begin(Work::Write, move |report| {
             report(0.1, "");
-            export(host, &params, &text, &path).map(|()| Outcome::Written(path)).map_err(|e| told(&e))
+            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
         });
     }
 
     /// Writes the report of the validation.
     pub fn write_report(&mut self, path: PathBuf) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
-        let named = model
-            .path
-            .as_ref()
-            .and_then(|p| p.file_name())
-            .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        let named = model.name();
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Work::Write, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
@@ -139,7 +107,9 @@ impl Session {
                 extra: Vec::new(),
             };
             checked(&path, Kind::Report).map_err(|e| told(&e))?;
-            dashpot_report::write_atomic(&input, &path).map(|()| Outcome::Written(path)).map_err(|e| told(&e))
+            dashpot_report::write_atomic(&input, &path)
+                .map(|()| Outcome::Written(path, Vec::new()))
+                .map_err(|e| told(&e))
         });
     }
 
@@ -150,11 +120,7 @@ impl Session {
         else {
             return;
         };
-        let model_file = model
-            .path
-            .as_ref()
-            .and_then(|p| p.file_name())
-            .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        let model_file = model.name();
         let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
         self.begin(Work::Write, move |_| {
             let records: Vec<_> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
@@ -168,7 +134,7 @@ impl Session {
                 parameters: Vec::new(),
             };
             checked(&path, Kind::Report).map_err(|e| told(&e))?;
-            report.write(&path).map(|()| Outcome::Written(path)).map_err(|e| told(&e))
+            report.write(&path).map(|()| Outcome::Written(path, Vec::new())).map_err(|e| told(&e))
         });
     }
 }
@@ -182,83 +148,6 @@ fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
 pub fn write(path: &Path, kind: Kind, bytes: &[u8]) -> anyhow::Result<()> {
     checked(path, kind)?;
     dashpot_output::replace_file(path, bytes).with_context(|| format!("cannot write {}", path.display()))
-}
-
-fn export(host: Host, params: &Params, text: &str, path: &Path) -> anyhow::Result<()> {
-    let model = Model::new(params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
-    match host {
-        Host::Fmu => {
-            dashpot_output::check([path])?;
-            let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
-            let library = std::env::current_exe()?.with_file_name("libdashpot.a");
-            if !holds_one && !library.is_file() {
-                bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
-            }
-            let options = fmu::Options {
-                version: fmu::Version::Two,
-                scales: fmu::Scales { motion: 1.0, force: 1.0, position_offset: 0.0 },
-                name: "dashpot damper",
-                from_source: (!holds_one).then_some(library.as_path()),
-                sources: true,
-                more: &[],
-                remarks: &chatter::remarks(params, chatter::Host::USUAL),
-            };
-            let made = fmu::fmu(&[*params], &options)?;
-            write(path, Kind::Fmu, &made.bytes)
-        }
-        Host::Property => {
-            if !params.is_on("fv_curve") {
-                bail!("the element fv_curve is off, so there is no curve to export");
-            }
-            let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-            let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
-            let left_out: Vec<&str> =
-                GROUPS[..elements::COUNT].iter().map(|g| g.name).filter(|n| params.is_on(n) && !held(n)).collect();
-            let mut notes =
-                vec![format!("Written by dashpot {}. Rebound and tension are positive.", env!("CARGO_PKG_VERSION"))];
-            if !left_out.is_empty() {
-                notes.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
-            }
-            let properties = Properties {
-                curve: Curve::of(params, &model),
-                straight: false,
-                gas_force: if xml && params.is_on("gas_preload") { params.scalar("gas_force") } else { 0.0 },
-                notes,
-            };
-            let written = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });
-            dashpot_output::check([path])?;
-            dashpot_output::replace_file(path, written.as_bytes())
-                .with_context(|| format!("cannot write {}", path.display()))
-        }
-        Host::Adams => adams(params, &model, text, path),
-    }
-}
-
-/// Distance of the damper's markers at zero displacement, mm; as the command's default, to be set in the folder's README.
-const LENGTH: f64 = 400.0;
-
-fn adams(params: &Params, model: &Model, text: &str, path: &Path) -> anyhow::Result<()> {
-    let _held = FolderLock::take(path)?;
-    let put = |name: &str, bytes: &[u8]| {
-        let path = path.join(name);
-        dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
-    };
-    put("damper.toml", text.as_bytes())?;
-    let name = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
-    let beside = std::env::current_exe()?.with_file_name(name);
-    let mut libraries: Vec<(&str, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
-        .into_iter()
-        .filter_map(|(platform, name)| Some((name, runtimes::compiled(platform, name)?.to_vec())))
-        .collect();
-    if libraries.is_empty() && beside.is_file() {
-        libraries.push((name, std::fs::read(&beside)?));
-    }
-    for file in folder::files(params, model, "damper.toml", LENGTH, &Matrix::default()).0 {
-        let missing = libraries.is_empty() && file.name == "README.txt";
-        let note = if missing { format!("THE LIBRARY IS NOT HERE. {}\n\n", runtimes::HOW) } else { String::new() };
-        put(file.name, (note + &file.text).as_bytes())?;
-    }
-    libraries.iter().try_for_each(|(name, content)| put(name, content))
 }
 
 /// A plot as a table: every line with its two columns.

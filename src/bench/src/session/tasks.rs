@@ -57,8 +57,8 @@ pub enum Outcome {
     Diagnosed(Diagnosed),
     /// A family of loops.
     Studied(Study),
-    /// A file or folder was written.
-    Written(PathBuf),
+    /// A file or folder was written, and what must be known beside it.
+    Written(PathBuf, Vec<String>),
 }
 
 /// How far it is.

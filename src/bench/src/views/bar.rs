@@ -2,7 +2,7 @@
 
 use crate::dialogs::Ask;
 use crate::session::Session;
-use crate::session::outputs::Host;
+use crate::session::exports::Host;
 use crate::views::{Side, View, named_list};
 use crate::words::Language;
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
@@ -103,8 +103,13 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.separator();
         ui.add_enabled_ui(model && free, |ui| {
             ui.menu_button(w.export, |ui| {
-                let hosts =
-                    [(Host::Fmu, w.export_fmu), (Host::Adams, w.export_adams), (Host::Property, w.export_property)];
+                let hosts = [
+                    (Host::Fmu, w.export_fmu),
+                    (Host::Fmu3, w.export_fmu3),
+                    (Host::Vehicle, w.export_vehicle),
+                    (Host::Adams, w.export_adams),
+                    (Host::Property, w.export_property),
+                ];
                 for (host, text) in hosts {
                     if ui.button(text).clicked() {
                         view.asks.push(Ask::Export(host));

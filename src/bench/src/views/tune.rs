@@ -21,11 +21,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         }
         return;
     };
-    let name = model
-        .path
-        .as_ref()
-        .and_then(|p| p.file_name())
-        .map_or_else(|| w.unsaved_model.to_owned(), |n| n.to_string_lossy().into_owned());
+    let name = Some(model.name()).filter(|n| !n.is_empty()).unwrap_or_else(|| w.unsaved_model.to_owned());
     ui.horizontal(|ui| {
         ui.heading(name);
         if model.is_unsaved() {

@@ -25,6 +25,8 @@ pub const WORDS: Words = Words {
     diagnose_hint: "指出模型缺少的物理效应 (F7)",
     export: "导出",
     export_fmu: "FMU（多数仿真软件）…",
+    export_fmu3: "FMU，FMI 3.0…",
+    export_vehicle: "整车FMU，四个车轮（VI-CarRealTime）…",
     export_adams: "Adams文件夹…",
     export_property: "Adams Car属性文件…",
     cancel: "取消",

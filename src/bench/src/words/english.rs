@@ -25,6 +25,8 @@ pub const WORDS: Words = Words {
     diagnose_hint: "Name the physical effect that the model lacks (F7)",
     export: "Export",
     export_fmu: "FMU (most simulators)…",
+    export_fmu3: "FMU, FMI 3.0…",
+    export_vehicle: "FMU of a vehicle, four corners (VI-CarRealTime)…",
     export_adams: "Adams folder…",
     export_property: "Adams Car property file…",
     cancel: "Cancel",

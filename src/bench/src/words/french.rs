@@ -25,6 +25,8 @@ pub const WORDS: Words = Words {
     diagnose_hint: "Nommer l'effet physique qui manque au modèle (F7)",
     export: "Exporter",
     export_fmu: "FMU (la plupart des simulateurs)…",
+    export_fmu3: "FMU, FMI 3.0…",
+    export_vehicle: "FMU d'un véhicule, quatre coins (VI-CarRealTime)…",
     export_adams: "Dossier Adams…",
     export_property: "Fichier de propriétés Adams Car…",
     cancel: "Interrompre",

@@ -25,6 +25,8 @@ pub const WORDS: Words = Words {
     diagnose_hint: "Den physikalischen Effekt nennen, der dem Modell fehlt (F7)",
     export: "Export",
     export_fmu: "FMU (die meisten Simulatoren)…",
+    export_fmu3: "FMU, FMI 3.0…",
+    export_vehicle: "FMU eines Fahrzeugs, vier Räder (VI-CarRealTime)…",
     export_adams: "Adams-Ordner…",
     export_property: "Adams-Car-Property-Datei…",
     cancel: "Abbrechen",

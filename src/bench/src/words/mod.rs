@@ -102,6 +102,8 @@ pub struct Words {
     pub diagnose_hint: &'static str,
     pub export: &'static str,
     pub export_fmu: &'static str,
+    pub export_fmu3: &'static str,
+    pub export_vehicle: &'static str,
     pub export_adams: &'static str,
     pub export_property: &'static str,
     pub cancel: &'static str,

@@ -421,17 +421,125 @@ fn a_plot_is_saved_as_a_table_and_as_a_figure() {
 }
 
 #[test]
-fn a_property_file_and_an_adams_folder_are_exported() {
-    use crate::session::outputs::Host;
+fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_said() {
+    use crate::session::exports::Host;
     let folder = tempfile::tempdir().unwrap();
     let out = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 3, vec![]);
-    for (host, name, inside) in [(Host::Property, "d.dpr", "d.dpr"), (Host::Adams, "run", "run/README.txt")] {
+    // Friction so steep that it chatters in a host which holds its force over a step.
+    let group = |name: &str| dashpot_core::elements::GROUPS.iter().position(|g| g.name == name).unwrap();
+    let row = |name: &str| dashpot_core::parameter::find(name).unwrap();
+    harness.state_mut().session.tune(|m| {
+        // A spring in series would soften it.
+        m.switch(group("series_compliance"), false);
+        m.switch(group("stribeck_friction"), false);
+        m.switch(group("coulomb_friction"), true)
+            && m.set(&row("coulomb_force"), 0, 40.0)
+            && m.set(&row("coulomb_steepness"), 0, 5000.0)
+    });
+    let mut write = |host: Host, name: &str| {
         harness.state_mut().session.export(host, out.path().join(name));
         until(&mut harness, "the export", |app| app.session.task.is_none());
-        assert!(!message(&harness).1, "{:?}", message(&harness));
-        assert!(out.path().join(inside).is_file(), "{name}");
+        let (text, wrong) = message(&harness);
+        assert!(!wrong, "{text}");
+        text
+    };
+    assert!(write(Host::Adams, "run").contains("coulomb_friction makes it"));
+    let readme = std::fs::read_to_string(out.path().join("run/README.txt")).unwrap();
+    assert!(readme.contains("coulomb_friction") && readme.contains("A damper for Adams"), "{readme}");
+    assert!(out.path().join("run/damper.toml").is_file());
+    // A property file holds the curve alone, which does not chatter, and says what it leaves out.
+    let said = write(Host::Property, "d.dpr");
+    assert!(
+        said.contains("Left out") && said.contains("coulomb_friction") && !said.contains("At a host step"),
+        "{said}"
+    );
+    let text = std::fs::read_to_string(out.path().join("d.dpr")).unwrap();
+    assert!(text.contains("Left out") && text.contains("check sum"), "{text}");
+    // Where this program holds the compiled runtimes, FMUs are whole; elsewhere that is said.
+    if dashpot_hosts::runtimes::compiled("linux64", "dashpot_damper.so").is_none() {
+        println!("skipped: FMUs, for there are no compiled runtimes; {}", dashpot_hosts::runtimes::HOW);
+        return;
     }
+    for (host, name, inside) in [
+        (Host::Fmu, "two.fmu", "fmiVersion=\"2.0\""),
+        (Host::Fmu3, "three.fmu", "fmiVersion=\"3.0\""),
+        (Host::Vehicle, "car.fmu", "Damper_Force_R2"),
+    ] {
+        assert!(write(host, name).contains("coulomb_friction makes it"), "{name}");
+        let mut archive = zip::ZipArchive::new(std::fs::File::open(out.path().join(name)).unwrap()).unwrap();
+        let mut description = String::new();
+        let mut file = archive.by_name("modelDescription.xml").unwrap();
+        std::io::Read::read_to_string(&mut file, &mut description).unwrap();
+        assert!(description.contains(inside), "{name}: {description}");
+    }
+}
+
+#[test]
+fn a_curve_that_chatters_is_said_in_its_property_file() {
+    use crate::session::exports::{Export, Host};
+    let out = tempfile::tempdir().unwrap();
+    let path = out.path().join("steep.dpr");
+    let mut params = dashpot_core::Params::new();
+    let steep: Vec<f64> = params.list("fv_force").iter().map(|f| 60.0 * f).collect();
+    params.set_list("fv_force", &steep).unwrap();
+    let said = Export { host: Host::Property, params, text: String::new(), name: String::new() }.write(&path).unwrap();
+    assert!(said.iter().any(|s| s.contains("At a host step of 1 ms")), "{said:?}");
+    assert!(std::fs::read_to_string(&path).unwrap().contains("At a host step of 1 ms"));
+}
+
+#[test]
+fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let report = out.path().join("diagnosis.html");
+    let mut harness = opened(folder.path(), 18, vec![vec![report.clone()]]);
+    // The measured damper has a series spring; the model loses it.
+    widget(&harness, Role::CheckBox, "series compliance").click();
+    harness.step();
+    harness.step();
+    harness.key_press(Key::F7);
+    harness.step();
+    assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Diagnose));
+    let mut told = 0.0;
+    until(&mut harness, "the diagnosis", |app| {
+        told = app.session.task.as_ref().map_or(told, |t| t.progress().done.max(told));
+        app.session.task.is_none()
+    });
+    assert!(told > 0.0, "it said how far it is");
+    let (found, _) =
+        harness.state().session.answers.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness)));
+    // A spring in series and oil that gives are nearly one to a rig; either name is right.
+    let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
+    let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
+    assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
+    assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
+    let headline = dashpot_report::diagnosis::headline(found);
+    harness.step();
+    assert!(says(&harness, &headline), "{headline}");
+    harness.check_accessibility();
+    press(&mut harness, "Write report…");
+    until(&mut harness, "the report", |app| app.session.task.is_none());
+    let page = std::fs::read_to_string(&report).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
+    assert!(page.contains(named) && page.contains("<svg"));
+    press(&mut harness, "Take the improved model");
+    let model = harness.state().session.model.as_ref().unwrap();
+    assert!(model.params().is_on(named) && model.is_unsaved());
+    until(&mut harness, "its forces", |app| {
+        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params.is_on(named))
+    });
+}
+
+#[test]
+fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 24, vec![]);
+    press(&mut harness, "Diagnose");
+    press(&mut harness, "Cancel");
+    let asked = Instant::now();
+    until(&mut harness, "the end", |app| app.session.task.is_none());
+    assert!(asked.elapsed().as_secs() < 30, "{:?}", asked.elapsed());
+    assert!(harness.state().session.answers.diagnosis.is_none() && !message(&harness).1, "{:?}", message(&harness));
 }
 
 #[test]

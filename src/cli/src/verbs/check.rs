@@ -4,7 +4,7 @@ use super::host_step::HostArgs;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
-use dashpot_simulation::chatter::{GROWS, RINGS};
+use dashpot_simulation::chatter::GROWS;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             "host_step_s": ready.host.step,
             "wheel_mass_kg": ready.host.mass,
             "gain": chatter.gain,
-            "chatters": chatter.gain >= RINGS,
+            "chatters": chatter.rings(),
             "swings": chatter.gain >= GROWS,
             "velocity_m_s": chatter.velocity,
             "damping_n_s_m": chatter.by_velocity,

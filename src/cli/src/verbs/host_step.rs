@@ -67,9 +67,9 @@ impl Ready {
 
     /// What must be known beside an export: what was replaced, and chatter where there is some.
     pub fn notes(&self) -> Vec<String> {
-        if self.chatter.gain < dashpot_simulation::chatter::RINGS && self.softened.is_none() {
-            return Vec::new();
+        match self.softened {
+            Some(_) => self.told(),
+            None => self.chatter.remark(self.host).into_iter().collect(),
         }
-        self.told()
     }
 }

@@ -109,6 +109,12 @@ impl FrequencySelectiveDamping {
         !self.is_stroke && !self.is_bypass
     }
 
+    /// Where its state lies: a filling between the one chamber full and the other.
+    #[inline(always)]
+    pub(crate) fn range(&self) -> (f64, f64) {
+        if self.holds_force() { (f64::NEG_INFINITY, f64::INFINITY) } else { (-1.0, 1.0) }
+    }
+
     /// Bypass form: how fast z grows towards ±1, per τ.
     #[inline(always)]
     fn grows<R: Real>(&self, force: R) -> R {

@@ -43,6 +43,8 @@ struct Known<'a> {
     /// By how much the valve raised the force in the last stage.
     raised: f64,
     states: [f64; STATES],
+    /// Those of them that were brought back into their ranges, as bits.
+    kept: u32,
 }
 
 /// States and forces after a stage.
@@ -96,6 +98,11 @@ impl Carried {
         seed.known = known_part::<ON>(&self.states, stage.row, stage.gamma, &self.gains, stage.index);
         if stage.valve_jumps {
             seed.known[place::VALVE] = self.states[place::VALVE];
+        }
+        if stage.kept != 0 {
+            for (place, known) in seed.known.iter_mut().enumerate() {
+                *known = if stage.kept & 1 << place == 0 { *known } else { 0.0 };
+            }
         }
         let after = stage.along(&seed);
         if stage.last {
@@ -163,6 +170,30 @@ fn known_part<const ON: u32>(
         }
     }
     known
+}
+
+/// Brings openings and fillings back into their ranges, and says which as bits.
+///
+/// Every stage ends inside them, but what the method of fourth order puts together for the next, with weights of up to 31, need
+/// not lie there: a valve that is open two and a half times over takes more than all its force away, and the stage's
+/// equation then has no one answer.
+#[inline(always)]
+fn keep<const ON: u32>(e: &Elements, known: &mut [f64; STATES]) -> u32 {
+    let mut kept = 0;
+    let mut within = |place: usize, (low, high): (f64, f64)| {
+        let at = known[place];
+        if at < low || at > high {
+            known[place] = if at < low { low } else { high };
+            kept |= 1 << place;
+        }
+    };
+    if acts::<ON>(e, VALVE) {
+        within(place::VALVE, e.valve_hysteresis.range());
+    }
+    if acts::<ON>(e, SELECTIVE | PASSAGE) {
+        within(place::SELECTIVE, e.frequency_selective_damping.range());
+    }
+    kept
 }
 
 /// What a stage adds to the states.
@@ -384,6 +415,7 @@ impl Substep<'_> {
             if valve_jumps {
                 known[place::VALVE] = from.states[place::VALVE];
             }
+            let kept = keep::<ON>(e, &mut known);
             overshot |= known[place::VOID] < 0.0;
             // The oil follows the driven end, but where a void takes up the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
@@ -399,6 +431,7 @@ impl Substep<'_> {
                 valve_jumps,
                 raised: now.raised,
                 states: known,
+                kept,
             };
             let stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
             let balance = stage.balance();

@@ -47,6 +47,27 @@ pub fn files(
     }
 }
 
+/// What must be known before anything else, above the text of README.txt: who opens the folder later has not seen what was said when it
+/// was written.
+pub fn above(remarks: &[String], text: &str) -> String {
+    remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
+}
+
+/// Broken into lines that a plain text file has.
+fn wrapped(text: &str) -> String {
+    /// Longest line of README.txt.
+    const WIDTH: usize = 100;
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if line.len() + word.len() < WIDTH => *line += &format!(" {word}"),
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.join("\n")
+}
+
 /// The test matrix on the rig, one line a command: every test begins and ends at rest in the middle, so that one follows the other.
 fn acf(matrix: &Matrix) -> String {
     let mut out =

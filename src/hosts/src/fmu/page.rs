@@ -8,38 +8,46 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
-/// `documentation/index.html`; remarks are what must be known of this damper.
+/// What holds for every damper, ahead of the remarks.
+const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
+     <h1>dashpot damper</h1>\n\
+     <p>A suspension damper identified from rig records. Motion in, force out. The damper starts at rest in its first \
+     position; a step runs from one communication point to the next. An input that \
+     is not finite holds the last force, and the status says so. A step of length 0 is a static answer.</p>\n\
+     <p><b>Signs.</b> motion_scale and force_scale change from the host's signs, units and motion ratio to the damper's \
+     (extension and tension positive, SI). Force times velocity, both as the damper counts them, must be positive on \
+     average: if your vehicle swings up, one of the two signs is wrong.</p>\n\
+     <p><b>Zero.</b> position_offset is the damper's extension, in m from the zero of the rig where it was measured, at the \
+     importer's displacement 0.</p>\n\
+     <p><b>Inputs between communication points</b> (inputs_between_points). <i>hold</i>: the values set before a step count at \
+     its end. An importer that sets what it knows at the step's end loses nothing; one that sets what it knows at its \
+     beginning, as the standard has it, gets the force one step late. <i>extrapolate</i>: the values set before a step count \
+     at its beginning, and run on along the line through the last two: the force is in time, and a jump of velocity overshoots \
+     for one step. <i>automatic</i>: held in co-simulation, extrapolated in model exchange, where the time of each input is known. \
+     In FMI 2.0 fmi2SetRealInputDerivatives (order 1) goes before either. Directional derivatives of a step are those \
+     by the motion at its end.</p>\n\
+     <table border=\"1\">\n<tr><th>call</th><th>instant</th><th>what it does</th></tr>\n\
+     <tr><td>set inputs, initialise</td><td>0</td><td>at rest, settled in the position of the inputs</td></tr>\n\
+     <tr><td>get force</td><td>0</td><td>static force</td></tr>\n\
+     <tr><td>set inputs</td><td>t (extrapolate, derivatives) or t + h (hold)</td><td>nothing yet</td></tr>\n\
+     <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
+     <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
+
+/// What stands ahead of the rows of variables.
+const PARAMETERS: &str = "<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
+     that falls) is refused with a message, and the old one stays.</p>\n<table border=\"1\">\n\
+     <tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
+
+/// `documentation/index.html`; remarks are what must be known of this damper. What holds for several corners alike is said
+/// once.
 pub fn page(variables: &[Variable], remarks: &[String]) -> String {
-    let mut out = String::from(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
-         <h1>dashpot damper</h1>\n\
-         <p>A suspension damper identified from rig records. Motion in, force out. The damper starts at rest in its first \
-         position; a step runs from one communication point to the next. An input that \
-         is not finite holds the last force, and the status says so. A step of length 0 is a static answer.</p>\n\
-         <p><b>Signs.</b> motion_scale and force_scale change from the host's signs, units and motion ratio to the damper's \
-         (extension and tension positive, SI). Force times velocity, both as the damper counts them, must be positive on \
-         average: if your vehicle swings up, one of the two signs is wrong.</p>\n\
-         <p><b>Zero.</b> position_offset is the damper's extension, in m from the zero of the rig where it was measured, at the \
-         importer's displacement 0.</p>\n\
-         <p><b>Inputs between communication points</b> (inputs_between_points). <i>hold</i>: the values set before a step count at \
-         its end. An importer that sets what it knows at the step's end loses nothing; one that sets what it knows at its \
-         beginning, as the standard has it, gets the force one step late. <i>extrapolate</i>: the values set before a step count \
-         at its beginning, and run on along the line through the last two: the force is in time, and a jump of velocity overshoots \
-         for one step. <i>automatic</i>: held in co-simulation, extrapolated in model exchange, where the time of each input is known. \
-         In FMI 2.0 fmi2SetRealInputDerivatives (order 1) goes before either. Directional derivatives of a step are those \
-         by the motion at its end.</p>\n\
-         <table border=\"1\">\n<tr><th>call</th><th>instant</th><th>what it does</th></tr>\n\
-         <tr><td>set inputs, initialise</td><td>0</td><td>at rest, settled in the position of the inputs</td></tr>\n\
-         <tr><td>get force</td><td>0</td><td>static force</td></tr>\n\
-         <tr><td>set inputs</td><td>t (extrapolate, derivatives) or t + h (hold)</td><td>nothing yet</td></tr>\n\
-         <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
-         <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n\
-         REMARKS<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
-         that falls) is refused with a message, and the old one stays.</p>\n<table border=\"1\">\n\
-         <tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n",
-    );
-    let told: String = remarks.iter().map(|r| format!("<p><b>This damper.</b> {}</p>\n", escaped(r))).collect();
-    out = out.replace("REMARKS", &told);
+    let mut out = String::from(SIGNS_AND_INSTANTS);
+    for (i, remark) in remarks.iter().enumerate() {
+        if !remarks[..i].contains(remark) {
+            let _ = writeln!(out, "<p><b>This damper.</b> {}</p>", escaped(remark));
+        }
+    }
+    out.push_str(PARAMETERS);
     for v in variables.iter().filter(|v| !matches!(v.kind, Kind::State | Kind::Rate | Kind::Time | Kind::SpeedMargin)) {
         let start = v.start.map_or(String::new(), |s| s.to_string());
         let meaning = escaped(&v.meaning);

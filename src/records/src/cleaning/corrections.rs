@@ -2,6 +2,7 @@
 
 use super::super::options::Options;
 use super::super::record::Note;
+use super::earlier::Earlier;
 use super::{Motion, cycles};
 
 /// Applies the corrections of the options, in the file's own directions, with a note for each.
@@ -41,51 +42,21 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     delay_motion(motion, options.delay_s)
 }
 
-/// Gives every force sample the motion of `delay` seconds before. The motion is interpolated, since it is smooth; the
-/// force, whose noise interpolation would colour, is not touched.
+/// Gives every force sample the motion of `delay` seconds before.
 ///
 /// Returns the range of the samples, of those before, that have such a motion.
 pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
-    let time = std::mem::take(&mut motion.time);
-    let n = time.len();
-    let (first, last) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
-    let from = time.partition_point(|t| t - delay < first);
-    let to = time.partition_point(|t| t - delay <= last).max(from);
-    let mut displacement = Vec::with_capacity(to - from);
-    let mut velocity = Vec::with_capacity(to - from);
-    let mut at = 0;
-    for t in &time[from..to] {
-        let wanted = t - delay;
-        while at + 2 < n && time[at + 1] <= wanted {
-            at += 1;
-        }
-        displacement.push(between(&time, &motion.displacement, at, wanted));
-        velocity.push(between(&time, &motion.velocity, at, wanted));
+    let earlier = Earlier::new(&motion.time, delay);
+    motion.displacement = earlier.values(&motion.displacement);
+    motion.velocity = earlier.values(&motion.velocity);
+    motion.force = earlier.kept(&motion.force);
+    for channel in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
+        *channel = earlier.kept(channel);
     }
-    motion.displacement = displacement;
-    motion.velocity = velocity;
-    motion.time = time[from..to].to_vec();
-    let cut = |values: &mut Vec<f64>| {
-        values.truncate(to);
-        values.drain(..from);
-    };
-    cut(&mut motion.force);
-    [&mut motion.side_force, &mut motion.temperature].into_iter().flatten().for_each(cut);
+    let (time, range) = (earlier.kept(&motion.time), earlier.range);
+    motion.time = time;
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
-    from..to
-}
-
-/// The value at a time after sample `at`: of the cubic through four samples, where there are as many on both sides.
-pub(crate) fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
-    let n = time.len();
-    let from = at.saturating_sub(1).min(n.saturating_sub(4));
-    let to = (from + 4).min(n);
-    (from..to)
-        .map(|i| {
-            let weight: f64 = (from..to).filter(|&k| k != i).map(|k| (t - time[k]) / (time[i] - time[k])).product();
-            weight * values[i]
-        })
-        .sum()
+    range
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod corrections;
 mod cycles;
 mod drift;
 mod duplicates;
+mod earlier;
 mod frozen;
 mod gaps;
 mod missing;
@@ -22,11 +23,12 @@ use super::record::{Note, Record};
 use super::samples::{Samples, range};
 use super::swapped;
 
-pub(crate) use corrections::{between, delay_motion};
+pub(crate) use corrections::delay_motion;
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
 pub(crate) use cycles::{Cycle, robust_peak};
 pub(crate) use drift::time_mean;
+pub(crate) use earlier::Earlier;
 
 /// Fewest samples of a test.
 const FEWEST: usize = 20;

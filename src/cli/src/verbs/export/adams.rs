@@ -53,13 +53,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     put("damper.toml", &text)?;
     let (files, no_native) = folder::files(&params, &model, "damper.toml", args.length, &Matrix::default());
     for file in files {
-        // Who opens the folder later has not seen what the command said.
-        let missing = libraries.is_empty() && file.name == "README.txt";
-        let mut note = if missing { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
-        if file.name == "README.txt" {
-            note.extend(notes.iter().map(|n| format!("{}\n\n", wrapped(n))));
-        }
-        put(file.name, (note + &file.text).as_bytes())?;
+        let is_first = file.name == "README.txt";
+        let missing =
+            if libraries.is_empty() { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
+        let text = if is_first { missing + &folder::above(&notes, &file.text) } else { file.text };
+        put(file.name, text.as_bytes())?;
     }
     if let Some(reason) = no_native {
         dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
@@ -75,21 +73,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         dashpot_output::say(None, &format!("note: {note}"))?;
     }
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
-}
-
-/// Broken into lines that a plain text file has.
-fn wrapped(text: &str) -> String {
-    /// Longest line of README.txt.
-    const WIDTH: usize = 100;
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() => line.push_str(word),
-            Some(line) if line.len() + word.len() < WIDTH => *line += &format!(" {word}"),
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines.join("\n")
 }
 
 /// How to come by a library.

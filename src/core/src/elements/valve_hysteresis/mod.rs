@@ -183,6 +183,12 @@ impl ValveHysteresis {
         self.form == Form::Spool
     }
 
+    /// Where its state lies: an opening between shut and open.
+    #[inline(always)]
+    pub(crate) fn range(&self) -> (f64, f64) {
+        if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
+    }
+
     /// Opening form: what the opening is drawn to.
     #[inline(always)]
     fn target<R: Real>(&self, force: R, y: R) -> R {
@@ -190,7 +196,7 @@ impl ValveHysteresis {
         opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
     }
 
-    /// Opening form: the opening at the end of an implicit stage that is `known` at its start; always inside 0 to 1.
+    /// Opening form: the opening at the end of an implicit stage that is `known` at its start; inside 0 to 1 as that is.
     #[inline(always)]
     fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;

@@ -45,6 +45,8 @@ pub struct PathsStage<'a, const ON: u32> {
     /// By how much it raised the force.
     pub(super) raised: f64,
     known: [f64; STATES],
+    /// Those of them that were brought back into their ranges, as bits.
+    pub(super) kept: u32,
     /// Slope of the FV curve.
     slope: f64,
     at: Look,
@@ -180,6 +182,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             valve_jumps: known.valve_jumps,
             raised: given.raised.get(),
             known: states,
+            kept: known.kept,
             slope: curve.slope,
             at,
             per: if by_w != 0.0 { 1.0 / by_w } else { 0.0 },
