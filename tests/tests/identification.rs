@@ -100,6 +100,8 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
 fn measured_wrongly(mut records: Vec<Record>, off: &Off) -> Vec<Record> {
     for (k, record) in records.iter_mut().enumerate() {
         record.time.iter_mut().for_each(|t| *t += 40.0 * k as f64);
+        // A mass that pulls with the motion of its own moment.
+        *record = taken_out(record, &Off { mass_kg: -off.mass_kg, ..Off::NONE });
         // The motion of a moment later beside every force.
         *record = taken_out(record, &Off { delay_s: -off.delay_s, ..Off::NONE });
         for (force, t) in record.force.iter_mut().zip(&record.time) {
@@ -113,13 +115,15 @@ fn measured_wrongly(mut records: Vec<Record>, off: &Off) -> Vec<Record> {
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
     const SEEDS: u64 = 4;
     let truth = truth();
-    let all = Off { delay_s: 0.7e-3, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
+    // A kilogram might be the rod's own.
+    let all = Off { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
     let one = |off: Off| (off, 1);
     let cases = [
         one(Off { delay_s: all.delay_s, ..Off::NONE }),
+        one(Off { mass_kg: all.mass_kg, ..Off::NONE }),
         one(Off { gain_per_s: all.gain_per_s, ..Off::NONE }),
         one(Off { zero_n_per_s: all.zero_n_per_s, ..Off::NONE }),
-        (all, 3),
+        (all, 4),
     ];
     let (mut count, mut hits) = (0, 0);
     for (case, (off, numbers)) in cases.iter().enumerate() {
@@ -128,6 +132,7 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
             assert_eq!(found.measured.len(), *numbers, "case {case}, seed {seed}: {:?}", found.measured);
             let of = |name: &str| match name {
                 "delay" => off.delay_s,
+                "rig_mass" => off.mass_kg,
                 "gain_drift" => off.gain_per_s,
                 _ => off.zero_n_per_s,
             };

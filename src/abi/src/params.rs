@@ -93,6 +93,7 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
 unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Refused> {
     // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
     unsafe { values(params) }?;
+    // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
     Ok(unsafe { &mut (*params.cast::<Filled>()).values })
 }
 
@@ -131,6 +132,7 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
     status((|| {
         // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
         let block = unsafe { block(params) }?.cast_mut();
+        // SAFETY: `block` has looked at size and alignment; written before it is referred to.
         unsafe {
             (&raw mut (*block).values).write(Params::new());
             (*block).magic = MAGIC;
@@ -164,7 +166,9 @@ pub unsafe extern "C" fn dashpot_params_set_list(
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
         let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
-        params.set_list(name, unsafe { array(values, count as usize) }?)?;
+        // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
+        let values = unsafe { array(values, count as usize) }?;
+        params.set_list(name, values)?;
         Ok(DASHPOT_OK)
     })())
 }
@@ -266,7 +270,9 @@ pub unsafe extern "C" fn dashpot_params_read(
     status((|| {
         // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
         let block = unsafe { block(params) }?.cast_mut();
+        // SAFETY: null, or that many bytes of the caller's: the manual's promise.
         let text = unsafe { array(text.cast::<u8>(), length) }?;
+        // SAFETY: null is asked for; else misaligned, or the caller's and used by nobody else: the manual's promise.
         let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
         let mut values = Params::new();
         let (line, found) = match model_file::read(text, &mut values) {

@@ -91,5 +91,6 @@ unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
     // SAFETY: no byte before this one was the closing zero: a name holds none, and `all` stops at the first
     // difference.
     let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);
+    // SAFETY: all bytes of the name were the string's, so that none of them closed it, and one more is there to read.
     same && unsafe { *pointer.add(name.len()) } == 0
 }

@@ -76,6 +76,7 @@ pub unsafe extern "C" fn dashpot_force(
         aligned!(model, state, force);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let model = unsafe { prepared_aligned(model)? };
+        // SAFETY: as the model.
         unsafe { finite(state)? };
         if !sane(velocity) {
             return Err(Refused(DASHPOT_BAD_INPUT));
@@ -108,7 +109,9 @@ pub unsafe extern "C" fn dashpot_step(
         aligned!(model, from, to_input, to, output);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
         let model = unsafe { prepared_aligned(model)? };
+        // SAFETY: as the model.
         unsafe { finite(from)? };
+        // SAFETY: as the model.
         let input = unsafe { input::checked(to_input)? };
         let dt = checked_step(dt)?;
         present(to)?;
@@ -137,12 +140,14 @@ unsafe fn move_on(
     // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };
     if from.cast() == to.cast_const() {
+        // SAFETY: valid and aligned by the caller's promise; one reference, since `from` is the same.
         return computed(unsafe { step_in_place(model, &mut *to, input, dt, output) });
     }
     // Through a value: nothing is said about states that overlap by half, and a refused step leaves them.
     // SAFETY: valid and aligned by the caller's promise.
     let mut state = unsafe { *from.cast::<State>() };
     computed(step_in_place(model, &mut state, input, dt, output))?;
+    // SAFETY: valid and aligned by the caller's promise.
     unsafe { *to = state };
     Ok(())
 }

@@ -3,10 +3,10 @@
 use super::name_of;
 use super::outcome::Diagnosis;
 use super::search::{Search, physical};
-use dashpot_core::Params;
 use dashpot_estimation::deviations::deviations;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
+use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Standing};
 use dashpot_records::Record;
 
@@ -38,8 +38,9 @@ pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
 }
 
 impl Diagnosis {
-    /// The improved model as a fit to the records that were not held out; `fv_only` is the plain curve to compare with.
-    pub fn as_fit(&self, records: &[&Record], held_out: &[bool], fv_only: Params) -> Fit {
+    /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: it keeps that one's
+    /// plain curve to compare with, and what its fit found of the measurement.
+    pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&&Record> = records
             .iter()
             .zip(held_out.iter().chain(std::iter::repeat(&false)))
@@ -59,11 +60,11 @@ impl Diagnosis {
             params: self.improved,
             estimates: self.estimates.clone(),
             choices: Vec::new(),
-            measured: Vec::new(),
+            measured: if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            fv_only,
+            fv_only: model.plain(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }
     }

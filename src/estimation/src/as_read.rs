@@ -1,6 +1,6 @@
 //! Forces of a model as the rig read them, and their derivatives over all that a fit may change.
 //!
-//! The force channel may come late, and gain and zero of the load cell may move with the campaign's clock. These numbers belong to the measurement: they stand behind those of the model in the vector of a fit.
+//! A mass may hang on the load cell, the force channel may come late, and gain and zero of the load cell may move with the campaign's clock. These numbers belong to the measurement: they stand behind those of the model in the vector of a fit.
 
 use crate::measurement::{Artefact, earlier};
 use crate::segment::Segment;
@@ -48,7 +48,7 @@ impl Unknowns {
         }
     }
 
-    /// What the load cell makes of a force.
+    /// What the load cell makes of a force. `segment` has the motion that the damper went through.
     fn read(&self, segment: &Segment, theta: &[f64], forces: &mut [f64]) {
         for (number, value) in self.rig.iter().zip(&theta[self.list.len()..]) {
             number.artefact.apply(*value, segment, forces);
@@ -57,19 +57,21 @@ impl Unknowns {
 
     /// Forces at the samples as the rig read them.
     pub fn forces(&self, run: &Run, theta: &[f64], segment: &Segment) -> Vec<f64> {
-        let mut forces = run.forces(&self.gone_through(segment, theta));
-        self.read(segment, theta, &mut forces);
+        let there = self.gone_through(segment, theta);
+        let mut forces = run.forces(&there);
+        self.read(&there, theta, &mut forces);
         forces
     }
 
     /// The same with their derivatives: one column per sample, one row per number of the vector.
     pub fn jacobian(&self, run: &Run, theta: &[f64], segment: &Segment) -> (Vec<f64>, DMatrix<f64>) {
-        let (pure, rows) = run.jacobian(&self.gone_through(segment, theta), self, theta);
+        let there = self.gone_through(segment, theta);
+        let (pure, rows) = run.jacobian(&there, self, theta);
         if self.rig.is_empty() {
             return (pure, rows);
         }
         let mut forces = pure.clone();
-        self.read(segment, theta, &mut forces);
+        self.read(&there, theta, &mut forces);
         let gain = 1.0 + self.of_the_rig(Artefact::GainDrift, theta).unwrap_or(0.0) * segment.clock;
         let first = self.list.len();
         let mut all = DMatrix::zeros(theta.len(), forces.len());
@@ -78,15 +80,15 @@ impl Unknowns {
             let step = STEP * number.usual.1;
             let mut moved = theta.to_vec();
             moved[place] += step;
-            let there = match number.artefact {
+            let beside = match number.artefact {
                 Artefact::Delay => self.forces(run, &moved, segment),
                 _ => {
-                    let mut there = pure.clone();
-                    self.read(segment, &moved, &mut there);
-                    there
+                    let mut beside = pure.clone();
+                    self.read(&there, &moved, &mut beside);
+                    beside
                 }
             };
-            for (k, (there, here)) in there.iter().zip(&forces).enumerate() {
+            for (k, (there, here)) in beside.iter().zip(&forces).enumerate() {
                 all[(place, k)] = (there - here) / step;
             }
         }
@@ -133,6 +135,7 @@ mod tests {
         let number = |artefact, start, spread| RigNumber { artefact, start, usual: (0.0, spread) };
         let rig = vec![
             number(Artefact::Delay, 1.3e-3, 1e-3),
+            number(Artefact::Mass, 1.5, 1.0),
             number(Artefact::GainDrift, 1e-5, 1e-4),
             number(Artefact::Drift, 0.01, 0.1),
         ];

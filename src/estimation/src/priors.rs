@@ -5,7 +5,7 @@
 //! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
 
 use crate::hypothesis::{Free, Hypothesis};
-use crate::unknowns::Unknown;
+use crate::unknowns::{Unknown, Unknowns};
 
 /// What is known of one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -188,6 +188,16 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(&'static str, f64)> {
 /// What the numbers of an explanation cost it, in units of the logarithm of the odds.
 pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
+}
+
+/// The same of the model's numbers in a fit.
+pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
+    let params = unknowns.params(theta);
+    let off = |unknown: &Unknown| {
+        let (Unknown::Log(name) | Unknown::Linear(name)) = unknown else { return None };
+        of(name).map(|prior| prior.usual.off(params.scalar(name)))
+    };
+    unknowns.list.iter().filter_map(off).map(price).sum()
 }
 
 /// Mean and standard deviation of a free number of the model where a search moves it.

@@ -4,6 +4,7 @@
 //! everything refined together on the stitched records. Variants of friction and spring are chosen by tests that the
 //! fit did not see.
 
+mod as_the_fit_saw;
 pub mod first_guess;
 mod fit;
 mod intervals;
@@ -15,6 +16,7 @@ pub mod peaks;
 pub mod validation;
 mod variants;
 
+pub use as_the_fit_saw::AS_THE_FIT_SAW;
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
 pub use of_the_rig::{Measured, off};

@@ -3,12 +3,12 @@
 //! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
 //! are for validation, diagnosis and people.
 
-use crate::{Estimate, Fit, Standing};
+use crate::{Estimate, Fit, Measured, Standing};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_records::Record;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -37,6 +37,9 @@ pub struct Identification {
     /// Remarks of the fit.
     #[serde(default)]
     pub notes: Vec<String>,
+    /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
+    #[serde(default, deserialize_with = "known_numbers")]
+    pub measurement: BTreeMap<String, [f64; 3]>,
     /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
     #[serde(default)]
     pub intervals: BTreeMap<String, Interval>,
@@ -46,6 +49,18 @@ pub struct Identification {
     /// The plain FV curve fitted to the same tests.
     #[serde(default)]
     pub fv_only: Option<FvOnly>,
+}
+
+/// Refuses what no fit finds: a name that is not known could not be taken out of any record.
+fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
+    let numbers = BTreeMap::<String, [f64; 3]>::deserialize(from)?;
+    match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
+        Some((name, numbers)) => Err(serde::de::Error::custom(format!(
+            "[identification.measurement] {name} = {numbers:?} is nothing that a fit finds: it is delay, rig_mass, gain_drift or drift, with \
+             value, low and high end"
+        ))),
+        None => Ok(numbers),
+    }
 }
 
 /// A 95 % interval of a number or of every point of a curve.
@@ -382,6 +397,12 @@ pub fn write(fit: &Fit) -> String {
             })
             .collect();
         let _ = writeln!(out, "{name} = [{}]", pairs.join(", "));
+    }
+    if !fit.measured.is_empty() {
+        out += "\n[identification.measurement]  # what the records are off by, value and 95 %; taken out of them, never of the damper\n";
+        for Measured { name, value, low, high, .. } in &fit.measured {
+            let _ = writeln!(out, "{name} = [{}, {}, {}]", number(*value), number(*low), number(*high));
+        }
     }
     out += "\n[identification.sources]  # share of the information by kind of test\n";
     for name in &names {

@@ -1,5 +1,5 @@
-//! What a fit looks for in the measurement itself: how late the force channel is, and how gain and zero of the load cell move through a
-//! campaign.
+//! What a fit looks for in the measurement itself: how late the force channel is, which mass hangs on the load cell, and how gain and zero
+//! of the cell move through a campaign.
 //!
 //! A zero that is off all the time is not among them: of the force it is the same as another gas force, of the displacement the same as
 //! another table of the spring, so that only the user can tell them ([`dashpot_records::Options`]). The others are estimated beside the
@@ -26,21 +26,28 @@ pub struct Sought {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OfTheRig {
     delay: Option<Sought>,
+    mass: Option<Sought>,
     gain_drift: Option<Sought>,
     force_drift: Option<Sought>,
 }
 
 /// How late the force channel of a rig usually comes, s: a filter of 200 Hz makes 1 ms.
 const DELAY: f64 = 1e-3;
+/// Mass, kg, that usually hangs between load cell and damper, as the table of priors has it: eye, clamp and joint have some tenths of a
+/// kilogram to five, and a rig that makes up for it takes as much too little or too much.
+const MASS: f64 = 2.0;
 /// How much a load cell's gain (as a share) usually moves in a campaign. A guess on the wide side, since it pulls what is found towards
 /// nothing: with half of it a true drift of 3.6 % came out 6 % too low.
 const GAIN: f64 = 0.02;
 /// How much its zero usually moves, N: a tenth of a percent of a cell of 20 kN. It pulls as that of the gain does.
 const ZERO: f64 = 20.0;
 
+/// All that is looked for, in the order in which the load cell makes it.
+const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
+
 impl OfTheRig {
     /// None of them.
-    pub const NONE: OfTheRig = OfTheRig { delay: None, gain_drift: None, force_drift: None };
+    pub const NONE: OfTheRig = OfTheRig { delay: None, mass: None, gain_drift: None, force_drift: None };
 
     /// Each of them that these tests can show, alone, and all together, with names for the report. `late` is the delay that a first look at
     /// the records found.
@@ -50,7 +57,9 @@ impl OfTheRig {
         let mut ways = Vec::new();
         if tells_delay(segments) {
             all.delay = around(late.unwrap_or(0.0), DELAY);
+            all.mass = around(0.0, MASS);
             ways.push(("a late force channel", OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
+            ways.push(("a mass on the load cell", OfTheRig { mass: all.mass, ..OfTheRig::NONE }));
         }
         let clocks = segments.iter().map(|s| s.clock);
         let last = clocks.clone().fold(0.0, f64::max);
@@ -67,10 +76,10 @@ impl OfTheRig {
         ways
     }
 
-    /// In the order in which the load cell makes them.
     fn all(self) -> impl Iterator<Item = (Artefact, Sought)> {
-        [(Artefact::Delay, self.delay), (Artefact::GainDrift, self.gain_drift), (Artefact::Drift, self.force_drift)]
+        LOOKED_FOR
             .into_iter()
+            .zip([self.delay, self.mass, self.gain_drift, self.force_drift])
             .filter_map(|(artefact, sought)| Some((artefact, sought?)))
     }
 
@@ -84,6 +93,7 @@ impl OfTheRig {
         for number in ended {
             let sought = match number.artefact {
                 Artefact::Delay => &mut self.delay,
+                Artefact::Mass => &mut self.mass,
                 Artefact::GainDrift => &mut self.gain_drift,
                 Artefact::Drift => &mut self.force_drift,
                 _ => continue,
@@ -103,7 +113,8 @@ const FEWEST: usize = 6;
 const SHORTEST: f64 = 60.0;
 
 /// How much faster the fastest test must turn than the slowest for a delay to be told from compliance: the phase of both grows with
-/// frequency, but along other curves. At one frequency they are the same; half as much again is a choice.
+/// frequency, but along other curves. At one frequency they are the same; half as much again is a choice. A mass and a spring are told apart
+/// in the same way.
 const APART: f64 = 1.5;
 
 /// Whether the frequencies of the tests tell a delay from a soft series path.
@@ -120,7 +131,7 @@ pub fn tells_delay(segments: &[Segment]) -> bool {
 /// One number of the measurement that the records are off by.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
-    /// What it is: `delay`, `gain_drift` or `drift` (of the force's zero).
+    /// What it is: `delay`, `rig_mass`, `gain_drift` or `drift` (of the force's zero).
     pub name: &'static str,
     /// Value.
     pub value: f64,
@@ -136,34 +147,64 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// One number, as a fit found it.
+    fn new(artefact: Artefact, [value, low, high]: [f64; 3]) -> Measured {
+        let option = match artefact {
+            Artefact::Delay => Some("--delay"),
+            Artefact::Mass => Some("--rig-mass"),
+            _ => None,
+        };
+        Measured { name: artefact.parameter(), value, low, high, unit: artefact.unit(), option }
+    }
+
+    /// The same from a model file; `None` for a name that no fit looks for, and for what is no number.
+    pub fn named(name: &str, numbers: [f64; 3]) -> Option<Measured> {
+        let artefact = LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == name)?;
+        numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
+    }
+
+    /// Name in the vocabulary of the diagnosis.
+    pub fn effect(&self) -> Option<&'static str> {
+        LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == self.name).map(Artefact::name)
+    }
+
     /// Whether the interval is off zero.
     pub fn is_there(&self) -> bool {
         self.low > 0.0 || self.high < 0.0
     }
 
-    /// In a sentence.
-    pub fn in_words(&self) -> String {
+    /// How to say it to the reader of other records.
+    pub fn as_option(&self) -> Option<String> {
+        self.option.map(|option| format!("{option}={:.6}", self.value))
+    }
+
+    /// What was found, in words.
+    pub fn finding(&self) -> String {
         let (factor, unit, what) = match self.name {
             "delay" => (1e3, "ms", "the force channel comes late by"),
+            "rig_mass" => (1.0, "kg", "the load cell moves a mass of its own, of"),
             "gain_drift" => (100.0 * 60.0, "% a minute", "the gain of the force channel drifts by"),
             _ => (60.0, "N a minute", "the zero of the force channel drifts by"),
         };
         let of = |value: f64| format!("{:.3}", factor * value);
-        let then = match self.option {
-            Some(option) => format!(
-                "; it was taken out here and is not in the model: give {option} {:.6} to validate and diagnose, or write it into campaign.toml",
-                self.value
-            ),
-            None => "; it was taken out here and is not in the model".to_owned(),
+        format!("{what} {} {unit} (95 %: {} to {})", of(self.value), of(self.low), of(self.high))
+    }
+
+    /// The same in a sentence that says what became of it.
+    pub fn in_words(&self) -> String {
+        let other = match self.as_option() {
+            Some(option) => format!("; for other records of this rig give {option}, or write it into their campaign.toml"),
+            None => String::new(),
         };
-        format!("{what} {} {unit} (95 %: {} to {}){then}", of(self.value), of(self.low), of(self.high))
+        let what = self.finding();
+        format!("{what}: taken out here, not in the model; validate and diagnose take it out of these records too{other}")
     }
 }
 
 /// What a fit found of the measurement, as records lose it.
 pub fn off(measured: &[Measured]) -> Off {
     let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
-    Off { delay_s: of("delay"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
+    Off { delay_s: of("delay"), mass_kg: of("rig_mass"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
 }
 
 /// What a fit found of the measurement.
@@ -178,17 +219,7 @@ pub fn measured(segments: &[Segment], unknowns: &Unknowns, theta: &[f64], accura
         .map(|(k, number)| {
             let place = unknowns.list.len() + k;
             let (value, half) = (theta[place], Z * covariance[(place, place)].max(0.0).sqrt());
-            Measured {
-                name: number.artefact.parameter(),
-                value,
-                low: value - half,
-                high: value + half,
-                unit: number.artefact.unit(),
-                option: match number.artefact {
-                    Artefact::Delay => Some("--delay"),
-                    _ => None,
-                },
-            }
+            Measured::new(number.artefact, [value, value - half, value + half])
         })
         .collect()
 }

@@ -5,6 +5,7 @@ use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use dashpot_core::parameter::find;
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
+use dashpot_estimation::priors::unusual;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use rayon::prelude::*;
@@ -363,6 +364,9 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
         params: Params,
         rig: OfTheRig,
         unknowns: usize,
+        /// What its numbers cost it, as the logarithm of the odds: an internal mass of 3 kg predicts as well as one on the load cell, but no rod
+        /// is that heavy.
+        unusual: f64,
         errors: Vec<f64>,
     }
     let all: Vec<&Segment> = segments.iter().collect();
@@ -384,9 +388,10 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
                 (f64::INFINITY, unknowns.start(), unknowns)
             });
             let errors = left_out_errors(&all, &unknowns, &theta);
+            let unusual = unusual(&unknowns, &theta);
             let unknowns = unknowns.starting_at(&theta);
             let rig = candidate.structure.rig.starting_at(&unknowns.rig);
-            Judged { params: unknowns.base, rig, unknowns: theta.len(), errors }
+            Judged { params: unknowns.base, rig, unknowns: theta.len(), unusual, errors }
         })
         .collect();
     let n = segments.len() as f64;
@@ -394,15 +399,16 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     let mean = |k: usize| judged[k].errors.iter().sum::<f64>() / n;
     let rms = |k: usize| mean(k).sqrt();
     let fewest = judged.iter().map(|j| j.unknowns).min().unwrap_or(0);
-    let priced = |k: usize| rms(k) * (1.0 + WORTH * (judged[k].unknowns - fewest) as f64);
+    let priced = |k: usize| match keep {
+        Keep::Simplest => rms(k) * (1.0 + WORTH * (judged[k].unknowns - fewest) as f64),
+        Keep::First => n * rms(k).ln() + 0.5 * judged[k].unknowns as f64 * n.ln() + judged[k].unusual,
+    };
     let best = places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
     let tie = |k: usize| {
         let d: Vec<f64> = judged[k].errors.iter().zip(&judged[best].errors).map(|(a, b)| a - b).collect();
         let m = d.iter().sum::<f64>() / n;
         (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
     };
-    let likelier =
-        n * (rms(0) / rms(best)).ln() - 0.5 * (judged[best].unknowns as f64 - judged[0].unknowns as f64) * n.ln();
     let kept = places
         .clone()
         .filter(|_| keep == Keep::Simplest)
@@ -415,7 +421,7 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
                 .then(judged[*a].unknowns.cmp(&judged[*b].unknowns))
                 .then(mean(*a).total_cmp(&mean(*b)))
         })
-        .unwrap_or(if keep == Keep::First && likelier < BELIEVED { 0 } else { best });
+        .unwrap_or(if keep == Keep::First && priced(0) - priced(best) < BELIEVED { 0 } else { best });
     let others = places
         .clone()
         .filter(|k| *k != kept)

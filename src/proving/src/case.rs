@@ -3,7 +3,8 @@
 use crate::ProvingError;
 use crate::severity;
 use dashpot_core::Params;
-use dashpot_identification::{FitOptions, fit};
+use dashpot_identification::{FitOptions, fit, off};
+use dashpot_records::taken_out::taken_out;
 use dashpot_records::{self as records, Record};
 use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
 
@@ -35,6 +36,8 @@ pub struct Measured {
     pub held_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
+    /// Effects of the rig that the fit found, and that are in the records no more: a verb takes out what the fit of its model found.
+    pub taken_out: Vec<&'static str>,
     /// Strengths of what is hidden.
     pub strengths: Vec<f64>,
     /// What is hidden.
@@ -114,16 +117,42 @@ impl Case {
         let clean = read(&without_noise(&hidden.campaign))?;
         let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
         let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
-        let mut base =
-            if self.whole_fit { fit(&seen, &FitOptions::default(), |_| ())?.params } else { base_model(&seen)? };
+        let (mut base, measured) = model_of(&seen, self.whole_fit)?;
         if self.hides_side_force() {
             let _ = base.enable("side_force_friction", false);
         }
         if self.straight_curve {
             let _ = base.set("fv_interpolation", 1.0);
         }
-        Ok(Measured { records: noisy, clean, held_out, base, strengths, truth: hidden.truth })
+        let mut found =
+            Measured { records: noisy, clean, held_out, base, taken_out: Vec::new(), strengths, truth: hidden.truth };
+        found.take_out(&measured);
+        Ok(found)
     }
+}
+
+impl Measured {
+    /// Takes what the fit found the measurement to be off by out of the records, as the verbs do.
+    pub(crate) fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
+        let off = off(measured);
+        for record in self.records.iter_mut().chain(&mut self.clean) {
+            *record = taken_out(record, &off);
+        }
+        self.taken_out = measured.iter().filter_map(dashpot_identification::Measured::effect).collect();
+    }
+}
+
+/// The model that is diagnosed, and what its fit found of the measurement: that which `fit` makes with all that it may use, as a user has
+/// it; or [`base_model`], for which the records stay as they are.
+pub(crate) fn model_of(
+    records: &[&Record],
+    whole_fit: bool,
+) -> Result<(Params, Vec<dashpot_identification::Measured>), ProvingError> {
+    if !whole_fit {
+        return Ok((base_model(records)?, Vec::new()));
+    }
+    let found = fit(records, &FitOptions::default(), |_| ())?;
+    Ok((found.params, found.measured))
 }
 
 /// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.

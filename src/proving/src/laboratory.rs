@@ -2,11 +2,10 @@
 //! severity that they make.
 
 use crate::ProvingError;
-use crate::case::{Measured, base_model};
+use crate::case::{Measured, base_model, model_of};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
-use dashpot_identification::{FitOptions, fit};
 use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind};
 use dashpot_records::{self as records, Record};
 use dashpot_rig::{HiddenEffect, Truth};
@@ -40,7 +39,7 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
     let clean = read(&campaign.without_noise())?;
     let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(HELD_OUT)).collect();
     let seen = seen(&records);
-    let base = if whole_fit { fit(&seen, &FitOptions::default(), |_| ())?.params } else { base_of(case, &seen)? };
+    let (base, found) = if whole_fit { model_of(&seen, true)? } else { (base_of(case, &seen)?, Vec::new()) };
     let effects = campaign.truth.hidden.iter().map(|hidden| HiddenEffect {
         name: hidden.effect.clone(),
         form: hidden.law.clone(),
@@ -61,7 +60,9 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
         damper: damper.map(|(name, value)| (name.to_owned(), value)).into(),
     };
     let strengths = case.effects.iter().map(|(_, strength)| *strength).collect();
-    Ok(Measured { records, clean, held_out, base, strengths, truth })
+    let mut measured = Measured { records, clean, held_out, base, taken_out: Vec::new(), strengths, truth };
+    measured.take_out(&found);
+    Ok(measured)
 }
 
 /// Effects that a free FV curve, the base's own friction or the base's own springs take up nearly whole: no severity is in reach.

@@ -24,7 +24,8 @@ pub struct Outcome {
     pub named: Vec<(String, f64)>,
     /// The probabilities of the rule of evidence behind each: each test counted as two independent samples, and as one.
     pub rule: Vec<[f64; 2]>,
-    /// Whether the model that was diagnosed has the element that is hidden: then the fit has found it, and no name is to be given.
+    /// Whether the fit has found all that is hidden, as an element of the model that was diagnosed or in the measurement: then no name is
+    /// to be given.
     pub in_the_model: bool,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
@@ -103,7 +104,10 @@ pub fn judged(
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
         rule: found.findings.iter().map(|f| f.rule).collect(),
-        in_the_model: hidden.iter().any(|(name, _)| measured.base.is_on(plain(name))),
+        in_the_model: hidden.iter().all(|(name, _)| {
+            let name = plain(name);
+            measured.base.is_on(name) || measured.taken_out.contains(&name)
+        }) && !hidden.is_empty(),
         against_reference: !options.reference.is_empty(),
         suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),
         clean_before,

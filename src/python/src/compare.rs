@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 pub struct Compared {
     json: String,
     forces: Vec<[Vec<f64>; 2]>,
+    read: dashpot_records::Campaign,
 }
 
 #[pymethods]
@@ -22,6 +23,12 @@ impl Compared {
     #[getter]
     fn json(&self) -> &str {
         &self.json
+    }
+
+    /// The records as they were compared: without what the model's own fit found them to be off by.
+    #[getter]
+    fn campaign(&self) -> Campaign {
+        Campaign { read: self.read.clone() }
     }
 
     /// Forces of the model and of the FV curve alone at the samples of one test, N.
@@ -38,9 +45,16 @@ pub fn validate(py: Python<'_>, model: &Model, campaign: &Campaign, progress: Op
     let progress = Progress::new(progress);
     let done = py.detach(|| -> anyhow::Result<Compared> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
-        let compared = compare(&model.file, &campaign.read, &say)?;
-        let json = serde_json::to_string(&dashpot_identification::validation::validate(&compared)?)?;
-        Ok(Compared { json, forces: compared.into_iter().map(|c| [c.model, c.fv_only]).collect() })
+        let mut read = campaign.read.clone();
+        let note = model.file.identification.right(&mut read.records);
+        let said = note.as_ref().map(|note| note.text.clone());
+        read.notes.extend(note);
+        let compared = compare(&model.file, &read, &say)?;
+        let mut validation = dashpot_identification::validation::validate(&compared)?;
+        validation.as_the_fit_saw = said;
+        let json = serde_json::to_string(&validation)?;
+        let forces = compared.into_iter().map(|c| [c.model, c.fv_only]).collect();
+        Ok(Compared { json, forces, read })
     });
     progress.end()?;
     done.map_err(raise::<ValidationError>)

@@ -6,6 +6,7 @@ use crate::model::Model;
 use crate::progress::Progress;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
+use dashpot_records::Record;
 use dashpot_records::hold_out::held_out;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
@@ -19,6 +20,7 @@ use serde::Serialize;
 pub struct Diagnosed {
     found: Diagnosis,
     over_whole_records: OfDiagnosis,
+    as_the_fit_saw: Option<String>,
     improved: String,
 }
 
@@ -28,13 +30,19 @@ struct DiagnosisJson<'a> {
     #[serde(flatten)]
     found: &'a Diagnosis,
     over_whole_records: OfDiagnosis,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_the_fit_saw: Option<&'a str>,
 }
 
 #[pymethods]
 impl Diagnosed {
     /// What `dashpot diagnose --json` writes.
     fn json(&self) -> PyResult<String> {
-        let said = DiagnosisJson { found: &self.found, over_whole_records: self.over_whole_records };
+        let said = DiagnosisJson {
+            found: &self.found,
+            over_whole_records: self.over_whole_records,
+            as_the_fit_saw: self.as_the_fit_saw.as_deref(),
+        };
         serde_json::to_string(&said).map_err(raise::<DiagnosisError>)
     }
 
@@ -77,21 +85,23 @@ pub fn diagnose(
     seed: u64,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Diagnosed> {
-    let records = campaign.records();
+    let (mut own, mut reference) =
+        (campaign.read.records.clone(), reference.map_or_else(Vec::new, |r| r.read.records.clone()));
+    let note = model.file.identification.right(own.iter_mut().chain(&mut reference));
+    let records: Vec<&Record> = own.iter().collect();
     let left_out = if hold_out.is_empty() {
         choose_held_out(&records, seed)
     } else {
         held_out(&campaign.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
-    let reference = reference.map_or_else(Vec::new, |r| r.read.records.clone());
     let options = Options { max_effects, candidates, reference };
     let progress = Progress::new(progress);
     let found = py.detach(|| -> anyhow::Result<Diagnosed> {
         let say = |done: f64, text: &str| progress.say(done, text);
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
-        let improved = model_file::write(&found.as_fit(&records, &left_out, model.file.plain()));
+        let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
         let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
-        Ok(Diagnosed { found, over_whole_records, improved })
+        Ok(Diagnosed { found, over_whole_records, as_the_fit_saw: note.map(|n| n.text), improved })
     });
     progress.end()?;
     found.map_err(raise::<DiagnosisError>)

@@ -66,6 +66,8 @@ pub struct Options {
     pub displacement_zero_m: f64,
     /// Factor on the force, after its zero was taken off (`--gain`).
     pub gain: f64,
+    /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
+    pub rig_mass_kg: f64,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
     pub exclude: Vec<String>,
     /// Refuse a campaign that holds files that are no records, instead of leaving them out (`--strict`).
@@ -86,6 +88,7 @@ impl Default for Options {
             force_zero_n: 0.0,
             displacement_zero_m: 0.0,
             gain: 1.0,
+            rig_mass_kg: 0.0,
             exclude: Vec::new(),
             strict: false,
         }
@@ -94,6 +97,9 @@ impl Default for Options {
 
 /// Longest delay taken for one, s.
 const LONGEST_DELAY: f64 = 1.0;
+/// Largest mass taken for one that hangs on a load cell, kg: a heavy truck's damper with its clamps has less. A larger number was meant in
+/// grams. Below zero it gives back what a rig's own compensation took too much.
+const LARGEST_MASS: f64 = 100.0;
 
 impl Options {
     /// Makes sure that the numbers can be.
@@ -106,6 +112,9 @@ impl Options {
         }
         if !(self.gain > 0.0 && self.gain.is_finite()) {
             return Err(format!("a gain of {} cannot be; give a factor above 0, and turn a sign with flip", self.gain));
+        }
+        if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
+            return Err(format!("a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2", self.rig_mass_kg));
         }
         let zeros = [("force", self.force_zero_n), ("displacement", self.displacement_zero_m)];
         match zeros.into_iter().find(|(_, zero)| !zero.is_finite()) {
@@ -134,6 +143,7 @@ impl Options {
         all.force_zero_n = number(self.force_zero_n, profile.force_zero_n, 0.0);
         all.displacement_zero_m = number(self.displacement_zero_m, profile.displacement_zero_m, 0.0);
         all.gain = number(self.gain, profile.gain, 1.0);
+        all.rig_mass_kg = number(self.rig_mass_kg, profile.rig_mass_kg, 0.0);
         all
     }
 }

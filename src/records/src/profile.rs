@@ -44,6 +44,9 @@ pub struct Profile {
     /// Factor on the force.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub gain: f64,
+    /// Mass between load cell and damper that moves with the damper's end, kg.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rig_mass_kg: f64,
     /// Displacement at the first sample, m, where only velocity was recorded.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub initial_position_m: f64,
@@ -113,6 +116,7 @@ impl Profile {
             force_zero_n: options.force_zero_n,
             displacement_zero_m: options.displacement_zero_m,
             gain: options.gain,
+            rig_mass_kg: options.rig_mass_kg,
             initial_position_m: options.initial_position,
             columns: options.columns.iter().map(|(c, h)| (c.to_string(), h.clone())).collect(),
             units: options.units.iter().map(|(c, u)| (c.to_string(), u.to_string())).collect(),
@@ -131,6 +135,7 @@ impl Profile {
             force_zero_n: self.force_zero_n,
             displacement_zero_m: self.displacement_zero_m,
             gain: self.gain,
+            rig_mass_kg: self.rig_mass_kg,
             initial_position: self.initial_position_m,
             ..Options::default()
         };

@@ -44,11 +44,17 @@ pub struct Record {
     pub noise: Noise,
     /// What cleaning and derivation did or noticed, in the order it happened.
     pub notes: Vec<Note>,
+    /// The fingerprint that it had when it was read, where something was taken out of it since.
+    #[serde(skip)]
+    pub as_read: Option<String>,
 }
 
 impl Record {
     /// A short name for the content: tells whether two records hold the same measurement, whatever their file is called.
     pub fn fingerprint(&self) -> String {
+        if let Some(as_read) = &self.as_read {
+            return as_read.clone();
+        }
         // FNV-1a over the bits of time and force.
         let hash = self.time.iter().chain(&self.force).fold(0xcbf2_9ce4_8422_2325u64, |hash, value| {
             value.to_bits().to_le_bytes().iter().fold(hash, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3))

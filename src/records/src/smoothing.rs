@@ -16,6 +16,8 @@ pub struct Motion {
     pub displacement: Vec<f64>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
+    /// Acceleration, m/s².
+    pub acceleration: Vec<f64>,
     /// Noise found in the displacement channel, m.
     pub displacement_noise: f64,
     /// Noise found in the velocity channel, m/s.
@@ -78,8 +80,9 @@ pub fn smooth(record: &Record) -> Motion {
     }
     let mut displacement = vec![0.0; n];
     let mut velocity = vec![0.0; n];
+    let mut acceleration = vec![0.0; n];
     let (mut mean, _) = filtered[n - 1];
-    (displacement[n - 1], velocity[n - 1]) = (mean[0], mean[1]);
+    (displacement[n - 1], velocity[n - 1], acceleration[n - 1]) = (mean[0], mean[1], mean[2]);
     for i in (0..n - 1).rev() {
         let (a, _) = transition(t[i + 1] - t[i], q);
         let (forward, cov) = filtered[i];
@@ -88,9 +91,9 @@ pub fn smooth(record: &Record) -> Motion {
             Some(inverse) => forward + cov * (a.transpose() * (inverse * (mean - ahead))),
             None => forward,
         };
-        (displacement[i], velocity[i]) = (mean[0], mean[1]);
+        (displacement[i], velocity[i], acceleration[i]) = (mean[0], mean[1], mean[2]);
     }
-    Motion { displacement, velocity, displacement_noise: sx, velocity_noise: sv }
+    Motion { displacement, velocity, acceleration, displacement_noise: sx, velocity_noise: sv }
 }
 
 /// Transition over `dt` and the noise it collects from white jerk of density `q`.

@@ -2,12 +2,15 @@
 
 use super::cleaning::Earlier;
 use super::record::{Note, Record};
+use super::smoothing::smooth;
 
 /// What a record is off by.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Off {
     /// How late the force is, s.
     pub delay_s: f64,
+    /// Mass between load cell and damper, kg, that the load cell has to speed up with the damper's end.
+    pub mass_kg: f64,
     /// Growth of the force's gain with the record's clock, 1/s.
     pub gain_per_s: f64,
     /// Growth of the force's zero with the record's clock, N/s.
@@ -16,7 +19,7 @@ pub struct Off {
 
 impl Off {
     /// Not off at all.
-    pub const NONE: Off = Off { delay_s: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
+    pub const NONE: Off = Off { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
 }
 
 /// The record without it; samples whose motion was not recorded, at an end, are left out.
@@ -28,9 +31,19 @@ pub fn taken_out(record: &Record, off: &Off) -> Record {
     for (force, t) in right.force.iter_mut().zip(&right.time) {
         *force = (*force - off.zero_n_per_s * t) / (1.0 + off.gain_per_s * t);
     }
+    take_mass(&mut right, off.mass_kg);
+    right.as_read = Some(record.fingerprint());
     let text = "what the fit found the measurement to be off by was taken out".into();
     right.notes.push(Note { kind: "corrected", text });
     right
+}
+
+/// Takes the force out that speeds up a mass of the rig with the end that moves.
+pub(crate) fn take_mass(record: &mut Record, mass: f64) {
+    if mass != 0.0 && !record.time.is_empty() {
+        let acceleration = smooth(record).acceleration;
+        record.force.iter_mut().zip(acceleration).for_each(|(force, a)| *force -= mass * a);
+    }
 }
 
 /// Every force with the motion of `delay` before.
@@ -67,15 +80,20 @@ mod tests {
         let x = |t: f64| 0.01 * (omega * t).sin();
         let v = |t: f64| 0.01 * omega * (omega * t).cos();
         let force = |t: f64| 3000.0 * v(t) + 2000.0 * x(t);
-        let off = Off { delay_s: 3.3e-3, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
+        let off = Off { delay_s: 3.3e-3, mass_kg: 3.0, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
+        let a = |t: f64| -0.01 * omega * omega * (omega * t).sin();
         let read = Record {
             displacement: time.iter().map(|t| x(*t)).collect(),
             velocity: time.iter().map(|t| v(*t)).collect(),
             force: time
                 .iter()
-                .map(|t| force(t - off.delay_s) * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t)
+                .map(|t| (t, force(t - off.delay_s) + off.mass_kg * a(t - off.delay_s)))
+                .map(|(t, f)| f * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t)
                 .collect(),
             time,
+            amplitude: 0.01,
+            frequency: omega / std::f64::consts::TAU,
+            peak_velocity: 0.01 * omega,
             ..Record::default()
         };
         let right = taken_out(&read, &off);

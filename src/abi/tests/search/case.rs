@@ -58,21 +58,26 @@ pub struct Run {
 
 /// A model, prepared where it lies.
 pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
+    // SAFETY: numbers and pointers alone, for which zero bytes are a value.
     let mut params: dashpot_params = unsafe { zeroed() };
     params.struct_size = size_of::<dashpot_params>() as u32;
     params.abi_version = DASHPOT_ABI_VERSION;
+    // SAFETY: a block of its own, with size and version set.
     assert_eq!(unsafe { dashpot_params_default(&mut params) }, 0);
     for name in names() {
         let c = CString::new(name).unwrap();
+        // SAFETY: a block that was filled, a zero-terminated name.
         assert_eq!(unsafe { dashpot_params_enable(&mut params, c.as_ptr(), u32::from(case.on.contains(&name))) }, 0);
     }
     for (name, values) in &case.values {
         let row = dashpot_core::parameter::find(name).unwrap();
         let name = CString::new(*name).unwrap();
         let status = match row.parameter.shape {
+            // SAFETY: a block that was filled, a zero-terminated name, and as many numbers as said.
             Shape::List(_) => unsafe {
                 dashpot_params_set_list(&mut params, name.as_ptr(), values.as_ptr(), values.len() as u32)
             },
+            // SAFETY: a block that was filled, a zero-terminated name.
             _ => unsafe { dashpot_params_set(&mut params, name.as_ptr(), values[0]) },
         };
         if status < 0 {
@@ -80,7 +85,9 @@ pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
         }
     }
     let mut model = Box::new(MaybeUninit::<dashpot_model>::uninit());
+    // SAFETY: memory for a model, which may be as it was found, and a block that was filled.
     let status = unsafe { dashpot_model_init(model.as_mut_ptr(), &params) };
+    // SAFETY: the model was made in this memory, by the status.
     (status >= 0).then(|| unsafe { Box::from_raw(Box::into_raw(model).cast::<dashpot_model>()) })
 }
 
@@ -103,6 +110,7 @@ impl Given {
 
 fn numbers<T>(block: &T) -> &[f64] {
     assert_eq!(size_of::<T>() % 8, 0);
+    // SAFETY: a block of numbers of eight bytes each, by the line before; aligned as they are.
     unsafe { std::slice::from_raw_parts((block as *const T).cast(), size_of::<T>() / 8) }
 }
 
@@ -113,9 +121,11 @@ fn finite<T>(block: &T) -> bool {
 impl Case {
     /// Steps through the motion; every answer that is not a refusal is finite, and a refusal changes nothing.
     pub fn run(&self, model: &dashpot_model, at_each_instant: bool) -> Result<Run, Failure> {
+        // SAFETY: numbers alone, for which zero bytes are a value.
         let mut state: dashpot_state = unsafe { zeroed() };
         let mut run = Run { forces: Vec::new(), places: Vec::new(), refused: 0 };
         let fail = |step, what: String| Failure { step, by: f64::INFINITY, what };
+        // SAFETY: a model that was made, and a state of its own.
         if unsafe { dashpot_state_init(model, self.start, &mut state) } < 0 {
             run.refused += 1;
             return Ok(run);
@@ -125,9 +135,12 @@ impl Case {
         }
         for (i, given) in self.motion.iter().enumerate() {
             let input = given.input();
+            // SAFETY: numbers alone, for which zero bytes are a value.
             let mut output: dashpot_output = unsafe { zeroed() };
             if at_each_instant {
+                // SAFETY: numbers alone, for which zero bytes are a value.
                 let (mut rate, mut partials): (dashpot_state, dashpot_partials) = unsafe { (zeroed(), zeroed()) };
+                // SAFETY: a model that was made, and blocks of their own.
                 let status = unsafe { dashpot_evaluate(model, &state, &input, &mut output, &mut rate) };
                 if status >= 0 && !(finite(&output) && finite(&rate)) {
                     return Err(fail(
@@ -135,14 +148,17 @@ impl Case {
                         format!("evaluate answers {status} with {:?} {:?}", numbers(&output), numbers(&rate)),
                     ));
                 }
+                // SAFETY: a model that was made, and blocks of their own.
                 let status = unsafe { dashpot_jacobian(model, &state, &input, &mut partials) };
                 if status >= 0 && !finite(&partials) {
                     return Err(fail(i, format!("jacobian answers {status} with {:?}", numbers(&partials))));
                 }
+                // SAFETY: numbers alone, for which zero bytes are a value.
                 output = unsafe { zeroed() };
             }
             let before = numbers(&state).to_vec();
             let state_at: *mut dashpot_state = &mut state;
+            // SAFETY: a model that was made, and blocks of their own; the state is one and the same.
             let status = unsafe { dashpot_step(model, state_at, &input, given.dt, state_at, &mut output) };
             if status < 0 {
                 run.refused += 1;

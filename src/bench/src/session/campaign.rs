@@ -1,7 +1,7 @@
 //! Records that are open: as they were read, with what every view needs of a test.
 
 use dashpot_records::smoothing::{Motion, smooth};
-use dashpot_records::{Campaign, Options, Record, RecordError, load};
+use dashpot_records::{Campaign, Note, Options, Record, RecordError, load};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -18,6 +18,8 @@ pub struct Loaded {
     pub campaign: Campaign,
     /// What the views need of each, in the same order.
     pub tests: Vec<Seen>,
+    /// The campaign as it was read, where something was taken out of it since.
+    as_read: Option<Box<Campaign>>,
 }
 
 /// A test as it is looked at.
@@ -90,6 +92,7 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
     let motion = Motion {
         displacement: cut(&motion.displacement),
         velocity: cut(&motion.velocity),
+        acceleration: cut(&motion.acceleration),
         displacement_noise: motion.displacement_noise,
         velocity_noise: motion.velocity_noise,
     };
@@ -131,7 +134,23 @@ impl Loaded {
         let mut folders: Vec<PathBuf> = paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
         folders.dedup();
         let folder = folders.pop().filter(|_| folders.is_empty());
-        Ok(Loaded { paths, folder, options, campaign, tests })
+        Ok(Loaded { paths, folder, options, campaign, tests, as_read: None })
+    }
+
+    /// The campaign as it was read: what a fit looks at.
+    pub fn as_read(&self) -> &Campaign {
+        self.as_read.as_deref().unwrap_or(&self.campaign)
+    }
+
+    /// The same with records out of which something was taken, and the note that says so.
+    pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
+        let mut campaign = self.as_read().clone();
+        let as_read = note.is_some().then(|| Box::new(campaign.clone()));
+        campaign.records = records;
+        campaign.notes.extend(note);
+        let tests = campaign.records.par_iter().map(Seen::new).collect();
+        let (paths, folder, options) = (self.paths.clone(), self.folder.clone(), self.options.clone());
+        Loaded { paths, folder, options, campaign, tests, as_read }
     }
 
     /// Where it comes from, in a few words.

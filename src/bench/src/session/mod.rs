@@ -190,7 +190,26 @@ impl Session {
         self.simulated = None;
         self.identified = None;
         self.study = None;
+        self.see_as_the_fit_saw();
         self.order(false);
+    }
+
+    /// Takes out of the open records what the model's fit found them to be off by, as the verbs of the command do; a model without
+    /// such a finding gets them as they were read.
+    fn see_as_the_fit_saw(&mut self) {
+        let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
+        let others = self.reference.as_ref();
+        let was_changed = |loaded: &Arc<Loaded>| !std::ptr::eq(loaded.as_read(), &raw const loaded.campaign);
+        if model.identification.measurement.is_empty() && !was_changed(own) && !others.is_some_and(was_changed) {
+            return;
+        }
+        let mut records = own.as_read().records.clone();
+        let mut of_reference = others.map_or_else(Vec::new, |others| others.as_read().records.clone());
+        let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
+        let reference = others.map(|others| Arc::new(others.seen_as(of_reference, note.clone())));
+        self.campaign = Some(Arc::new(own.seen_as(records, note)));
+        self.reference = reference;
+        self.generation += 1;
     }
 
     /// Whether the verbs have something to work on.
@@ -310,6 +329,7 @@ impl Session {
             Outcome::Read(loaded) => self.take_records(loaded),
             Outcome::Reference(loaded) => {
                 self.reference = Some(Arc::new(loaded));
+                self.see_as_the_fit_saw();
                 self.generation += 1;
             }
             Outcome::Fitted(fit) => {
@@ -370,6 +390,7 @@ impl Session {
         self.simulated = None;
         self.identified = None;
         self.campaign = Some(Arc::new(loaded));
+        self.see_as_the_fit_saw();
         self.generation += 1;
         self.order(false);
     }

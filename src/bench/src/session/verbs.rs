@@ -21,7 +21,7 @@ impl Session {
         let Some(loaded) = self.campaign.clone() else { return };
         let ticked = self.ticked();
         self.begin(Kind::Fit, move |report| {
-            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.as_read().records[*k]).collect();
             // The progress of a fit comes from the thread that runs it alone.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, stage.text));
             found.map(|fit| Outcome::Fitted(Box::new(fit))).map_err(|e| e.to_string())
@@ -70,20 +70,8 @@ impl Session {
         let loaded = self.campaign.as_ref()?;
         let ticked = self.ticked();
         let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
-        Some(model_file::write(&found.as_fit(&records, left_out, plain(&model.file()))))
+        Some(model_file::write(&found.as_fit(&records, left_out, &model.file())))
     }
-}
-
-/// The plain FV curve of a model, to compare with.
-pub fn plain(file: &ModelFile) -> Params {
-    if let Some(Ok(params)) = file.identification.fv_only.as_ref().map(|f| f.params()) {
-        return params;
-    }
-    let mut params = file.params;
-    params.disable_all();
-    let _ = params.enable("fv_curve", true);
-    let _ = params.enable("gas_preload", file.params.is_on("gas_preload"));
-    params
 }
 
 /// The ticked tests with the forces of the model and of the plain FV curve.

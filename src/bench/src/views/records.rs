@@ -73,6 +73,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         field(w.force_zero, &mut reading.force_zero_n, 1.0, "N", 0.5);
         field(w.displacement_zero, &mut reading.displacement_zero_m, 1e3, "mm", 0.05);
         field(w.gain, &mut reading.gain, 1.0, "", 0.001);
+        field(w.rig_mass, &mut reading.rig_mass_kg, 1.0, "kg", 0.01);
     });
     if !reading.exclude.is_empty() {
         ui.label(w.excluded);

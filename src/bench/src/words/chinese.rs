@@ -129,6 +129,7 @@ pub const WORDS: Words = Words {
     force_zero: "力零点",
     displacement_zero: "位移零点",
     gain: "力的系数",
+    rig_mass: "力传感器上的质量",
     unit_of: "单位：",
     as_file_says: "按文件",
     excluded: "按名称排除",

@@ -129,6 +129,7 @@ pub const WORDS: Words = Words {
     force_zero: "Force zero",
     displacement_zero: "Displacement zero",
     gain: "Factor on the force",
+    rig_mass: "Mass on the load cell",
     unit_of: "Unit:",
     as_file_says: "as the file says",
     excluded: "Left out by name",

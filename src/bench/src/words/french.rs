@@ -129,6 +129,7 @@ pub const WORDS: Words = Words {
     force_zero: "Zéro de la force",
     displacement_zero: "Zéro du déplacement",
     gain: "Facteur sur la force",
+    rig_mass: "Masse sur le capteur de force",
     unit_of: "Unité :",
     as_file_says: "comme dans le fichier",
     excluded: "Omis par nom",

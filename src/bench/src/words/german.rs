@@ -129,6 +129,7 @@ pub const WORDS: Words = Words {
     force_zero: "Kraft-Nullpunkt",
     displacement_zero: "Weg-Nullpunkt",
     gain: "Faktor auf die Kraft",
+    rig_mass: "Masse an der Kraftmessdose",
     unit_of: "Einheit:",
     as_file_says: "wie in der Datei",
     excluded: "Nach Namen ausgelassen",

@@ -206,6 +206,7 @@ pub struct Words {
     pub force_zero: &'static str,
     pub displacement_zero: &'static str,
     pub gain: &'static str,
+    pub rig_mass: &'static str,
     pub unit_of: &'static str,
     pub as_file_says: &'static str,
     pub excluded: &'static str,

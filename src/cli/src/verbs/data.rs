@@ -3,6 +3,7 @@
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
+use dashpot_identification::model_file::ModelFile;
 use dashpot_records::{Campaign, Note, Options, Positive, SignFinding, assignment, load};
 use std::path::PathBuf;
 
@@ -48,16 +49,22 @@ struct SensorArgs {
     /// Factor on the force, after its zero was taken off
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     gain: f64,
+    /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg; the force that it takes is taken off
+    #[arg(long, value_name = "KG", default_value_t = 0.0, allow_negative_numbers = true)]
+    rig_mass: f64,
 }
 
 impl SensorArgs {
     /// Sensors as they are.
-    const NONE: SensorArgs = SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: 1.0 };
+    const NONE: SensorArgs =
+        SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: 1.0, rig_mass: 0.0 };
+
     fn apply(&self, options: &mut Options) -> anyhow::Result<()> {
         options.delay_s = self.delay;
         options.force_zero_n = self.force_zero;
         options.displacement_zero_m = self.displacement_zero;
         options.gain = self.gain;
+        options.rig_mass_kg = self.rig_mass;
         options.check().map_err(anyhow::Error::msg)
     }
 }
@@ -133,6 +140,15 @@ impl DataArgs {
     /// Reads and cleans the records.
     pub fn load(&self) -> anyhow::Result<Campaign> {
         self.load_like(&self.data)
+    }
+
+    /// The same, without what the model's own fit found these records to be off by.
+    pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
+        let mut campaign = self.load()?;
+        let note = model.identification.right(&mut campaign.records);
+        note.iter().for_each(|note| eprintln!("note: {}", note.text));
+        campaign.notes.extend(note);
+        Ok(campaign)
     }
 
     /// Reads and cleans other records by the same options.

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
-use dashpot_identification::Standing;
+use dashpot_identification::{AS_THE_FIT_SAW, Standing};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, hold_out};
@@ -83,6 +83,8 @@ pub struct Diagnosed {
     pub left_out: Vec<bool>,
     /// What `dashpot validate` says of the models in it.
     pub over_whole_records: OfDiagnosis,
+    /// What the model's fit found in its own records, and whether it was taken out of these.
+    pub as_the_fit_saw: Option<String>,
 }
 
 /// The findings as JSON, with the errors over whole records.
@@ -91,6 +93,8 @@ pub struct Json<'a> {
     #[serde(flatten)]
     found: &'a Diagnosis,
     over_whole_records: OfDiagnosis,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_the_fit_saw: Option<&'a str>,
 }
 
 /// Diagnoses a model against a campaign.
@@ -104,13 +108,18 @@ pub fn examine(
     let progress = Progress::new("diagnosing");
     let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
     let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &records)?;
-    Ok(Diagnosed { found, left_out, over_whole_records })
+    let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
+    Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw })
 }
 
 impl Diagnosed {
     /// As JSON.
     pub fn json(&self) -> Json<'_> {
-        Json { found: &self.found, over_whole_records: self.over_whole_records }
+        Json {
+            found: &self.found,
+            over_whole_records: self.over_whole_records,
+            as_the_fit_saw: self.as_the_fit_saw.as_deref(),
+        }
     }
 
     /// In lines.
@@ -123,7 +132,7 @@ impl Diagnosed {
     /// The improved model as the text of a model file.
     pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
         let records: Vec<&Record> = campaign.records.iter().collect();
-        model_file::write(&self.found.as_fit(&records, &self.left_out, model.plain()))
+        model_file::write(&self.found.as_fit(&records, &self.left_out, model))
     }
 
     /// Hands the report over to `write`.
@@ -184,9 +193,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(by) = &args.group {
         return of_groups(args, &model, by);
     }
-    let campaign = args.data.load()?;
+    let mut campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
-    let reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
+    let mut reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
+    let note = model.identification.right(campaign.records.iter_mut().chain(&mut reference));
+    note.iter().for_each(|note| eprintln!("note: {}", note.text));
+    campaign.notes.extend(note);
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
@@ -215,7 +227,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let (mut groups, left_aside) = groups::split(&args.data, by)?;
-    let (reference, name) = if args.reference.is_empty() {
+    let (mut reference, name) = if args.reference.is_empty() {
         if groups.len() < 2 {
             bail!("--group {by:?} finds one group, {}; give --reference to compare it with", groups[0].name);
         }
@@ -225,6 +237,8 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
         let name = args.reference.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
         (args.data.load_like(&args.reference)?.records, name)
     };
+    let all = groups.iter_mut().flat_map(|group| &mut group.records).chain(&mut reference);
+    let as_the_fit_saw = model.identification.right(all).map(|note| note.text);
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let progress = Progress::new("diagnosing");
     let count = groups.len() as f64;
@@ -238,7 +252,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     };
     let answered: anyhow::Result<Vec<groups::Answer>> = groups.into_iter().enumerate().map(one).collect();
     drop(progress);
-    let answers = Answers { reference: name, left_aside, groups: answered? };
+    let answers = Answers { reference: name, left_aside, as_the_fit_saw, groups: answered? };
     let json = args.json.as_deref();
     dashpot_output::say(json, &answers.told().join("\n"))?;
     if let Some(path) = json {

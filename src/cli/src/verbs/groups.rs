@@ -105,6 +105,9 @@ pub struct Answers {
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,
+    /// What the model's fit found in its own records, and whether it was taken out of these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub as_the_fit_saw: Option<String>,
     /// Every group but the reference.
     pub groups: Vec<Answer>,
 }
@@ -131,6 +134,7 @@ impl Answers {
                 lines.push(format!("    {:<30} {before:>16} -> {}", one.parameter, change(one)));
             }
         }
+        lines.extend(self.as_the_fit_saw.iter().map(|text| format!("note: {text}")));
         if !self.left_aside.is_empty() {
             lines.push(format!(
                 "note: {} tests belong to no group: {}",
@@ -195,6 +199,9 @@ impl Answers {
                 sortable: true,
             };
             sections.push(Section::new("numbers", "Numbers that changed", vec![Block::Table(table)]));
+        }
+        if let Some(text) = &self.as_the_fit_saw {
+            sections.push(Section::new("measurement", "The measurement itself", vec![Block::Warning(text.clone())]));
         }
         if !self.left_aside.is_empty() {
             let text = format!("Tests that belong to no group: {}.", self.left_aside.join(", "));

@@ -4,28 +4,18 @@ use dashpot_core::Params;
 use dashpot_estimation::hypothesis::{Number, number};
 use dashpot_estimation::unknowns::Unknown;
 
-/// Masses of a rod with what moves with it, kg. A free internal mass would stand for any mass on the rig.
-const ROD: (f64, f64) = (0.05, 0.6);
-
-fn rod_mass(base: &Params) -> Number {
-    let mut base = *base;
-    let _ = base.set("internal_mass", base.scalar("internal_mass").clamp(ROD.0, ROD.1));
-    Number { bounds: (ROD.0.ln(), ROD.1.ln()), ..number(&base, Unknown::Log("internal_mass")) }
-}
-
 /// The numbers of the base model that a refit may change.
 pub fn base_numbers(base: &Params) -> Vec<Number> {
     use dashpot_estimation::unknowns::{CurveName, Unknowns};
     let mut list = Vec::new();
     let on = |name: &str| base.is_on(name);
-    if on("series_compliance") {
-        list.push(rod_mass(base));
-    }
     let mut add = |unknown: Unknown| list.push(number(base, unknown));
     for rise in Unknowns::rises(base, CurveName::Fv) {
         add(rise);
     }
     if on("series_compliance") {
+        // What a rod with all that moves with it has is a matter of its prior: a bound would call the rest a mass of the rig.
+        add(Unknown::Log("internal_mass"));
         add(Unknown::Log("series_stiffness"));
         add(Unknown::Linear("series_damping"));
     }

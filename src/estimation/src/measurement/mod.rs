@@ -4,6 +4,7 @@
 
 mod force_loop;
 mod guide;
+mod inertia;
 mod low_pass;
 mod motion;
 mod resonance;
@@ -13,6 +14,7 @@ use super::segment::Segment;
 use force_loop::loop_over_force;
 pub use guide::Load;
 use guide::guide;
+use inertia::inertia;
 pub use low_pass::low_pass;
 pub use motion::{earlier, finer};
 use resonance::resonance;
@@ -24,6 +26,8 @@ pub enum Artefact {
     Delay,
     /// It passes a low-pass filter that makes it late by so much, s.
     LowPass,
+    /// A mass between load cell and damper moves with the damper's end, kg.
+    Mass,
     /// The gain of the load cell moves with the campaign's clock, 1/s.
     GainDrift,
     /// The load cell does not read zero without load, N.
@@ -52,6 +56,7 @@ impl Artefact {
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
+            Artefact::Mass => "moving_mass",
             Artefact::GainDrift => "gain_drift",
             Artefact::Offset | Artefact::Step(_) => "force_offset",
             Artefact::Drift | Artefact::WarmUp(_) => "force_drift",
@@ -65,6 +70,7 @@ impl Artefact {
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "delay",
+            Artefact::Mass => "rig_mass",
             Artefact::GainDrift => "gain_drift",
             Artefact::Offset | Artefact::Step(_) => "offset",
             Artefact::Drift => "drift",
@@ -79,6 +85,7 @@ impl Artefact {
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "s",
+            Artefact::Mass => "kg",
             Artefact::GainDrift => "1/s",
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => "N",
             Artefact::Drift => "N/s",
@@ -91,6 +98,7 @@ impl Artefact {
     pub fn bounds(self) -> (f64, f64) {
         let most = match self {
             Artefact::Delay | Artefact::LowPass => 5e-3,
+            Artefact::Mass => 30.0,
             Artefact::GainDrift => 1e-3,
             Artefact::Offset | Artefact::Step(_) | Artefact::WarmUp(_) => 500.0,
             Artefact::Drift => 1.0,
@@ -105,6 +113,7 @@ impl Artefact {
     pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {
         match self {
             Artefact::Delay | Artefact::LowPass => {}
+            Artefact::Mass => inertia(value, &segment.dt, &segment.input, forces),
             Artefact::GainDrift => forces.iter_mut().for_each(|f| *f *= 1.0 + value * segment.clock),
             Artefact::Guide(load) => guide(value, false, load, &segment.input, forces),
             Artefact::GuideAlong(load) => guide(value, true, load, &segment.input, forces),
@@ -123,6 +132,7 @@ impl Artefact {
         match self {
             Artefact::Delay
             | Artefact::LowPass
+            | Artefact::Mass
             | Artefact::GainDrift
             | Artefact::Guide(_)
             | Artefact::GuideAlong(_)

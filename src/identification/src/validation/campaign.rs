@@ -80,6 +80,9 @@ pub struct Validation {
     /// Limits that the damper had to keep; absent where none were given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Certificate>,
+    /// What the model's own fit found its records to be off by, and whether it was taken out of these; absent where it found nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub as_the_fit_saw: Option<String>,
 }
 
 /// Measures every test and groups the figures.
@@ -101,6 +104,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         region_boundary_m_s: REGION_BOUNDARY,
         against: Vec::new(),
         limits: None,
+        as_the_fit_saw: None,
         tests,
     })
 }

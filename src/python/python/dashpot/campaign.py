@@ -129,6 +129,7 @@ class Campaign(Sequence[Record]):
         force_zero_n: float = 0.0,
         displacement_zero_m: float = 0.0,
         gain: float = 1.0,
+        rig_mass_kg: float = 0.0,
         initial_position_m: float = 0.0,
         strict: bool = False,
         progress: Progress | None = None,
@@ -148,6 +149,7 @@ class Campaign(Sequence[Record]):
         :param force_zero_n: what the force channel shows without force, N, in the file's direction; taken off.
         :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
         :param gain: factor on the force, after its zero was taken off.
+        :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
         :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
         :param strict: refuse folders with files that are no records, instead of leaving those out.
         :param progress: is told the share done and what is being done.
@@ -165,6 +167,7 @@ class Campaign(Sequence[Record]):
             "force_zero_n": float(force_zero_n),
             "displacement_zero_m": float(displacement_zero_m),
             "gain": float(gain),
+            "rig_mass_kg": float(rig_mass_kg),
             "initial_position_m": float(initial_position_m),
             "columns": {k: str(v) for k, v in (columns or {}).items()},
             "units": dict(units or {}),

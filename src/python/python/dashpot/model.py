@@ -147,12 +147,16 @@ class Model:
     def validate(self, campaign: Campaign, *, progress: Progress | None = None) -> Validation:
         """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
 
+        What the model's own fit found these records to be off by (a late force, a mass on the load cell) is taken out of them;
+        :attr:`Validation.campaign` has them as they were compared, with a note.
+
         :raises ValidationError: where they cannot be compared.
         """
         from dataclasses import replace
 
         compared = _native.validate(self._native, campaign._native, progress)
-        return replace(Validation.from_dict(json.loads(compared.json)), _compared=compared)
+        as_compared = Campaign(compared.campaign, campaign.paths)
+        return replace(Validation.from_dict(json.loads(compared.json)), _compared=compared, campaign=as_compared)
 
     def simulate(
         self,

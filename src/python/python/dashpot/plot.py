@@ -45,7 +45,7 @@ def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
 def loop(validation: Validation, records: Campaign, test: str, over: str = "velocity", axes: Axes | None = None) -> Axes:
     """Measured force, model and FV curve of one test, over ``"velocity"``, ``"displacement"`` or ``"time"``."""
     axes = _axes(axes)
-    record = records[test]
+    record = (validation.campaign or records)[test]
     at = getattr(record, over)
     model, fv_only = validation.forces(test)
     axes.plot(at, record.force, color=MEASURED, lw=1.0, label="measured")

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from . import _native
+    from .campaign import Campaign
     from .model import Model
 
 __all__ = [
@@ -254,10 +255,14 @@ class Validation(Result):
     left_out: Summary | None
     matrix: ErrorMatrix
     region_boundary_m_s: float
+    as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
+    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    """The records as they were compared; none in a result made from a dictionary."""
     _compared: _native.Compared | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     def forces(self, test: str) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-        """Forces (N) of the model and of the FV curve alone at the samples of one test."""
+        """Forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
         names = [t.name for t in self.tests]
         if test not in names:
             raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
@@ -479,6 +484,8 @@ class Diagnosis(Result):
     rounds: tuple[tuple[Tried, ...], ...]
     corrections: dict[str, float]
     over_whole_records: OverWholeRecords
+    as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
+    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
     improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The model with the named effects added; what is of the rig is not put into it."""
     _diagnosed: _native.Diagnosed | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)

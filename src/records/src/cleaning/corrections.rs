@@ -32,6 +32,11 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
     }
     let mut note = |text: String| motion.notes.push(Note { kind: "corrected", text });
+    if options.rig_mass_kg != 0.0 {
+        note(format!("force that moves a mass of {} kg on the load cell taken off, as given", options.rig_mass_kg));
+        // It takes the acceleration of the whole record, cut and turned the right way.
+        motion.rig_mass_kg = options.rig_mass_kg;
+    }
     if options.delay_s == 0.0 {
         return 0..motion.time.len();
     }
@@ -62,7 +67,7 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
 #[cfg(test)]
 mod tests {
     use super::super::super::fixtures::SineTest;
-    use super::super::repair;
+    use super::super::{finish, repair};
     use super::*;
 
     #[test]
@@ -106,5 +111,28 @@ mod tests {
             assert_eq!(found.force[i], (sound.force[i] - 20.0) * 2.0);
             assert_eq!(found.displacement[i], sound.displacement[i] - 0.01);
         }
+    }
+
+    #[test]
+    fn a_mass_on_the_load_cell_is_taken_off_and_told() {
+        let test = SineTest { frequency: 4.0, noise: 0.0, ..SineTest::default() };
+        let record = |mass: f64, turned: bool| {
+            let options = Options { rig_mass_kg: mass, flip_force: turned, flip_motion: turned, ..Options::default() };
+            finish(repair(test.samples(), &options).unwrap()).unwrap()
+        };
+        let omega = std::f64::consts::TAU * 4.0;
+        for turned in [false, true] {
+            let (with, without) = (record(3.0, turned), record(0.0, turned));
+            assert!(with.notes.iter().any(|n| n.kind == "corrected" && n.text.contains("3 kg")));
+            let steady = without.cycles[0].start + 5..without.cycles[2].end - 5;
+            for i in steady {
+                // Of a sine: the acceleration is −ω² times the distance from the middle.
+                let taken = -3.0 * omega * omega * (without.displacement[i] - without.mean_displacement);
+                let found = without.force[i] - with.force[i];
+                assert!((found - taken).abs() < 0.02 * 3.0 * omega * omega * 0.05, "{i}: {found} {taken}");
+            }
+        }
+        let absurd = Options { rig_mass_kg: 1200.0, ..Options::default() }.check();
+        assert!(absurd.unwrap_err().contains("kg"));
     }
 }

@@ -22,6 +22,7 @@ use super::options::Options;
 use super::record::{Note, Record};
 use super::samples::{Samples, range};
 use super::swapped;
+use super::taken_out::take_mass;
 
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
@@ -51,6 +52,8 @@ pub(crate) struct Motion {
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
     pub cycles: Vec<Cycle>,
+    /// What moves between load cell and damper, as the user gave it; its force is still in the channel.
+    pub rig_mass_kg: f64,
     pub notes: Vec<Note>,
 }
 
@@ -104,6 +107,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, Re
         side_force: samples.side_force,
         temperature: samples.temperature,
         cycles,
+        rig_mass_kg: 0.0,
         notes: samples.notes,
     };
     let partnered = corrections::apply(&mut motion, options);
@@ -228,7 +232,19 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
     trim::trim(&mut motion);
-    let Motion { at, name, time, displacement, velocity, force, side_force, temperature, cycles, mut notes } = motion;
+    let Motion {
+        at,
+        name,
+        time,
+        displacement,
+        velocity,
+        force,
+        side_force,
+        temperature,
+        cycles,
+        rig_mass_kg,
+        mut notes,
+    } = motion;
     if time.len() < FEWEST {
         return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
     }
@@ -242,7 +258,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         }
         _ => (0.5 * range(&displacement), 0.0),
     };
-    Ok(Record {
+    let mut record = Record {
         name,
         source: at.to_string(),
         peak_velocity: cycles::robust_peak(&velocity, &cycles),
@@ -258,7 +274,10 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         side_force,
         temperature,
         notes,
-    })
+        as_read: None,
+    };
+    take_mass(&mut record, rig_mass_kg);
+    Ok(record)
 }
 
 #[cfg(test)]

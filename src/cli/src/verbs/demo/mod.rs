@@ -43,7 +43,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Campaign::run(&Matrix::default(), &options, |done, total| progress.count(done, total))?.write(&records)?;
     drop(progress);
     let data = DataArgs::folder(records);
-    let campaign = data.load()?;
+    let mut campaign = data.load()?;
     say(&format!("   {} tests in {}", campaign.records.len(), data.named()))?;
     say("2. The damper is identified from these records, without the rows at 40, 25 and 2 mm.")?;
     let model_path = args.output.join("damper.toml");
@@ -55,6 +55,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     say(&format!("   model file: {}", model_path.display()))?;
     say("3. The model is compared with all records, beside the plain FV curve.\n")?;
     let model = model_file::read(&model_path)?;
+    campaign.notes.extend(model.identification.right(&mut campaign.records));
     let compared = validate::compare(&model, &campaign)?;
     let validation = validation::validate(&compared)?;
     say(&validate::table(&validation))?;

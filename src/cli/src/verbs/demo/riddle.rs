@@ -34,7 +34,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     measured.write(&records)?;
     drop(progress);
     let data = DataArgs::folder(records);
-    let campaign = data.load()?;
+    let mut campaign = data.load()?;
     say(&format!("   {} tests in {}", campaign.records.len(), data.named()))?;
 
     say(&format!(
@@ -44,6 +44,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let model_path = in_folder("damper.toml");
     fit::identify(&hold_out::kept(&campaign, &kept_back)?, &FitOptions::default(), &model_path)?;
     let model = model_file::read(&model_path)?;
+    campaign.notes.extend(model.identification.right(&mut campaign.records));
     say(&format!("   model file: {}", model_path.display()))?;
 
     say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;

@@ -1,0 +1,93 @@
+//! Records as the model's own fit saw them: without what it found the measurement to be off by.
+//!
+//! What a rig does belongs to the campaign and not to the damper, so that it is in no model. A validation or diagnosis that looks at the same
+//! campaign again would meet it again, and take it for something that the model lacks.
+
+use super::model_file::Identification;
+use super::of_the_rig::{Measured, off};
+use dashpot_records::taken_out::{Off, taken_out};
+use dashpot_records::{Note, Record};
+use rayon::prelude::*;
+
+/// The kind of the note that says so.
+pub const AS_THE_FIT_SAW: &str = "as_the_fit_saw";
+
+impl Identification {
+    /// What the fit found its records to be off by.
+    pub fn measured(&self) -> Vec<Measured> {
+        self.measurement.iter().filter_map(|(name, numbers)| Measured::named(name, *numbers)).collect()
+    }
+
+    /// Takes out of the records what the fit found them to be off by, in place, and says so.
+    ///
+    /// Where one of the records is the fit's own they are all of its rig and campaign, those that the fit left out too. Where none is, they
+    /// stay as they are, and the note says what the fit found in its own.
+    pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
+        let measured = self.measured();
+        let off = off(&measured);
+        if off == Off::NONE {
+            return None;
+        }
+        let records: Vec<&mut Record> = records.into_iter().collect();
+        let found: Vec<String> = measured.iter().map(Measured::finding).collect();
+        if !records.iter().any(|record| self.used(record)) {
+            let options: Vec<String> = measured.iter().filter_map(Measured::as_option).collect();
+            let then = match options.is_empty() {
+                true => String::new(),
+                false => format!(": if the same rig measured these, give {}", options.join(" ")),
+            };
+            let text = format!(
+                "the model's fit found in its own records that {}; these are other records, and nothing was taken out of them{then}",
+                found.join(", that ")
+            );
+            return Some(Note { kind: AS_THE_FIT_SAW, text });
+        }
+        records.into_par_iter().for_each(|record| *record = taken_out(record, &off));
+        let text = format!("taken out of the records, as the model's fit did: {}", found.join("; "));
+        Some(Note { kind: AS_THE_FIT_SAW, text })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(frequency: f64) -> Record {
+        let omega = std::f64::consts::TAU * frequency;
+        let time: Vec<f64> = (0..500).map(|k| k as f64 / (100.0 * frequency)).collect();
+        Record {
+            name: format!("{frequency}"),
+            displacement: time.iter().map(|t| 0.01 * (omega * t).sin()).collect(),
+            velocity: time.iter().map(|t| 0.01 * omega * (omega * t).cos()).collect(),
+            force: time.iter().map(|t| -2.0 * 0.01 * omega * omega * (omega * t).sin()).collect(),
+            time,
+            amplitude: 0.01,
+            frequency,
+            peak_velocity: 0.01 * omega,
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn the_rig_is_taken_out_of_its_own_campaign_and_of_no_other() {
+        let mut own = vec![record(1.0), record(4.0)];
+        let identification = Identification {
+            fingerprints: vec![own[0].fingerprint()],
+            measurement: [("rig_mass".to_owned(), [2.0, 1.9, 2.1])].into(),
+            ..Identification::default()
+        };
+        let note = identification.right(&mut own).unwrap();
+        assert!(note.text.contains("2.000 kg"), "{}", note.text);
+        let top = 2.0 * 0.01 * (std::f64::consts::TAU * 4.0f64).powi(2);
+        for record in &own {
+            let left = record.force[20..480].iter().fold(0.0f64, |most, f| most.max(f.abs()));
+            assert!(left < 0.01 * top, "{}: {left} of {top}", record.name);
+        }
+        assert!(identification.used(&own[0]) && !identification.used(&own[1]), "a record is still itself");
+        let mut other = vec![record(2.0)];
+        let before = other[0].force.clone();
+        let note = identification.right(&mut other).unwrap();
+        assert!(other[0].force == before && note.text.contains("--rig-mass=2.0"), "{}", note.text);
+        assert!(Identification::default().right(&mut own).is_none());
+    }
+}
