@@ -60,7 +60,11 @@ impl Diagnosis {
             params: self.improved,
             estimates: self.estimates.clone(),
             choices: Vec::new(),
-            measured: if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
+            measured: if used.iter().any(|r| r.as_read.is_some()) {
+                model.identification.measured()
+            } else {
+                Vec::new()
+            },
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

@@ -193,11 +193,15 @@ impl Measured {
     /// The same in a sentence that says what became of it.
     pub fn in_words(&self) -> String {
         let other = match self.as_option() {
-            Some(option) => format!("; for other records of this rig give {option}, or write it into their campaign.toml"),
+            Some(option) => {
+                format!("; for other records of this rig give {option}, or write it into their campaign.toml")
+            }
             None => String::new(),
         };
         let what = self.finding();
-        format!("{what}: taken out here, not in the model; validate and diagnose take it out of these records too{other}")
+        format!(
+            "{what}: taken out here, not in the model; validate and diagnose take it out of these records too{other}"
+        )
     }
 }
 

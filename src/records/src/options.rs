@@ -114,7 +114,10 @@ impl Options {
             return Err(format!("a gain of {} cannot be; give a factor above 0, and turn a sign with flip", self.gain));
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
-            return Err(format!("a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2", self.rig_mass_kg));
+            return Err(format!(
+                "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2",
+                self.rig_mass_kg
+            ));
         }
         let zeros = [("force", self.force_zero_n), ("displacement", self.displacement_zero_m)];
         match zeros.into_iter().find(|(_, zero)| !zero.is_finite()) {

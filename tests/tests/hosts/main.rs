@@ -10,6 +10,7 @@ mod adams_rig;
 mod adams_windows;
 mod bridge_accuracy;
 mod c_example;
+mod cosim;
 mod fmu;
 mod fmu_matrix;
 mod fmu_partials;

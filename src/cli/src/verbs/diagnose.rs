@@ -6,8 +6,8 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
-use dashpot_identification::{AS_THE_FIT_SAW, Standing};
 use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_identification::{AS_THE_FIT_SAW, Standing};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, hold_out};
 use dashpot_report::ParameterRow;
@@ -195,7 +195,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
-    let mut reference = if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
+    let mut reference =
+        if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
     let note = model.identification.right(campaign.records.iter_mut().chain(&mut reference));
     note.iter().for_each(|note| eprintln!("note: {}", note.text));
     campaign.notes.extend(note);

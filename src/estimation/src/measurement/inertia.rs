@@ -28,9 +28,8 @@ mod tests {
     fn a_mass_takes_its_acceleration_at_even_and_uneven_steps() {
         for uneven in [0.0, 0.4] {
             let (n, omega) = (200, 30.0);
-            let dt: Vec<f64> = (0..n)
-                .map(|k| if k == 0 { 0.0 } else { 2e-3 * (1.0 + uneven * f64::from(k as u32 % 3)) })
-                .collect();
+            let dt: Vec<f64> =
+                (0..n).map(|k| if k == 0 { 0.0 } else { 2e-3 * (1.0 + uneven * f64::from(k as u32 % 3)) }).collect();
             let mut t = 0.0;
             let times: Vec<f64> = dt
                 .iter()

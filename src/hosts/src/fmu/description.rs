@@ -54,7 +54,10 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
         "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n  \
          </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n",
     );
-    for (reference, v) in variables.iter().enumerate() {
+    // FMI 2.0 needs no variable for the time, and the FMI Library under many hosts takes one for an error (it asks for a start value that the
+    // standard forbids there). Without it the place of every variable, counted from 1, is its value reference.
+    let told = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
+    for (reference, v) in variables.iter().enumerate().filter(|(_, v)| told(v)) {
         variable(&mut out, version, variables, reference, v);
     }
     out.push_str("  </ModelVariables>\n");
@@ -179,7 +182,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     }
     if v.kind == Kind::Rate {
         let state = all.iter().position(|s| s.kind == Kind::State && (s.corner, s.index) == (v.corner, v.index));
-        let _ = write!(typed, " derivative=\"{}\"", state.unwrap_or(0) + usize::from(version == Version::Two));
+        let _ = write!(typed, " derivative=\"{}\"", state.unwrap_or(0));
     }
     if let Some(start) = v.start {
         let _ = match tag {
@@ -204,12 +207,12 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
 }
 
 /// What outputs and derivatives of a corner depend on.
-fn dependencies(version: Version, all: &[Variable], v: &Variable) -> String {
+fn dependencies(all: &[Variable], v: &Variable) -> String {
     let on: Vec<String> = all
         .iter()
         .enumerate()
         .filter(|(_, d)| d.corner == v.corner && (d.kind.is_input() || d.kind == Kind::State))
-        .map(|(i, _)| (i + usize::from(version == Version::Two)).to_string())
+        .map(|(i, _)| i.to_string())
         .collect();
     on.join(" ")
 }
@@ -217,10 +220,9 @@ fn dependencies(version: Version, all: &[Variable], v: &Variable) -> String {
 fn structure(out: &mut String, version: Version, all: &[Variable]) {
     let two = version == Version::Two;
     let unknown = |out: &mut String, tag: &str, i: usize, depends: bool| {
-        let key = if two { format!("index=\"{}\"", i + 1) } else { format!("valueReference=\"{i}\"") };
-        let depends =
-            if depends { format!(" dependencies=\"{}\"", dependencies(version, all, &all[i])) } else { String::new() };
-        let _ = writeln!(out, "    <{tag} {key}{depends}/>");
+        let key = if two { "index" } else { "valueReference" };
+        let depends = if depends { format!(" dependencies=\"{}\"", dependencies(all, &all[i])) } else { String::new() };
+        let _ = writeln!(out, "    <{tag} {key}=\"{i}\"{depends}/>");
     };
     let group = |out: &mut String, name: &str, tag: &str, depends: bool, of: &dyn Fn(Kind) -> bool| {
         if two {
