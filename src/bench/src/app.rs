@@ -194,6 +194,7 @@ fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
     ui.horizontal_wrapped(|ui| {
         ui.selectable_value(&mut view.corner, Corner::Matrix, w.error_matrix);
         ui.selectable_value(&mut view.corner, Corner::Time, w.force_time);
+        ui.selectable_value(&mut view.corner, Corner::GasAndDrag, w.gas_and_drag);
         if warm {
             ui.selectable_value(&mut view.corner, Corner::Temperature, w.temperature);
         }
@@ -203,6 +204,7 @@ fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
     });
     match view.corner {
         Corner::Time => plots::loops(ui, session, view, Which::Time),
+        Corner::GasAndDrag => plots::gas_and_drag(ui, session, view),
         Corner::Temperature if warm => plots::loops(ui, session, view, Which::Temperature),
         Corner::Study => study::plot(ui, session, w),
         _ => matrix::show(ui, session, view),

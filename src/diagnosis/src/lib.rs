@@ -29,6 +29,7 @@ mod finer_curve;
 mod hold_out;
 mod improved;
 mod nearby;
+mod next_matrix;
 mod next_test;
 mod outcome;
 mod race;

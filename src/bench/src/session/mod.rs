@@ -9,6 +9,7 @@
 //! | [`verbs`] | fit, validate, diagnose |
 //! | [`outputs`], [`exports`] | everything that is written |
 //! | [`matrix`], [`study`] | the error matrix, one number at several values |
+//! | [`two_ways`] | gas and drag of a cycle |
 //! | [`recent`] | campaigns that were open lately |
 
 pub mod campaign;
@@ -21,6 +22,7 @@ pub mod recent;
 pub mod simulation;
 pub mod study;
 pub mod tasks;
+pub mod two_ways;
 pub mod verbs;
 
 use campaign::Loaded;

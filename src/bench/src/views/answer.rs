@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let mut take = false;
         if let Some(Diagnosed { found, .. }) = &session.answers.diagnosis {
             ui.heading(w.diagnosis_answer);
-            diagnosis(ui, found, w);
+            diagnosis(ui, found, w, &mut view.asks);
             ui.horizontal_wrapped(|ui| {
                 let free = session.task.is_none();
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
@@ -110,7 +110,7 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
     });
 }
 
-fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words) {
+fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words, asks: &mut Vec<Ask>) {
     wrapped(ui, RichText::new(headline(found)).strong());
     for finding in &found.findings {
         ui.add_space(4.0);
@@ -160,6 +160,16 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words) {
     }
     for test in found.next_tests.iter().take(3) {
         wrapped(ui, RichText::new(&test.text));
+    }
+    if let Some((matrix, _)) = found.next_matrix() {
+        ui.horizontal(|ui| {
+            if ui.button(w.copy_rows).on_hover_text(w.copy_rows_hint).clicked() {
+                ui.ctx().copy_text(matrix.clone());
+            }
+            if ui.button(w.save_matrix).on_hover_text(w.save_matrix_hint).clicked() {
+                asks.push(Ask::Text("csv", matrix));
+            }
+        });
     }
     if !found.changed.is_empty() {
         ui.strong(w.changed);

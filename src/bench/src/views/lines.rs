@@ -2,6 +2,7 @@
 
 use crate::session::Session;
 use crate::session::simulation::OfTest;
+use crate::session::two_ways::two_ways;
 use crate::words::Words;
 use dashpot_core::Model;
 use egui_plot::PlotPoint;
@@ -37,6 +38,10 @@ pub struct Line {
     pub displacement: Vec<PlotPoint>,
     /// Force over time, s and N.
     pub time: Vec<PlotPoint>,
+    /// Mean force of both ways over displacement, mm and N: gas and springs.
+    pub gas: Vec<PlotPoint>,
+    /// Half the difference of both ways, mm and N: seal drag and friction.
+    pub drag: Vec<PlotPoint>,
     /// Temperature over time, s and °C, where it was measured.
     pub temperature: Vec<PlotPoint>,
 }
@@ -168,6 +173,8 @@ fn line(
     }
     let start = record.time.get(from).copied().unwrap_or(0.0);
     let points = |x: &dyn Fn(usize) -> f64| kept.iter().map(|i| PlotPoint::new(x(*i), force[*i])).collect();
+    let motion = |channel: &[f64]| -> Vec<f64> { (0..n).map(|i| channel[at(i)]).collect() };
+    let places = two_ways(&motion(&seen.motion.displacement), &motion(&seen.motion.velocity), &force[..n]);
     let in_time: Vec<usize> = (0..n).step_by(step).collect();
     Line {
         whose,
@@ -176,6 +183,8 @@ fn line(
         velocity: points(&|i| seen.motion.velocity[at(i)]),
         displacement: points(&|i| 1e3 * seen.motion.displacement[at(i)]),
         time: in_time.iter().map(|i| PlotPoint::new(record.time[at(*i)] - start, force[*i])).collect(),
+        gas: places.iter().map(|p| PlotPoint::new(1e3 * p.at, p.mean)).collect(),
+        drag: places.iter().map(|p| PlotPoint::new(1e3 * p.at, 0.5 * p.difference)).collect(),
         temperature: match (&record.temperature, whose) {
             (Some(temperature), Whose::Measured) => {
                 let all = 0..record.time.len();

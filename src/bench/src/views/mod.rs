@@ -52,6 +52,8 @@ pub enum Corner {
     Matrix,
     /// Force over time.
     Time,
+    /// Gas and drag over displacement.
+    GasAndDrag,
     /// Temperature over time.
     Temperature,
     /// The family of loops.

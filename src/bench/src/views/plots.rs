@@ -192,6 +192,34 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
     response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, format!("{title}: {shown}")));
 }
 
+/// What both ways of a cycle have in common over displacement, and half of what they do not: gas and springs, drag and friction where the
+/// test is slow.
+pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
+    let words = view.words();
+    let lines = view.lines.lines(session, view.effect, words);
+    let axes = Axes { x: (words.displacement, "mm"), y: (words.force, "N") };
+    let both = |l: &Drawn| [(words.both_ways, l.gas.clone()), (words.drag, l.drag.clone())];
+    let top = ui.cursor().min;
+    heading(ui, view, words.gas_and_drag, axes, || {
+        let plain = |points: Vec<PlotPoint>| points.iter().map(|p| [p.x, p.y]).collect();
+        let of = |l: &Drawn| both(l).map(|(what, points)| (role(l.whose), format!("{}: {what}", l.name), plain(points)));
+        lines.iter().flat_map(|l| of(l)).collect()
+    });
+    let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
+    let response = plot("gas", axes, false).show(ui, |plot| {
+        for (line, (colour, width)) in lines.iter().zip(looks) {
+            let [gas, drag] = [(words.both_ways, &line.gas), (words.drag, &line.drag)]
+                .map(|(what, points)| Line::new(format!("{}: {what}", line.name), PlotPoints::Borrowed(points)));
+            plot.line(gas.color(colour).width(width));
+            plot.line(drag.color(colour).width(width).style(LineStyle::dashed_loose()));
+        }
+    });
+    remember_place(ui, words.gas_and_drag, top, response.response.rect);
+    let shown = summary(session, words);
+    let label = format!("{}: {shown}", words.gas_and_drag);
+    response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
+}
+
 fn points_of(line: &Drawn, which: Which) -> &[PlotPoint] {
     match which {
         Which::Velocity => &line.velocity,

@@ -41,6 +41,9 @@ pub struct Args {
     /// Report for people, one HTML file
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// The tests that would tell more, as a test matrix for the rig
+    #[arg(long, value_name = "F.csv")]
+    next_tests: Option<PathBuf>,
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
@@ -59,7 +62,7 @@ pub struct Args {
     reference: Vec<PathBuf>,
     /// Many dampers or settings at once, each compared with the reference, or with the first where none is given. The word folders: every
     /// folder in DATA is one. Or a pattern of the tests' names with {} where the group stands, such as '*_c{}_*'
-    #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out"])]
+    #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out", "next_tests"])]
     group: Option<String>,
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
@@ -214,6 +217,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &diagnosed.json())?;
     }
+    if let Some(path) = &args.next_tests {
+        say(&written_next_tests(path, &diagnosed.found)?)?;
+    }
     if let Some(path) = &args.report {
         diagnosed.report(&args.model, &args.data, &campaign, |report| report.write(path))?;
         say(&format!("report: {}", path.display()))?;
@@ -223,6 +229,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         say(&format!("{} figures in {}", written.len(), folder.display()))?;
     }
     Ok(())
+}
+
+/// Writes the tests that would tell more as a matrix; the answer says what was written.
+fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> {
+    let Some((matrix, without)) = found.next_matrix() else {
+        return Ok(format!("next tests: there is none that a rig could be driven by, so {} was not written", path.display()));
+    };
+    dashpot_output::write(path, &matrix)?;
+    let besides = if without == 0 { String::new() } else { format!("; {without} more are no sine and stand in the report alone") };
+    Ok(format!("next tests: {} rows in {}{besides}", matrix.lines().count() - 1, path.display()))
 }
 
 /// Diagnoses every group against the reference.

@@ -1,0 +1,55 @@
+//! The tests that a diagnosis asks for, as a matrix that a rig is driven by.
+
+use super::outcome::{Diagnosis, NextTest};
+
+/// Columns of a test matrix, as `dashpot matrix` and `dashpot rig --matrix` have them.
+const HEADING: &str = "name,amplitude_mm,frequency_hz,mean_displacement_mm,side_force_n";
+
+impl NextTest {
+    /// The test as a row of a matrix; nothing where it is no sine of known amplitude and frequency, such as a soak or a road.
+    fn row(&self, number: usize) -> Option<String> {
+        let (amplitude, frequency) = (self.amplitude_m?, self.frequency_hz?);
+        let short = |v: f64| {
+            let text = format!("{v:.6}");
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        };
+        Some(format!(
+            "next_{number},{},{},{},{}",
+            short(1e3 * amplitude),
+            short(frequency),
+            short(1e3 * self.mean_displacement_m.unwrap_or(0.0)),
+            short(self.side_force_n.unwrap_or(0.0))
+        ))
+    }
+}
+
+impl Diagnosis {
+    /// The tests that would tell more as a matrix (CSV), the one that tells most first, and how many of them are no sine and have no row;
+    /// nothing where none has one.
+    pub fn next_matrix(&self) -> Option<(String, usize)> {
+        let rows: Vec<String> =
+            self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
+        let without = self.next_tests.len() - rows.len();
+        (!rows.is_empty()).then(|| (format!("{HEADING}\n{}\n", rows.join("\n")), without))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sine_is_a_row_and_a_soak_is_none() {
+        let sine = NextTest {
+            text: String::new(),
+            amplitude_m: Some(0.0125),
+            frequency_hz: Some(2.5),
+            mean_displacement_m: Some(-0.01),
+            side_force_n: None,
+            difference_n: None,
+            separates: Vec::new(),
+        };
+        assert_eq!(sine.row(1).unwrap(), "next_1,12.5,2.5,-10,0");
+        assert_eq!(NextTest { amplitude_m: None, ..sine }.row(2), None);
+    }
+}
