@@ -27,8 +27,7 @@ impl Diagnosis {
     /// The tests that would tell more as a matrix (CSV), the one that tells most first, and how many of them are no sine and have no row;
     /// nothing where none has one.
     pub fn next_matrix(&self) -> Option<(String, usize)> {
-        let rows: Vec<String> =
-            self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
+        let rows: Vec<String> = self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
         let without = self.next_tests.len() - rows.len();
         (!rows.is_empty()).then(|| (format!("{HEADING}\n{}\n", rows.join("\n")), without))
     }

@@ -202,7 +202,8 @@ pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
     let top = ui.cursor().min;
     heading(ui, view, words.gas_and_drag, axes, || {
         let plain = |points: Vec<PlotPoint>| points.iter().map(|p| [p.x, p.y]).collect();
-        let of = |l: &Drawn| both(l).map(|(what, points)| (role(l.whose), format!("{}: {what}", l.name), plain(points)));
+        let of =
+            |l: &Drawn| both(l).map(|(what, points)| (role(l.whose), format!("{}: {what}", l.name), plain(points)));
         lines.iter().flat_map(|l| of(l)).collect()
     });
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();

@@ -234,10 +234,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 /// Writes the tests that would tell more as a matrix; the answer says what was written.
 fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
-        return Ok(format!("next tests: there is none that a rig could be driven by, so {} was not written", path.display()));
+        return Ok(format!(
+            "next tests: there is none that a rig could be driven by, so {} was not written",
+            path.display()
+        ));
     };
     dashpot_output::write(path, &matrix)?;
-    let besides = if without == 0 { String::new() } else { format!("; {without} more are no sine and stand in the report alone") };
+    let besides = if without == 0 {
+        String::new()
+    } else {
+        format!("; {without} more are no sine and stand in the report alone")
+    };
     Ok(format!("next tests: {} rows in {}{besides}", matrix.lines().count() - 1, path.display()))
 }
 
