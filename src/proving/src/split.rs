@@ -53,12 +53,14 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Reads the project's own.
+    /// Reads the project's own. Its folder is asked for at run time: compiled in, it would tell in every package where that was built.
     ///
     /// # Errors
-    /// Where the file cannot be read.
+    /// Where cargo did not start this program, and where the file cannot be read.
     pub fn of_the_project() -> std::io::Result<Ledger> {
-        Ledger::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("ledger.toml"))
+        let folder = std::env::var_os("CARGO_MANIFEST_DIR")
+            .ok_or_else(|| std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is"))?;
+        Ledger::read(&Path::new(&folder).join("ledger.toml"))
     }
 
     /// Reads one.

@@ -275,7 +275,7 @@ fn usual(params: &Params) -> [f64; 11] {
         }
     }
     // Below the first, a state that stands still on that stroke.
-    largest.map(|most| if most > 1e-9 { 10_f64.powi(most.log10().floor() as i32) } else { 1e-4 })
+    largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
 }
 
 fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
@@ -344,4 +344,22 @@ fn parameters(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
         }
     }
     all
+}
+
+/// The power of ten at or below a positive number. Taken from its digits: a library's powers end in other bits on every system, and
+/// the FMU of one model is the same wherever it is written.
+fn decade(number: f64) -> f64 {
+    let digits = format!("{number:e}");
+    let exponent = digits.split_once('e').map_or("0", |(_, exponent)| exponent);
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_power_of_ten_is_the_number_that_is_written_so() {
+        for (number, power) in [(0.0345, 0.01), (1e-4, 1e-4), (9.99e-5, 1e-5), (1.0, 1.0), (1234.5, 1000.0)] {
+            assert_eq!(super::decade(number), power);
+        }
+    }
 }
