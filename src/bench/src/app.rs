@@ -216,3 +216,29 @@ impl eframe::App for App {
         self.show(ui);
     }
 }
+
+#[cfg(test)]
+mod pictures {
+    use super::*;
+    use eframe::egui::Color32;
+
+    /// On a screen of two pixels a point, the part of a window that a plot covers, and no more where it reaches over the edge.
+    #[test]
+    fn the_picture_of_a_plot_holds_its_pixels() {
+        let colour = |x: usize, y: usize| Color32::from_rgb(10 * x as u8, 20 * y as u8, 7);
+        let pixels = (0..6).flat_map(|y| (0..8).map(move |x| colour(x, y))).collect();
+        let image = ColorImage::new([8, 6], pixels);
+        for (part, from, size) in [([1.0, 1.0, 3.0, 2.0], (2, 2), (4, 2)), ([3.0, 2.0, 9.0, 9.0], (6, 4), (2, 2))] {
+            let bytes = png(&image, part, 2.0).unwrap();
+            let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+            let mut data = vec![0; reader.output_buffer_size().unwrap()];
+            let info = reader.next_frame(&mut data).unwrap();
+            assert_eq!((info.width, info.height), size);
+            for (k, rgb) in data.chunks(3).enumerate() {
+                let (column, row) = (k % size.0 as usize, k / size.0 as usize);
+                assert_eq!(rgb, &colour(from.0 + column, from.1 + row).to_array()[..3]);
+            }
+        }
+        assert!(png(&image, [20.0, 20.0, 30.0, 30.0], 2.0).is_err(), "a plot that is not on the screen");
+    }
+}

@@ -138,9 +138,10 @@ impl Task {
         self.progress.lock().map(|p| p.clone()).unwrap_or_default()
     }
 
-    /// How it stands.
+    /// How it stands. Whoever pressed Cancel gets no result, even one that was whole a moment before.
     pub fn standing(&self) -> Standing {
         match self.result.try_recv() {
+            Ok(_) if self.is_cancelled() => Standing::Cancelled,
             Ok(Some(result)) => Standing::Done(result),
             Err(TryRecvError::Empty) => Standing::Working,
             Ok(None) | Err(TryRecvError::Disconnected) => Standing::Cancelled,

@@ -16,6 +16,7 @@
 pub mod answer;
 pub mod bar;
 pub mod closing;
+mod grid;
 pub mod lines;
 pub mod matrix;
 pub mod plots;

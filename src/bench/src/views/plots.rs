@@ -4,6 +4,7 @@ use crate::dialogs::Ask;
 use crate::session::outputs::table;
 use crate::session::{Session, model};
 use crate::units;
+use crate::views::grid;
 use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};
 use crate::words::Words;
@@ -47,6 +48,8 @@ fn plot<'a>(id: &'static str, axes: Axes, linked: bool) -> Plot<'a> {
         .x_axis_label(Axes::label(axes.x))
         .y_axis_label(Axes::label(axes.y))
         .label_formatter(read_out)
+        .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
+        .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))
         .set_margin_fraction(Vec2::splat(0.04))
         .y_axis_min_width(54.0);
     if linked {

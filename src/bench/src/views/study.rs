@@ -4,6 +4,7 @@ use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
 use crate::units::{digits, shown};
+use crate::views::grid;
 use crate::views::tune::is_of_form;
 use crate::views::{Corner, View, hue, named_list};
 use crate::words::Words;
@@ -169,6 +170,8 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
     Plot::new("study")
         .x_axis_label(format!("{} [m/s]", w.velocity))
         .y_axis_label(format!("{} [N]", w.force))
+        .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
+        .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))
         .y_axis_min_width(54.0)
         .show(ui, |plot| {
             let weak = plot.ctx().global_style().visuals.weak_text_color();

@@ -214,9 +214,11 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
-    press(&mut harness, "Fit");
+    // Before a frame is drawn: a fit may be faster than a hand (the button itself is pressed where a diagnosis is cancelled).
+    // A result that is whole already counts for nothing either.
+    harness.state_mut().session.fit();
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
-    press(&mut harness, "Cancel");
+    harness.state().session.cancel();
     let asked = Instant::now();
     until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
     let took = asked.elapsed();
