@@ -97,8 +97,7 @@ impl App {
                 session.save(&first);
             }
             Ask::Export(host) => session.export(host, first),
-            Ask::Report => session.write_report(first),
-            Ask::DiagnosisReport => session.write_diagnosis(first),
+            Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.of_reports()),
             Ask::Text(_, text) => {
                 let kind = Kind::of(text.as_bytes());
                 self.told(&first, outputs::write(&first, kind, text.as_bytes()));

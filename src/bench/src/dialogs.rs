@@ -2,6 +2,7 @@
 
 use crate::session::Waker;
 use crate::session::exports::Host;
+use crate::session::papers::Paper;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -20,11 +21,9 @@ pub enum Ask {
     SaveModel,
     /// Where to export to.
     Export(Host),
-    /// Where the report of the validation goes.
-    Report,
-    /// Where the report of the diagnosis goes.
-    DiagnosisReport,
-    /// Where a text goes, with the ending of its name.
+    /// Where a report or a workbook goes.
+    Paper(Paper),
+    /// Where a text goes, with the name that is proposed.
     Text(&'static str, String),
     /// Where a picture of a part of the window goes: left, top, right, bottom.
     Picture([f32; 4]),
@@ -35,15 +34,13 @@ impl Ask {
     fn proposed(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Ask::Folder | Ask::Reference => ("", &[]),
-            Ask::Files => ("", &["csv", "txt", "asc", "dat", "tsv", "xlsx", "mat", "rsp", "drv", "tim"]),
+            Ask::Files => ("", &dashpot_records::ENDINGS),
             Ask::Model => ("", &["toml"]),
             Ask::SaveModel => ("damper.toml", &["toml"]),
             Ask::Export(Host::Property) => (Host::Property.proposed(), &["dpr", "xml"]),
             Ask::Export(host) => (host.proposed(), &["fmu"]),
-            Ask::Report => ("report.html", &["html"]),
-            Ask::DiagnosisReport => ("diagnosis.html", &["html"]),
-            Ask::Text("svg", _) => ("plot.svg", &["svg"]),
-            Ask::Text(..) => ("plot.csv", &["csv"]),
+            Ask::Paper(paper) => paper.proposed(),
+            Ask::Text(name, _) => (name, if name.ends_with(".svg") { &["svg"] } else { &["csv"] }),
             Ask::Picture(_) => ("plot.png", &["png"]),
         }
     }

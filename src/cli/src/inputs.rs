@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use std::path::PathBuf;
 
 /// Options that name an output, in every verb.
-const OUTPUTS: [&str; 5] = ["output", "json", "report", "svg", "certificate"];
+pub const OUTPUTS: [&str; 7] = ["output", "json", "report", "svg", "certificate", "excel", "next_tests"];
 
 /// Every value given outside the output options that may be a file or a folder.
 pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {

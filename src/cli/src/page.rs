@@ -1,39 +1,56 @@
 //! Options that every report has, and what a report was made from.
 
+use crate::inputs::OUTPUTS;
 use anyhow::Context as _;
 use dashpot_report::words::{Language, Words};
-use dashpot_report::{Made, MadeFrom, Print, made};
+use dashpot_report::{Made, Print, made};
 use std::path::PathBuf;
 
-/// How a report is written.
+/// How a report is written that can be printed in short.
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct PageArgs {
-    /// Language of the report: en, de, fr or zh
-    #[arg(long, value_name = "de|fr|zh|en", default_value = "en")]
-    language: Language,
+    /// Language and date.
+    #[command(flatten)]
+    pub text: TextArgs,
     /// Print all of the report, not its first two pages alone
     #[arg(long)]
     full: bool,
+}
+
+/// Language and date of a report.
+#[derive(clap::Args, Debug, Clone, Default)]
+pub struct TextArgs {
+    /// Language of the report and the workbook: en, de, fr or zh
+    #[arg(long, value_name = "de|fr|zh|en", default_value = "en")]
+    language: Language,
+    #[command(flatten)]
+    pub date: DateArgs,
+}
+
+/// Date of a report.
+#[derive(clap::Args, Debug, Clone, Default)]
+pub struct DateArgs {
     /// Date to write into the report; without it that of SOURCE_DATE_EPOCH, or none, so that the same input gives the same
     /// report
     #[arg(long, value_name = "DATE")]
     date: Option<String>,
 }
 
-/// Options that name outputs, with their values: they say where a result went, not how it came about.
-const OUTPUTS: [&str; 7] = ["--report", "--json", "--svg", "--certificate", "--output", "-o", "--date"];
-
 impl PageArgs {
-    /// The texts.
-    pub fn words(&self) -> &'static Words {
-        self.language.words()
-    }
-
     /// What goes on paper.
     pub fn print(&self) -> Print {
         if self.full { Print::Whole } else { Print::Brief }
     }
+}
 
+impl TextArgs {
+    /// The texts.
+    pub fn words(&self) -> &'static Words {
+        self.language.words()
+    }
+}
+
+impl DateArgs {
     /// What a report of these files is made from.
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
         let date = match (&self.date, std::env::var("SOURCE_DATE_EPOCH")) {
@@ -46,29 +63,28 @@ impl PageArgs {
             }
             (None, Err(_)) => None,
         };
-        Ok(Made {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            date,
-            command: command(std::env::args().skip(1)),
-            files: files.into_iter().filter_map(|file| MadeFrom::of(&file)).collect(),
-        })
+        let files: Vec<PathBuf> = files.into_iter().collect();
+        let made = Made::of(files.iter().map(PathBuf::as_path));
+        Ok(Made { date, command: command(std::env::args().skip(1)), ..made })
     }
 }
 
-/// The command line without its outputs, as a shell takes it.
+/// The command line without its outputs, as a shell takes it: they say where a result went, not how it came about.
 fn command(arguments: impl Iterator<Item = String>) -> String {
+    let outputs: Vec<String> =
+        OUTPUTS.iter().chain(&["date"]).map(|name| format!("--{}", name.replace('_', "-"))).collect();
+    let is_output = |text: &str| text == "-o" || outputs.iter().any(|o| o == text);
     let mut words = vec!["dashpot".to_owned()];
     let mut skip = false;
     for argument in arguments {
         if std::mem::take(&mut skip) {
             continue;
         }
-        if OUTPUTS.contains(&argument.as_str()) {
+        if is_output(&argument) {
             skip = true;
             continue;
         }
-        if argument == "--force" || OUTPUTS.iter().any(|o| argument.strip_prefix(o).is_some_and(|r| r.starts_with('=')))
-        {
+        if argument == "--force" || argument.split_once('=').is_some_and(|(name, _)| is_output(name)) {
             continue;
         }
         let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
@@ -89,7 +105,20 @@ mod tests {
     fn the_command_is_told_without_its_outputs() {
         let of = |line: &[&str]| command(line.iter().map(ToString::to_string));
         assert_eq!(
-            of(&["validate", "m.toml", "my data", "--report", "r.html", "--json=-", "--limits", "l.csv", "--force"]),
+            of(&[
+                "validate",
+                "m.toml",
+                "my data",
+                "--report",
+                "r.html",
+                "--json=-",
+                "--limits",
+                "l.csv",
+                "--force",
+                "--excel",
+                "t.xlsx",
+                "--next-tests=n.csv"
+            ]),
             "dashpot validate m.toml 'my data' --limits l.csv"
         );
         assert_eq!(of(&["fit", "a*.csv", "-o", "m.toml"]), "dashpot fit 'a*.csv'");

@@ -1,6 +1,7 @@
 //! What kind of file a text is: an output may replace an older file of its own kind, and no other.
 
 use std::fmt;
+use std::io::Read as _;
 
 /// What a file holds, as far as the first look tells.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +20,8 @@ pub enum Kind {
     Picture,
     /// A table with this header line.
     Table(String),
+    /// A workbook with the tables of a report.
+    Workbook,
     /// An FMU.
     Fmu,
     /// A program or library; the first four bytes name its format.
@@ -31,6 +34,11 @@ pub enum Kind {
 
 /// Keys that stand at the top of the JSON of some verb; a foreign JSON file has none of them.
 const OWN_KEYS: [&str; 7] = ["parameters", "misfit", "overall", "findings", "suspects", "corners", "rms_percent_1ms"];
+/// What every workbook of dashpot names as its author. A program that changes one says who did, so an edited one is not taken
+/// for ours.
+pub const AUTHOR: &str = "dashpot";
+/// Largest list of properties, bytes, that is looked into; ours is less than one kilobyte.
+const PROPERTIES: u64 = 1 << 16;
 /// What every report of dashpot says of itself in its head.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
 
@@ -42,7 +50,11 @@ impl Kind {
         }
         let has = |wanted: &str| bytes.windows(wanted.len()).any(|w| w == wanted.as_bytes());
         if bytes.starts_with(b"PK") {
-            return if has("modelDescription.xml") { Kind::Fmu } else { Kind::Other("a workbook or an archive") };
+            return match () {
+                () if has("modelDescription.xml") => Kind::Fmu,
+                () if is_own_workbook(bytes) => Kind::Workbook,
+                () => Kind::Other("a workbook or an archive"),
+            };
         }
         match bytes {
             [0x7f, b'E', b'L', b'F', ..] | [b'M', b'Z', ..] | [0xcf, 0xfa, 0xed, 0xfe, ..] => {
@@ -90,6 +102,18 @@ impl Kind {
     }
 }
 
+/// Whether a workbook was written by dashpot and by nobody since.
+fn is_own_workbook(bytes: &[u8]) -> bool {
+    let properties = || -> Option<String> {
+        let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).ok()?;
+        let mut text = String::new();
+        archive.by_name("docProps/core.xml").ok()?.take(PROPERTIES).read_to_string(&mut text).ok()?;
+        Some(text)
+    };
+    let named = |text: &str, tag: &str| text.contains(&format!("<{tag}>{AUTHOR}</{tag}>"));
+    properties().is_some_and(|text| named(&text, "dc:creator") && named(&text, "cp:lastModifiedBy"))
+}
+
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -100,6 +124,7 @@ impl fmt::Display for Kind {
             Kind::Report => f.write_str("a report"),
             Kind::Picture => f.write_str("a picture"),
             Kind::Table(header) => write!(f, "a table that begins with {:?}", short(header)),
+            Kind::Workbook => f.write_str("a workbook of dashpot"),
             Kind::Fmu => f.write_str("an FMU"),
             Kind::Program(_) => f.write_str("a program or library"),
             Kind::Text(first) => write!(f, "a text that begins with {:?}", short(first)),
@@ -130,6 +155,15 @@ mod tests {
         assert_eq!(of("time_s,force_N\n0,1\n"), Kind::Table("time_s,force_N".into()));
         assert_ne!(of("time_s,force_N\n0,1\n"), of("t,x_mm,F\n0,1,2\n"));
         assert!(matches!(Kind::of(b"PK\x03\x04xl/workbook.xml"), Kind::Other(_)));
+        let workbook = |edited_by: &str| {
+            let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+            archive.start_file("docProps/core.xml", zip::write::SimpleFileOptions::default()).unwrap();
+            let text = format!("<dc:creator>dashpot</dc:creator><cp:lastModifiedBy>{edited_by}</cp:lastModifiedBy>");
+            std::io::Write::write_all(&mut archive, text.as_bytes()).unwrap();
+            archive.finish().unwrap().into_inner()
+        };
+        assert_eq!(Kind::of(&workbook("dashpot")), Kind::Workbook);
+        assert!(matches!(Kind::of(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::of(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::of(b"\x7fELF12"), Kind::of(b"MZ\x90\x00"));
         assert!(matches!(Kind::of(b"\xff\xfe\x00\x01"), Kind::Other(_)));

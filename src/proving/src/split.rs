@@ -58,8 +58,9 @@ impl Ledger {
     /// # Errors
     /// Where cargo did not start this program, and where the file cannot be read.
     pub fn of_the_project() -> std::io::Result<Ledger> {
-        let folder = std::env::var_os("CARGO_MANIFEST_DIR")
-            .ok_or_else(|| std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is"))?;
+        let folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or_else(|| {
+            std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is")
+        })?;
         Ledger::read(&Path::new(&folder).join("ledger.toml"))
     }
 

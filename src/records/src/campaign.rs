@@ -337,25 +337,13 @@ fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Ve
     Ok(files)
 }
 
+/// How the names of records end, in small letters.
+pub const ENDINGS: [&str; 14] =
+    ["csv", "txt", "asc", "dat", "tsv", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
+
 /// Whether a file is read as a record where its folder is given, by its name.
 pub fn is_record_name(path: &Path) -> bool {
-    matches!(
-        extension(path).as_str(),
-        "csv"
-            | "txt"
-            | "tsv"
-            | "asc"
-            | "dat"
-            | "xlsx"
-            | "xlsm"
-            | "mat"
-            | "mf4"
-            | "mdf"
-            | "tdms"
-            | "rsp"
-            | "drv"
-            | "tim"
-    )
+    ENDINGS.contains(&extension(path).as_str())
 }
 
 fn file_name(path: &Path) -> String {

@@ -7,7 +7,11 @@ use super::channel::Channel;
 use super::unit::Unit;
 
 /// The files that are read, for messages.
-pub(crate) const KINDS: &str = ".csv, .txt, .asc, .dat, .tsv, .xlsx, .mat, .mf4, .tdms, .rsp, .drv and .tim";
+fn kinds() -> String {
+    let all = super::campaign::ENDINGS.map(|ending| format!(".{ending}"));
+    let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
+    format!("{} and {last}", others.join(", "))
+}
 
 /// The place a message speaks of: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,7 +55,7 @@ pub enum RecordError {
         source: std::io::Error,
     },
 
-    #[error("{folder}: holds no record; a campaign folder holds {}", KINDS, folder = .folder.display())]
+    #[error("{folder}: holds no record; a campaign folder holds {}", kinds(), folder = .folder.display())]
     EmptyFolder { folder: PathBuf },
 
     #[error("{file}: is empty (0 bytes); export it again", file = .file.display())]
@@ -86,7 +90,7 @@ pub enum RecordError {
     #[error("no record given; name a record file or a campaign folder")]
     NoPaths,
 
-    #[error("{file}: is no record; records are {} files", KINDS, file = .file.display())]
+    #[error("{file}: is no record; records are {} files", kinds(), file = .file.display())]
     UnknownType { file: PathBuf },
 
     #[error("{file}: cannot be read as a workbook ({cause}); save it again as .xlsx, or export the sheet as CSV", file = .file.display())]

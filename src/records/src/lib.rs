@@ -37,7 +37,7 @@ mod tdms;
 mod unit;
 mod xlsx;
 
-pub use campaign::{Campaign, Progress, is_record_name, load};
+pub use campaign::{Campaign, ENDINGS, Progress, is_record_name, load};
 pub use channel::{Channel, assignment};
 pub use delay::Delay;
 pub use error::{Place, RecordError};

@@ -1,7 +1,8 @@
 //! The model beside those of the literature, on the tests that they were identified from and on those left out.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
-use super::numbers::{error, percent};
+use crate::cells::Cell;
+use crate::errors::three;
 use crate::plot::of_test;
 use crate::words::Words;
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation};
@@ -45,21 +46,21 @@ fn hardest(validation: &Validation, used: bool) -> Option<usize> {
 
 fn table(against: &[Against], words: &Words) -> Table {
     let figures = |summary: Option<&AgainstSummary>| match summary {
-        Some(s) => [error(s.errors.mean_error_n), percent(s.errors.error_percent), error(s.errors.rmse_n)],
-        None => ["", "", ""].map(str::to_owned),
+        Some(s) => three(&s.errors),
+        None => ["", "", ""].map(Cell::from),
     };
     let row = |one: &Against| {
-        let mut row = vec![one.model.clone(), one.meaning.clone()];
+        let mut row = vec![Cell::from(one.model.as_str()), one.meaning.as_str().into()];
         row.extend(figures(one.used_in_fit.as_ref()));
         row.extend(figures(one.left_out.as_ref()));
         row
     };
-    let three = |group| {
+    let columns_of = |group| {
         [words.col_mean_error, words.col_error_percent, words.col_rms].map(|heading| Column::figures(heading).of(group))
     };
     let mut columns = vec![Column::words(words.col_model), Column::words(words.col_meaning)];
-    columns.extend(three(words.used_in_fit));
-    columns.extend(three(words.left_out_of_fit));
+    columns.extend(columns_of(words.used_in_fit));
+    columns.extend(columns_of(words.left_out_of_fit));
     Table {
         caption: words.against_caption.to_owned(),
         columns,

@@ -2,6 +2,8 @@
 //!
 //! All texts are plain; the page makes them safe.
 
+use crate::cells::Cell;
+
 /// A titled part of the report.
 #[derive(Debug, Clone)]
 pub struct Section {
@@ -51,7 +53,7 @@ pub struct Figure {
     pub caption: String,
 }
 
-/// A table; the cells are ready text.
+/// A table.
 #[derive(Debug, Clone)]
 pub struct Table {
     /// What the figures are and how they were reckoned.
@@ -59,7 +61,7 @@ pub struct Table {
     /// Columns.
     pub columns: Vec<Column>,
     /// Rows, each as long as `columns`.
-    pub rows: Vec<Vec<String>>,
+    pub rows: Vec<Vec<Cell>>,
     /// Whether a click on a heading sorts the rows.
     pub sortable: bool,
 }
@@ -84,6 +86,11 @@ impl Section {
     /// The same section, left out of the short print.
     pub fn beyond(self) -> Self {
         Self { beyond: true, ..self }
+    }
+
+    /// The section and the parts to choose between, in reading order.
+    pub fn parts(&self) -> impl Iterator<Item = &Section> {
+        std::iter::once(self).chain(&self.choices)
     }
 
     /// All figures in reading order.

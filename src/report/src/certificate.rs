@@ -4,6 +4,7 @@ use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
 use super::numbers::{digits, error};
 use super::page;
+use crate::cells::Cell;
 use crate::plot::peaks;
 use crate::plot::ticks::number;
 use crate::words::{Words, fill};
@@ -72,8 +73,8 @@ fn headline(found: &Certificate, words: &Words) -> String {
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {
-    let value = |v: Option<&Value>| v.map_or_else(|| "–".to_owned(), |v| error(v.value_n));
-    let bound = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), error);
+    let value = |v: Option<&Value>| Cell::known(v.map(|v| v.value_n), |v| Cell::number(v, error));
+    let bound = |v: Option<f64>| Cell::known(v, |v| Cell::number(v, error));
     let verdict = |v: Verdict| match v {
         Verdict::Pass => words.pass,
         Verdict::Fail => words.fail,
@@ -83,15 +84,15 @@ fn table(found: &Certificate, words: &Words) -> Table {
         let limit = &one.limit;
         let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
         vec![
-            label(one, words),
-            limit.velocity_m_s.map_or_else(|| "–".to_owned(), |v| number(v, 3)),
+            label(one, words).into(),
+            Cell::known(limit.velocity_m_s, |v| Cell::number(v, |v| number(v, 3))),
             bound(limit.low_n),
             bound(limit.high_n),
             value(one.measured.as_ref()),
-            verdict(one.verdict).to_owned(),
+            verdict(one.verdict).into(),
             value(one.model.as_ref()),
-            one.model_verdict.map_or("–", verdict).to_owned(),
-            tests,
+            one.model_verdict.map_or("–", verdict).into(),
+            tests.into(),
         ]
     };
     let columns = vec![

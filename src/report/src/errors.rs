@@ -2,9 +2,10 @@
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
+use crate::cells::Cell;
 use crate::plot::overview;
 use crate::words::{Words, fill};
-use dashpot_identification::validation::{Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
+use dashpot_identification::validation::{Deviation, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 
 /// The error matrix as a picture, and the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
@@ -42,11 +43,11 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
         .iter()
         .map(|test| {
             let mut cells = vec![
-                test.name.clone(),
-                milli(test.amplitude_m),
-                if test.frequency_hz > 0.0 { frequency(test.frequency_hz) } else { "–".into() },
-                milli(test.peak_velocity_m_s),
-                force(test.max_force_n),
+                test.name.as_str().into(),
+                Cell::milli(test.amplitude_m),
+                Cell::known(Some(test.frequency_hz).filter(|f| *f > 0.0), |f| Cell::number(f, frequency)),
+                Cell::milli(test.peak_velocity_m_s),
+                Cell::number(test.max_force_n, force),
                 if test.used_in_fit { words.yes.into() } else { words.no.into() },
             ];
             cells.extend(figures(&test.errors));
@@ -73,9 +74,9 @@ pub fn before_and_after<'a>(caption: String, rows: impl Iterator<Item = &'a Matr
     let rows = rows
         .map(|row| {
             let Errors { model: after, fv_only: before } = &row.errors;
-            let mut cells = vec![row.label.clone(), row.tests.to_string(), force(row.max_force_n)];
+            let mut cells = start(row.label.as_str().into(), row);
             for one in [before, after] {
-                cells.extend([error(one.mean_error_n), percent(one.error_percent), error(one.rmse_n)]);
+                cells.extend(three(one));
             }
             cells
         })
@@ -92,7 +93,7 @@ fn table(caption: String, rows: Vec<(String, MatrixRow)>, words: &Words) -> Tabl
     let rows = rows
         .into_iter()
         .map(|(label, row)| {
-            let mut cells = vec![label, row.tests.to_string(), force(row.max_force_n)];
+            let mut cells = start(label.into(), &row);
             cells.extend(figures(&row.errors));
             cells
         })
@@ -113,16 +114,29 @@ fn error_columns(words: &Words) -> Vec<Column> {
 }
 
 /// Cells below [`error_columns`].
-fn figures(errors: &Errors) -> Vec<String> {
+fn figures(errors: &Errors) -> Vec<Cell> {
     let Errors { model, fv_only } = errors;
-    vec![
-        error(model.mean_error_n),
-        percent(model.error_percent),
-        error(model.region1_n),
-        error(model.region2_n),
-        error(model.rmse_n),
-        error(fv_only.mean_error_n),
-        percent(fv_only.error_percent),
-        error(fv_only.rmse_n),
+    let mut cells = vec![
+        Cell::number(model.mean_error_n, error),
+        Cell::number(model.error_percent, percent),
+        Cell::number(model.region1_n, error),
+        Cell::number(model.region2_n, error),
+        Cell::number(model.rmse_n, error),
+    ];
+    cells.extend(three(fv_only));
+    cells
+}
+
+/// Mean error, error in percent and rms error.
+pub(crate) fn three(figures: &Deviation) -> [Cell; 3] {
+    [
+        Cell::number(figures.mean_error_n, error),
+        Cell::number(figures.error_percent, percent),
+        Cell::number(figures.rmse_n, error),
     ]
+}
+
+/// The first cells of a row of several tests.
+fn start(label: Cell, row: &MatrixRow) -> Vec<Cell> {
+    vec![label, Cell::count(row.tests), Cell::number(row.max_force_n, force)]
 }

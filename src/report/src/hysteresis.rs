@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{beside, error};
+use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_identification::validation::{Hysteresis, OfEach, TestValidation, Validation};
 
@@ -15,9 +16,9 @@ pub fn section(validation: &Validation, words: &Words) -> Option<Section> {
     let rows = measured
         .iter()
         .map(|(test, hysteresis)| {
-            let mut cells = vec![test.name.clone(), hysteresis.cycles.to_string()];
+            let mut cells = vec![test.name.as_str().into(), Cell::count(hysteresis.cycles)];
             cells.extend(each(&hysteresis.mean_gap_n, error));
-            cells.extend([error(hysteresis.gap_error_n), error(hysteresis.gap_error_fv_only_n)]);
+            cells.extend([hysteresis.gap_error_n, hysteresis.gap_error_fv_only_n].map(|gap| Cell::number(gap, error)));
             cells.extend(each(&hysteresis.area_n_m_s, |value| beside(value, hysteresis.area_n_m_s.measured)));
             cells.extend(each(&hysteresis.energy_j, |value| beside(value, hysteresis.energy_j.measured)));
             cells
@@ -33,6 +34,6 @@ pub fn section(validation: &Validation, words: &Words) -> Option<Section> {
     Some(Section::new("hysteresis", words.hysteresis_section, vec![Block::Table(table)]))
 }
 
-fn each(of: &OfEach, text: impl Fn(f64) -> String) -> [String; 3] {
-    [text(of.measured), text(of.model), text(of.fv_only)]
+fn each(of: &OfEach, text: impl Fn(f64) -> String) -> [Cell; 3] {
+    [of.measured, of.model, of.fv_only].map(|value| Cell::number(value, &text))
 }

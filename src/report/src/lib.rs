@@ -10,31 +10,40 @@
 
 pub mod against;
 pub mod blocks;
+pub mod cells;
 pub mod certificate;
 pub mod diagnosis;
 mod each_test;
 mod errors;
+pub mod fit;
 mod hysteresis;
 pub mod made;
 pub mod manoeuvre;
 pub mod numbers;
 mod page;
-mod parameters;
+pub mod parameters;
 pub mod plot;
+pub mod reading;
 mod summary;
 pub mod whole_records;
 pub mod words;
+mod workbook;
 
 pub use blocks::{Block, Figure, Section};
+pub use cells::Cell;
 pub use dashpot_output::replace_file;
 pub use made::{Made, MadeFrom};
 pub use page::Print;
 pub use parameters::ParameterRow;
+pub use workbook::{Workbook, write_workbook};
 
 use crate::plot::peaks;
 use crate::words::{Words, fill};
 use anyhow::Context as _;
+use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Compared, Validation};
+use dashpot_records::Campaign;
+use dashpot_simulation::comparison;
 use std::path::{Path, PathBuf};
 
 /// Everything a report tells.
@@ -62,6 +71,44 @@ pub struct ReportInput<'a> {
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
     pub extra: Vec<Section>,
+}
+
+impl<'a> ReportInput<'a> {
+    /// All that a model file, the records it was compared with and the comparison have to tell, in English and in full.
+    ///
+    /// # Errors
+    /// When no step can be taken with the model's parameters.
+    pub fn of(
+        model: &ModelFile,
+        campaign: &Campaign,
+        tests: &'a [Compared<'a>],
+        validation: &'a Validation,
+    ) -> anyhow::Result<ReportInput<'a>> {
+        Ok(ReportInput {
+            words: &words::EN,
+            print: Print::Whole,
+            made: Made::default(),
+            curve: comparison::at_constant_velocity(&prepared(&model.params)?, validation),
+            model_file: String::new(),
+            data: String::new(),
+            validation,
+            tests,
+            parameters: parameters::of_model(model),
+            identification: reading::blocks(campaign, &model.identification.notes),
+            extra: Vec::new(),
+        })
+    }
+}
+
+/// The tables of the report as a workbook.
+pub fn workbook<'a>(input: &ReportInput<'a>) -> Workbook<'a> {
+    Workbook {
+        title: input.words.title_validation.to_owned(),
+        subtitle: subtitle(input),
+        sections: sections(input),
+        made: input.made.clone(),
+        words: input.words,
+    }
 }
 
 /// The report as one HTML document.

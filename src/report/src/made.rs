@@ -2,6 +2,7 @@
 //! is given. The clock is not read: the same input gives the same bytes.
 
 use super::blocks::{Block, Column, Section, Table};
+use crate::cells::Cell;
 use crate::words::{Words, fill};
 use sha2::{Digest as _, Sha256};
 use std::io::Read as _;
@@ -31,6 +32,14 @@ pub struct Made {
     pub files: Vec<MadeFrom>,
 }
 
+impl Made {
+    /// What was made from these files by this version.
+    pub fn of<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
+        let files = files.into_iter().filter_map(MadeFrom::of).collect();
+        Self { version: env!("CARGO_PKG_VERSION").to_owned(), files, ..Self::default() }
+    }
+}
+
 impl MadeFrom {
     /// Looks at a file; `None` where it cannot be read again.
     pub fn of(path: &Path) -> Option<Self> {
@@ -53,8 +62,11 @@ fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// The last section of a report.
-pub fn section(made: &Made, words: &Words) -> Section {
+/// Anchor of the section.
+pub(crate) const ID: &str = "made";
+
+/// Version, date and command, and how to make it again.
+pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     let mut lines = vec![fill(words.made_version, &[("version", &made.version)])];
     lines.extend(made.date.as_ref().map(|date| fill(words.made_date, &[("date", date)])));
     if !made.command.is_empty() {
@@ -66,16 +78,22 @@ pub fn section(made: &Made, words: &Words) -> Section {
         let (count, hash) = (made.files.len().to_string(), hexadecimal(Sha256::digest(listed.as_bytes()).as_slice()));
         lines.push(fill(words.made_all, &[("count", &count), ("hash", &hash)]));
     }
-    let mut blocks: Vec<Block> = vec![Block::List(lines)];
+    lines
+}
+
+/// The last section of a report.
+pub fn section(made: &Made, words: &Words) -> Section {
+    let mut blocks: Vec<Block> = vec![Block::List(lines(made, words))];
+    let row = |f: &MadeFrom| vec![f.name.as_str().into(), Cell::count(f.bytes as usize), f.sha256.as_str().into()];
     if !made.files.is_empty() {
         blocks.push(Block::Table(Table {
             caption: words.made_files.to_owned(),
             columns: vec![Column::words(words.col_file), Column::figures(words.col_bytes), Column::words("SHA-256")],
-            rows: made.files.iter().map(|f| vec![f.name.clone(), f.bytes.to_string(), f.sha256.clone()]).collect(),
+            rows: made.files.iter().map(row).collect(),
             sortable: false,
         }));
     }
-    Section::new("made", words.made_section, blocks)
+    Section::new(ID, words.made_section, blocks)
 }
 
 /// A day of the Gregorian calendar from seconds since 1970, as `SOURCE_DATE_EPOCH` counts them.

@@ -4,6 +4,8 @@
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
 use super::numbers::{self, digits};
+use crate::Workbook;
+use crate::cells::Cell;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
 use crate::words::{Words, fill};
@@ -186,11 +188,23 @@ pub struct ManoeuvreInput<'a> {
 impl ManoeuvreInput<'_> {
     /// The report as one HTML document.
     pub fn render(&self) -> String {
+        let [title, subtitle] = self.titles();
+        crate::render_sections(&title, &subtitle, &self.sections(), self.words)
+    }
+
+    /// The tables of the report as a workbook.
+    pub fn workbook(&self) -> Workbook<'_> {
+        let [title, subtitle] = self.titles();
+        Workbook { title, subtitle, sections: self.sections(), made: self.made.clone(), words: self.words }
+    }
+
+    fn titles(&self) -> [String; 2] {
         let (words, f) = (self.words, self.figures);
-        let title = fill(words.manoeuvre_title, &[("name", &f.manoeuvre)]);
         let step = digits(f.step_s, 3);
-        let subtitle = fill(words.manoeuvre_subtitle, &[("model", &self.model_file), ("step", &step)]);
-        crate::render_sections(&title, &subtitle, &self.sections(), words)
+        [
+            fill(words.manoeuvre_title, &[("name", &f.manoeuvre)]),
+            fill(words.manoeuvre_subtitle, &[("model", &self.model_file), ("step", &step)]),
+        ]
     }
 
     fn sections(&self) -> Vec<Section> {
@@ -344,16 +358,16 @@ impl ManoeuvreInput<'_> {
         columns.extend(near.then(|| Column::figures(words.col_near_tests)));
         let rows = self.figures.corners.iter().map(|c| {
             let mut row = vec![
-                c.corner.to_owned(),
+                c.corner.into(),
                 span(c.saw.displacement_m),
                 span(c.saw.velocity_m_s),
-                numbers::force(c.largest_force_n),
-                numbers::force(c.largest_force_fv_n),
-                numbers::error(c.rms_force_difference_n),
-                numbers::error(c.energy_j),
-                numbers::error(c.energy_fv_j),
+                Cell::number(c.largest_force_n, numbers::force),
+                Cell::number(c.largest_force_fv_n, numbers::force),
+                Cell::number(c.rms_force_difference_n, numbers::error),
+                Cell::number(c.energy_j, numbers::error),
+                Cell::number(c.energy_fv_j, numbers::error),
             ];
-            row.extend(near.then(|| numbers::error(100.0 * c.share_inside_tests.unwrap_or(0.0))));
+            row.extend(near.then(|| Cell::number(100.0 * c.share_inside_tests.unwrap_or(0.0), numbers::error)));
             row
         });
         Table { caption: words.corners_caption.to_owned(), columns, rows: rows.collect(), sortable: false }
@@ -362,7 +376,7 @@ impl ManoeuvreInput<'_> {
     fn vehicle(&self) -> Section {
         let words = self.words;
         let values = self.car.values();
-        let rows = values.iter().map(|v| vec![v.name.to_owned(), digits(v.value, 4), v.unit.to_owned()]);
+        let rows = values.iter().map(|v| vec![v.name.into(), Cell::digits(v.value, 4), v.unit.into()]);
         let columns =
             vec![Column::words(words.col_name), Column::figures(words.col_value), Column::words(words.col_unit)];
         let table = Table { caption: words.vehicle_caption.to_owned(), columns, rows: rows.collect(), sortable: false };
@@ -382,8 +396,8 @@ pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
 }
 
 /// A range in mm or mm/s.
-pub fn span(range: [f64; 2]) -> String {
-    format!("{} … {}", numbers::error(1e3 * range[0]), numbers::error(1e3 * range[1]))
+fn span(range: [f64; 2]) -> Cell {
+    Cell::span(range.map(|end| 1e3 * end), numbers::error)
 }
 
 fn plane(title: String, x: &str, y: &str, series: Vec<Series>) -> Plane {

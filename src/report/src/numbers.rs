@@ -77,7 +77,7 @@ fn spaced(figures: String, unit: &str) -> String {
 }
 
 /// The unit used for a quantity of an SI unit, and the factor to it.
-fn usual(value: f64, unit: &str) -> (f64, String) {
+pub(crate) fn usual(value: f64, unit: &str) -> (f64, String) {
     let small = value.abs() < 1.0;
     match unit {
         "m" if small => (1e3, "mm".into()),

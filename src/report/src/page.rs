@@ -149,7 +149,7 @@ fn table(html: &mut String, table: &Table, words: &Words) {
     for row in &table.rows {
         html.push_str("<tr>");
         for (i, cell) in row.iter().enumerate() {
-            let _ = write!(html, "<td{}>{}</td>", class_of(&table.columns, i), escape(cell));
+            let _ = write!(html, "<td{}>{}</td>", class_of(&table.columns, i), escape(&cell.text));
         }
         html.push_str("</tr>\n");
     }

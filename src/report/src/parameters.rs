@@ -1,8 +1,13 @@
 //! The model's parameters.
 
 use super::blocks::{Block, Column, Section, Table};
-use super::numbers::digits;
+use crate::cells::Cell;
 use crate::words::Words;
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{self, Shape};
+use dashpot_diagnosis::Diagnosis;
+use dashpot_identification::model_file::{Interval, ModelFile};
+use dashpot_identification::{Estimate, Fit, Standing};
 
 /// One parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,18 +35,18 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     if parameters.is_empty() {
         return None;
     }
-    let known = |value: Option<f64>| value.map_or_else(String::new, |value| digits(value, 4));
+    let known = |value: Option<f64>| value.map_or_else(|| "".into(), |value| Cell::digits(value, 4));
     let rows = parameters
         .iter()
         .map(|row| {
             vec![
-                row.name.clone(),
-                digits(row.value, 4),
-                row.unit.clone(),
+                row.name.as_str().into(),
+                Cell::digits(row.value, 4),
+                row.unit.as_str().into(),
                 known(row.low),
                 known(row.high),
-                row.source.clone(),
-                if row.missing { words.not_identified.to_owned() } else { row.note.clone() },
+                row.source.as_str().into(),
+                if row.missing { words.not_identified.into() } else { row.note.as_str().into() },
             ]
         })
         .collect();
@@ -56,4 +61,100 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     ];
     let table = Table { caption: words.parameters_range.to_owned(), columns, rows, sortable: false };
     Some(Section::new("parameters", words.parameters_section, vec![Block::Table(table)]))
+}
+
+/// Those of a model file, with what its fit says of them.
+pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
+    let id = &model.identification;
+    let mut rows = Vec::new();
+    for row in parameter::table().filter(|r| r.group < elements::COUNT) {
+        let p = row.parameter;
+        if !model.params.is_on(GROUPS[row.group].name) {
+            continue;
+        }
+        let values = model.params.get(&row);
+        let interval = id.intervals.get(p.name);
+        let missing = id.not_identified.iter().any(|n| n == p.name);
+        match (p.shape, interval) {
+            (Shape::Choice(_), _) => continue,
+            (Shape::Scalar, interval) => {
+                let (low, high) = match interval {
+                    Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
+                    _ => (None, None),
+                };
+                // Rows of the other form of an element say nothing here.
+                if low.is_none() && !missing && values == p.default {
+                    continue;
+                }
+                rows.push(ParameterRow {
+                    name: p.name.to_owned(),
+                    value: values[0],
+                    unit: p.unit.to_owned(),
+                    low,
+                    high,
+                    source: id.sources.get(p.name).cloned().unwrap_or_default(),
+                    note: p.meaning.to_owned(),
+                    missing,
+                });
+            }
+            (Shape::List(_), Some(Interval::List(pairs))) => {
+                for (k, (value, [low, high])) in values.iter().zip(pairs).enumerate() {
+                    let at = match p.name {
+                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| format!("at {v:.4} m/s")),
+                        "spring_force" => {
+                            model.params.list("spring_displacement").get(k).map(|x| format!("at {x:.4} m"))
+                        }
+                        _ => None,
+                    };
+                    rows.push(ParameterRow {
+                        name: format!("{}[{k}]", p.name),
+                        value: *value,
+                        unit: p.unit.to_owned(),
+                        low: Some(*low),
+                        high: Some(*high),
+                        source: String::new(),
+                        note: at.unwrap_or_default(),
+                        missing: false,
+                    });
+                }
+            }
+            (Shape::List(_), _) => {}
+        }
+    }
+    rows
+}
+
+/// Those that a fit estimated.
+pub fn of_fit(fit: &Fit) -> Vec<ParameterRow> {
+    let row = |e: &Estimate| ParameterRow {
+        name: e.index.map_or_else(|| e.name.to_owned(), |k| format!("{}[{k}]", e.name)),
+        // What the records leave open has no number of theirs.
+        value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
+        source: e.from.clone(),
+        ..of_estimate(e)
+    };
+    fit.estimates.iter().map(row).collect()
+}
+
+/// Those of the improved model of a diagnosis.
+pub fn of_diagnosis(found: &Diagnosis) -> Vec<ParameterRow> {
+    let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
+    let row = |e: &Estimate| ParameterRow {
+        source: added(e.name).map_or_else(|| "refitted".to_owned(), |f| format!("added: {}", f.effect)),
+        ..of_estimate(e)
+    };
+    found.estimates.iter().map(row).collect()
+}
+
+fn of_estimate(e: &Estimate) -> ParameterRow {
+    ParameterRow {
+        name: e.name.to_owned(),
+        value: e.value,
+        unit: e.unit.to_owned(),
+        low: e.low,
+        high: e.high,
+        source: String::new(),
+        note: parameter::find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
+        missing: e.standing == Standing::NotIdentified,
+    }
 }

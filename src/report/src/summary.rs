@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{digits, error, force, percent};
+use crate::cells::Cell;
 use crate::words::{Words, fill};
 use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
@@ -117,14 +118,14 @@ fn key_table(validation: &Validation, words: &Words) -> Table {
     for (name, summary) in groups.into_iter().filter_map(|(name, summary)| Some((name, summary?))) {
         for (what, figures) in [(words.model, summary.errors.model), (words.group_curve, summary.errors.fv_only)] {
             rows.push(vec![
-                name.to_owned(),
-                summary.tests.to_string(),
-                what.to_owned(),
-                error(figures.mean_error_n),
-                percent(figures.error_percent),
-                error(figures.region1_n),
-                error(figures.region2_n),
-                error(figures.rmse_n),
+                name.into(),
+                Cell::count(summary.tests),
+                what.into(),
+                Cell::number(figures.mean_error_n, error),
+                Cell::number(figures.error_percent, percent),
+                Cell::number(figures.region1_n, error),
+                Cell::number(figures.region2_n, error),
+                Cell::number(figures.rmse_n, error),
             ]);
         }
     }

@@ -1,5 +1,6 @@
 //! `dashpot diagnose` as scripts and people meet it: the JSON contract, the improved model, the report, mistakes.
 
+use crate::excel;
 use dashpot_diagnosis::EFFECTS;
 use dashpot_tests::cli::{contents, done, json, number, refused, run_with, small_campaign};
 use serde_json::Value;
@@ -342,8 +343,11 @@ fn groups_are_compared_with_one_reference() {
             std::fs::write(to.join(path.file_name().unwrap()), scaled).unwrap();
         }
     }
-    let told =
-        done(dir, &["diagnose", "plain.toml", "fleet", "--group", "folders", "--json", "g.json", "--report", "g.html"]);
+    let outputs = ["--report", "g.html", "--excel", "g.xlsx"];
+    let told = done(
+        dir,
+        &[&["diagnose", "plain.toml", "fleet", "--group", "folders", "--json", "g.json"][..], &outputs].concat(),
+    );
     assert!(told.contains("Compared with a:") && told.contains("  b: ") && told.contains("  c: "), "{told}");
     let all = json(&dir.join("g.json"));
     let groups = list(&all, "groups");
@@ -355,6 +359,12 @@ fn groups_are_compared_with_one_reference() {
     );
     assert!(list(&groups[0]["diagnosis"], "changed").is_empty());
     assert!(std::fs::read_to_string(dir.join("g.html")).unwrap().contains("What changed in which group"));
+    let book = excel::sheets(&dir.join("g.xlsx"));
+    let names: Vec<String> = excel::column(excel::sheet(&book, "What changed in which group"), "group")
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert_eq!(names, ["b", "c"]);
     assert!(
         refused(dir, &["diagnose", "plain.toml", "records", "--group", "folders"]).contains("no folder in records")
     );

@@ -6,6 +6,7 @@ mod against;
 mod check;
 mod contract;
 mod diagnose;
+mod excel;
 mod limits;
 mod manoeuvre;
 mod mistakes;

@@ -64,6 +64,7 @@ fn no_output_replaces_an_input_or_a_file_of_another_kind() {
         &["validate", "m.toml", "records", "--report", OTHER],
         &["validate", "m.toml", "records", "--report", "page.html"],
         &["validate", "m.toml", "records", "--json", "m.toml"],
+        &["validate", "m.toml", "records", "--excel", OTHER],
         &["diagnose", "m.toml", "records", "-o", "m.toml"],
         &["export", "dpr", "m.toml", "-o", "m.toml"],
         &["export", "dpr", "m.toml", "-o", "letter.txt"],

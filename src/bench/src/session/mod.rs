@@ -18,6 +18,7 @@ pub mod history;
 pub mod matrix;
 pub mod model;
 pub mod outputs;
+pub mod papers;
 pub mod recent;
 pub mod simulation;
 pub mod study;

@@ -1,23 +1,17 @@
-//! Everything that is written: model files, what is known about records, reports, plots. All through the guards of
+//! What is written: model files, what is known about records, reports, plots. All through the guards of
 //! the command's outputs: a file of another kind is never replaced, and nothing is ever half written.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
 use crate::session::exports::{Export, Host};
-use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
-use crate::session::verbs::compared;
+use crate::session::tasks::{Kind as Work, Outcome};
 use anyhow::Context as _;
-use dashpot_identification::model_file;
-use dashpot_identification::validation::validate;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
-use dashpot_report::diagnosis::DiagnosisReport;
-use dashpot_report::{Made, Print, ReportInput};
-use dashpot_simulation::comparison::at_constant_velocity;
 use std::path::{Path, PathBuf};
 
 /// The error with its causes in one sentence.
-fn told(error: &anyhow::Error) -> String {
+pub fn told(error: &anyhow::Error) -> String {
     format!("{error:#}")
 }
 
@@ -81,66 +75,10 @@ impl Session {
             export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
         });
     }
-
-    /// Writes the report of the validation.
-    pub fn write_report(&mut self, path: PathBuf) {
-        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
-        let named = model.name();
-        let (file, ticked) = (model.file(), self.ticked());
-        self.begin(Work::Write, move |report| {
-            let compared = compared(&file, &loaded, &ticked, report)?;
-            let validation = validate(&compared).map_err(|e| e.to_string())?;
-            let input = ReportInput {
-                words: &dashpot_report::words::EN,
-                print: Print::Brief,
-                made: Made { version: env!("CARGO_PKG_VERSION").to_owned(), ..Made::default() },
-                curve: at_constant_velocity(
-                    &model_file::prepared(&file.params).map_err(|e| e.to_string())?,
-                    &validation,
-                ),
-                model_file: named,
-                data: loaded.named(),
-                validation: &validation,
-                tests: &compared,
-                parameters: Vec::new(),
-                identification: Vec::new(),
-                extra: Vec::new(),
-            };
-            checked(&path, Kind::Report).map_err(|e| told(&e))?;
-            dashpot_report::write_atomic(&input, &path)
-                .map(|()| Outcome::Written(path, Vec::new()))
-                .map_err(|e| told(&e))
-        });
-    }
-
-    /// Writes the report of the diagnosis.
-    pub fn write_diagnosis(&mut self, path: PathBuf) {
-        let (Some(loaded), Some(Diagnosed { found, over_whole_records, .. }), Some(model)) =
-            (self.campaign.clone(), &self.answers.diagnosis, &self.model)
-        else {
-            return;
-        };
-        let model_file = model.name();
-        let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
-        self.begin(Work::Write, move |_| {
-            let records: Vec<_> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
-            let report = DiagnosisReport {
-                model_file,
-                data: loaded.named(),
-                found: &found,
-                records: &records,
-                reading: loaded.campaign.notes.iter().map(|n| n.text.clone()).collect(),
-                over_whole_records,
-                parameters: Vec::new(),
-            };
-            checked(&path, Kind::Report).map_err(|e| told(&e))?;
-            report.write(&path).map(|()| Outcome::Written(path, Vec::new())).map_err(|e| told(&e))
-        });
-    }
 }
 
 /// Refuses a place where something else would be lost.
-fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
+pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(Some(path), kind)])
 }
 

@@ -2,6 +2,7 @@
 
 use crate::dialogs::Ask;
 use crate::session::Session;
+use crate::session::papers::Paper;
 use crate::session::tasks::Diagnosed;
 use crate::units::digits;
 use crate::views::View;
@@ -31,28 +32,41 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 let free = session.task.is_none();
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
                 take = ui.add_enabled(free && added, egui::Button::new(w.take_improved)).clicked();
-                if ui.add_enabled(free, egui::Button::new(w.write_report)).clicked() {
-                    view.asks.push(Ask::DiagnosisReport);
-                }
+                papers(
+                    ui,
+                    free,
+                    view,
+                    &[(w.write_report, Paper::DiagnosisReport), (w.save_tables, Paper::DiagnosisTables)],
+                );
             });
             ui.separator();
         }
         if let Some(found) = &session.answers.validation {
             ui.heading(w.validation_answer);
             validation(ui, found, w);
-            if ui.add_enabled(session.task.is_none(), egui::Button::new(w.write_report)).clicked() {
-                view.asks.push(Ask::Report);
-            }
+            let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
+            ui.horizontal_wrapped(|ui| papers(ui, session.task.is_none(), view, &offered));
             ui.separator();
         }
         if let Some(found) = &session.answers.fit {
             ui.heading(w.fit_answer);
+            // Above the numbers, which are more than the window holds.
+            papers(ui, session.task.is_none(), view, &[(w.save_tables, Paper::FitTables)]);
             fit(ui, found, w);
         }
         if take {
             session.take_improved();
         }
     });
+}
+
+/// Buttons that write what stands beside them.
+fn papers(ui: &mut Ui, free: bool, view: &mut View, offered: &[(&str, Paper)]) {
+    for (text, paper) in offered {
+        if ui.add_enabled(free, egui::Button::new(*text)).clicked() {
+            view.asks.push(Ask::Paper(*paper));
+        }
+    }
 }
 
 fn wrapped(ui: &mut Ui, text: RichText) {
@@ -167,7 +181,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words, asks: &mut Vec<Ask>) {
                 ui.ctx().copy_text(matrix.clone());
             }
             if ui.button(w.save_matrix).on_hover_text(w.save_matrix_hint).clicked() {
-                asks.push(Ask::Text("csv", matrix));
+                asks.push(Ask::Text("next_tests.csv", matrix));
             }
         });
     }

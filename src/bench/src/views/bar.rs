@@ -3,6 +3,7 @@
 use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::exports::Host;
+use crate::session::papers::Paper;
 use crate::views::{Side, View, named_list};
 use crate::words::Language;
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
@@ -168,5 +169,6 @@ fn files(ui: &mut Ui, session: &mut Session, view: &mut View) {
     ui.separator();
     let model = session.model.is_some();
     ask(ui, model, w.save_as, Ask::SaveModel);
-    ask(ui, model && session.has_records() && free, w.write_report, Ask::Report);
+    let compared = model && session.has_records() && free;
+    ask(ui, compared, w.write_report, Ask::Paper(Paper::ValidationReport));
 }

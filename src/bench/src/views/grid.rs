@@ -47,7 +47,10 @@ mod tests {
             for range in [0.004, 0.05, 0.7, 1.3, 6.0, 52.0, 3.1e4] {
                 for middle in [0.0, 0.3 * range] {
                     let shown = numbers((middle - 0.5 * range, middle + 0.5 * range), pixels, ACROSS, 80.0);
-                    assert!(shown.len() >= 2 || pixels < 300.0 && !shown.is_empty(), "{range} over {pixels} px: {shown:?}");
+                    assert!(
+                        shown.len() >= 2 || pixels < 300.0 && !shown.is_empty(),
+                        "{range} over {pixels} px: {shown:?}"
+                    );
                     assert!(shown.len() as f64 <= pixels / 80.0 + 1.0, "{range} over {pixels} px: {shown:?}");
                 }
             }

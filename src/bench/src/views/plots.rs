@@ -75,11 +75,11 @@ fn heading(
                 if ui.button("CSV").clicked() {
                     let named: Vec<_> = lines().into_iter().map(|(_, name, points)| (name, points)).collect();
                     let text = table([&Axes::label(axes.x), &Axes::label(axes.y)], &named);
-                    view.asks.push(Ask::Text("csv", text));
+                    view.asks.push(Ask::Text("plot.csv", text));
                     ui.close();
                 }
                 if ui.button("SVG").clicked() {
-                    view.asks.push(Ask::Text("svg", svg(title, axes, lines())));
+                    view.asks.push(Ask::Text("plot.svg", svg(title, axes, lines())));
                     ui.close();
                 }
                 if ui.button("PNG").clicked() {

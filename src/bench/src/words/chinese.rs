@@ -13,6 +13,7 @@ pub const WORDS: Words = Words {
     save: "保存",
     save_as: "模型另存为…",
     write_report: "生成报告…",
+    save_tables: "表格导出到 Excel…",
     undo: "撤销",
     redo: "重做",
     reset: "复位",

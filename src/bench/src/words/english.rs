@@ -13,6 +13,7 @@ pub const WORDS: Words = Words {
     save: "Save",
     save_as: "Save model as…",
     write_report: "Write report…",
+    save_tables: "Tables to Excel…",
     undo: "Undo",
     redo: "Redo",
     reset: "Reset",

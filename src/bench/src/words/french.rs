@@ -13,6 +13,7 @@ pub const WORDS: Words = Words {
     save: "Enregistrer",
     save_as: "Enregistrer le modèle sous…",
     write_report: "Écrire le rapport…",
+    save_tables: "Tableaux vers Excel…",
     undo: "Annuler",
     redo: "Rétablir",
     reset: "Réinitialiser",

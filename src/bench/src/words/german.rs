@@ -13,6 +13,7 @@ pub const WORDS: Words = Words {
     save: "Speichern",
     save_as: "Modell speichern unter…",
     write_report: "Bericht schreiben…",
+    save_tables: "Tabellen nach Excel…",
     undo: "Rückgängig",
     redo: "Wiederholen",
     reset: "Zurücksetzen",

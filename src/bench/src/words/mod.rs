@@ -45,6 +45,17 @@ impl Language {
         }
     }
 
+    /// The texts of its reports.
+    pub fn of_reports(self) -> &'static dashpot_report::words::Words {
+        use dashpot_report::words;
+        match self {
+            Language::English => &words::EN,
+            Language::German => &words::DE,
+            Language::French => &words::FR,
+            Language::Chinese => &words::ZH,
+        }
+    }
+
     /// The language that the system speaks, as its environment says; English where it says nothing known.
     pub fn of_system() -> Language {
         let said = ["LC_ALL", "LC_MESSAGES", "LANG"]
@@ -90,6 +101,7 @@ pub struct Words {
     pub save: &'static str,
     pub save_as: &'static str,
     pub write_report: &'static str,
+    pub save_tables: &'static str,
     pub undo: &'static str,
     pub redo: &'static str,
     pub reset: &'static str,

@@ -76,6 +76,11 @@ impl egui::DroppedFile for Dropped {
     }
 }
 
+fn sheets(path: &Path) -> Vec<(String, calamine::Range<calamine::Data>)> {
+    let mut book: calamine::Xlsx<_> = calamine::open_workbook(path).unwrap();
+    calamine::Reader::worksheets(&mut book)
+}
+
 fn drop_files(harness: &mut Harness<'_, App>, paths: &[PathBuf]) {
     let files = paths.iter().map(|p| Arc::new(Dropped(p.clone())) as egui::DroppedFileHandle);
     harness.input_mut().dropped_files = files.collect();
@@ -231,7 +236,10 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
 fn a_model_is_fitted_validated_and_its_answer_shown() {
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), 12);
-    let mut harness = window(vec![]);
+    let out = tempfile::tempdir().unwrap();
+    let named = |name: &str| out.path().join(name);
+    let papers = [named("fit.xlsx"), named("validation.xlsx"), named("report.html")];
+    let mut harness = window(papers.iter().map(|path| vec![path.clone()]).collect());
     harness.state_mut().session.open(&[folder.path().to_owned()]);
     until(&mut harness, "the records", |app| app.session.has_records());
     harness.key_press(Key::F5);
@@ -240,9 +248,30 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     let errors = harness.state().session.simulated.as_ref().unwrap().tests.clone();
     assert!(errors.iter().all(|t| t.percent < 2.0), "{errors:?}");
     assert!(harness.state().session.is_unsaved(), "a new model is not saved yet");
+    press(&mut harness, "Answer");
+    press(&mut harness, "Tables to Excel…");
+    until(&mut harness, "the fit's tables", |app| app.session.task.is_none() && papers[0].exists());
+    let tables = sheets(&papers[0]);
+    let estimates = &harness.state().session.answers.fit.as_ref().unwrap().estimates;
+    assert_eq!(tables.iter().find(|(name, _)| name == "Model parameters").unwrap().1.height(), 1 + estimates.len());
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
     assert!(says(&harness, "all tests"));
+    // The validation's buttons stand above those of the fit.
+    harness.get_all_by_label("Tables to Excel…").next().unwrap().click();
+    harness.step();
+    until(&mut harness, "the validation's tables", |app| app.session.task.is_none() && papers[1].exists());
+    let tables = sheets(&papers[1]);
+    assert_eq!(tables.iter().find(|(name, _)| name == "Errors of every test").unwrap().1.height(), 13);
+    harness.state_mut().view.language = crate::words::Language::German;
+    harness.step();
+    press(&mut harness, "Bericht schreiben…");
+    until(&mut harness, "the report", |app| app.session.task.is_none() && papers[2].exists());
+    let page = std::fs::read_to_string(&papers[2]).unwrap();
+    // What the verb's report has: parameters of the model, the sign, files with their hashes.
+    for text in ["Parameter des Modells", "rebound positive", "SHA-256", "fv_force[0]", "a40_000"] {
+        assert!(page.contains(text), "{text}");
+    }
     // The same figures as the window's own, which come from the same forces.
     let validation = harness.state().session.answers.validation.as_ref().unwrap();
     for (of, own) in validation.tests.iter().zip(&errors) {
@@ -535,8 +564,8 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
 #[test]
 fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
-    let mut harness = opened(folder.path(), 24, vec![]);
-    // Where something is missing the diagnosis takes seconds; where nothing is it may end before anybody can cancel it.
+    let mut harness = opened(folder.path(), 72, vec![]);
+    // So many tests of a damper that something is missing of take seconds; fewer may be done before anybody can cancel.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();

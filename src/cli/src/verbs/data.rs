@@ -4,8 +4,8 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_records::{Campaign, Note, Options, Positive, SignFinding, assignment, load};
-use std::path::PathBuf;
+use dashpot_records::{Campaign, Note, Options, Positive, assignment, load};
+use std::path::{Path, PathBuf};
 
 /// How to read records.
 #[derive(Args, Debug, Clone)]
@@ -174,15 +174,7 @@ pub fn is_said_first(note: &Note) -> bool {
     ["gap", "left_out", "late", "profile"].contains(&note.kind)
 }
 
-/// The sign that was found or given, in a sentence.
-pub fn sign_in_words(sign: &SignFinding) -> String {
-    let direction = match sign.positive {
-        Positive::Rebound => "rebound",
-        Positive::Compression => "compression",
-    };
-    if sign.given {
-        return format!("The files count {direction} positive, as given.");
-    }
-    let reasons = if sign.reasons.is_empty() { String::new() } else { format!(": {}", sign.reasons.join("; ")) };
-    format!("The files count {direction} positive ({:.0} % sure){reasons}.", 100.0 * sign.confidence)
+/// The name of a file without its folder.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }

@@ -1,19 +1,20 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
-use super::data::{DataArgs, sign_in_words};
+use super::data::{DataArgs, name_of};
 use super::groups::{self, Answers, Group};
+use crate::page::DateArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
-use dashpot_core::parameter::find;
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
+use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
-use dashpot_identification::{AS_THE_FIT_SAW, Standing};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, hold_out};
-use dashpot_report::ParameterRow;
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
+use dashpot_report::words::EN;
+use dashpot_report::{Made, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// has seen; where two effects explain the records as well, or none does, the answer says so.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json\n  dashpot diagnose damper.toml fleet/ --group folders --reference good/ --report fleet.html"
+    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json --excel diagnosis.xlsx\n  dashpot diagnose damper.toml fleet/ --group folders --reference good/ --report fleet.html"
 )]
 pub struct Args {
     /// Model file
@@ -41,6 +42,9 @@ pub struct Args {
     /// Report for people, one HTML file
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    #[arg(long, value_name = "F.xlsx")]
+    excel: Option<PathBuf>,
     /// The tests that would tell more, as a test matrix for the rig
     #[arg(long, value_name = "F.csv")]
     next_tests: Option<PathBuf>,
@@ -67,6 +71,8 @@ pub struct Args {
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
+    #[command(flatten)]
+    date: DateArgs,
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
@@ -144,40 +150,22 @@ impl Diagnosed {
         model: &Path,
         data: &DataArgs,
         campaign: &Campaign,
+        made: Made,
         write: impl FnOnce(&DiagnosisReport<'_>) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
         let records: Vec<&Record> = campaign.records.iter().collect();
-        let mut reading = vec![sign_in_words(&campaign.sign)];
-        reading.extend(campaign.notes.iter().map(|n| n.text.clone()));
         write(&DiagnosisReport {
-            model_file: model.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
+            model_file: name_of(model),
             data: data.named(),
             found: &self.found,
             records: &records,
-            reading,
+            reading: reading::sentences(campaign),
             over_whole_records: self.over_whole_records,
-            parameters: parameter_rows(&self.found),
+            parameters: parameters::of_diagnosis(&self.found),
+            made,
+            words: &EN,
         })
     }
-}
-
-/// Numbers of the improved model with their intervals.
-fn parameter_rows(found: &Diagnosis) -> Vec<ParameterRow> {
-    let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
-    found
-        .estimates
-        .iter()
-        .map(|e| ParameterRow {
-            name: e.name.to_owned(),
-            value: e.value,
-            unit: e.unit.to_owned(),
-            low: e.low,
-            high: e.high,
-            source: added(e.name).map_or_else(|| "refitted".to_owned(), |f| format!("added: {}", f.effect)),
-            note: find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
-            missing: e.standing == Standing::NotIdentified,
-        })
-        .collect()
 }
 
 /// Runs the verb.
@@ -187,10 +175,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
-        bail!("--report needs a file name: standard output takes findings (--json -) or the model (-o -)");
+    for (option, path) in [("--report", &args.report), ("--excel", &args.excel)] {
+        if path.as_deref().is_some_and(dashpot_output::is_stdout) {
+            bail!("{option} needs a file name: standard output takes findings (--json -) or the model (-o -)");
+        }
     }
-    dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([
+        (out, Kind::Model),
+        (json, Kind::Figures),
+        (args.report.as_deref(), Kind::Report),
+        (args.excel.as_deref(), Kind::Workbook),
+    ])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     let model = model_file::read(&args.model)?;
     if let Some(by) = &args.group {
@@ -198,15 +193,20 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut campaign = args.data.load()?;
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
-    let mut reference =
-        if args.reference.is_empty() { Vec::new() } else { args.data.load_like(&args.reference)?.records };
+    let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&campaign.files).cloned().collect();
+    let mut reference = Vec::new();
+    if !args.reference.is_empty() {
+        let good = args.data.load_like(&args.reference)?;
+        files.extend(good.files);
+        reference = good.records;
+    }
     let note = model.identification.right(campaign.records.iter_mut().chain(&mut reference));
     note.iter().for_each(|note| eprintln!("note: {}", note.text));
     campaign.notes.extend(note);
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    say(&sign_in_words(&campaign.sign))?;
+    say(&reading::sign_in_words(&campaign.sign))?;
     say(&diagnosed.told().join("\n"))?;
     if let Some(path) = out {
         dashpot_output::write(path, &diagnosed.model(&model, &campaign))?;
@@ -220,15 +220,25 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(path) = &args.next_tests {
         say(&written_next_tests(path, &diagnosed.found)?)?;
     }
-    if let Some(path) = &args.report {
-        diagnosed.report(&args.model, &args.data, &campaign, |report| report.write(path))?;
-        say(&format!("report: {}", path.display()))?;
+    if args.report.is_none() && args.excel.is_none() && args.svg.is_none() {
+        return Ok(());
     }
-    if let Some(folder) = &args.svg {
-        let written = diagnosed.report(&args.model, &args.data, &campaign, |report| report.write_svgs(folder))?;
-        say(&format!("{} figures in {}", written.len(), folder.display()))?;
-    }
-    Ok(())
+    let made = args.date.made(files)?;
+    diagnosed.report(&args.model, &args.data, &campaign, made, |report| {
+        if let Some(path) = &args.report {
+            report.write(path)?;
+            say(&format!("report: {}", path.display()))?;
+        }
+        if let Some(path) = &args.excel {
+            write_workbook(&report.workbook(), path)?;
+            say(&format!("workbook: {}", path.display()))?;
+        }
+        if let Some(folder) = &args.svg {
+            let written = report.write_svgs(folder)?;
+            say(&format!("{} figures in {}", written.len(), folder.display()))?;
+        }
+        Ok(())
+    })
 }
 
 /// Writes the tests that would tell more as a matrix; the answer says what was written.
@@ -250,7 +260,8 @@ fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> 
 
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
-    let (mut groups, left_aside) = groups::split(&args.data, by)?;
+    let groups::Split { mut groups, left_aside, mut files } = groups::split(&args.data, by)?;
+    files.insert(0, args.model.clone());
     let (mut reference, name) = if args.reference.is_empty() {
         if groups.len() < 2 {
             bail!("--group {by:?} finds one group, {}; give --reference to compare it with", groups[0].name);
@@ -259,7 +270,9 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
         (first.records, first.name)
     } else {
         let name = args.reference.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
-        (args.data.load_like(&args.reference)?.records, name)
+        let good = args.data.load_like(&args.reference)?;
+        files.extend(good.files);
+        (good.records, name)
     };
     let all = groups.iter_mut().flat_map(|group| &mut group.records).chain(&mut reference);
     let as_the_fit_saw = model.identification.right(all).map(|note| note.text);
@@ -282,9 +295,14 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &answers)?;
     }
+    let page = answers.page(&args.model, args.date.made(files)?);
     if let Some(path) = &args.report {
-        dashpot_output::write(path, answers.page(&args.model))?;
+        dashpot_output::write(path, page.render())?;
         dashpot_output::say(json, &format!("report: {}", path.display()))?;
+    }
+    if let Some(path) = &args.excel {
+        write_workbook(&page.workbook(), path)?;
+        dashpot_output::say(json, &format!("workbook: {}", path.display()))?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! `dashpot fit`: records in, model file out.
 
-use super::data::{DataArgs, is_said_first, sign_in_words};
+use super::data::{DataArgs, is_said_first, name_of};
+use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::bail;
 use clap::ValueEnum;
@@ -12,6 +13,7 @@ use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, SignFinding};
 use dashpot_report::whole_records::in_words;
+use dashpot_report::{Workbook, write_workbook};
 use dashpot_simulation::whole_records;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -22,7 +24,9 @@ use std::path::{Path, PathBuf};
 /// variants of friction and spring are chosen by tests left out of the fit. A late force channel and a gain or zero
 /// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json")]
+#[command(
+    after_help = "Example:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx"
+)]
 pub struct Args {
     #[command(flatten)]
     data: DataArgs,
@@ -32,6 +36,9 @@ pub struct Args {
     /// Estimates, choices and notes as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
+    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    #[arg(long, value_name = "F.xlsx")]
+    excel: Option<PathBuf>,
     /// Kind of model: the thesis's, or one of the literature to compare it with. fv, piecewise and lag become model files that
     /// every verb and host runs; the others become files that only dashpot validate --against reads
     #[arg(long, value_enum, default_value_t = ModelKind::Thesis)]
@@ -42,6 +49,8 @@ pub struct Args {
     /// Tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
+    #[command(flatten)]
+    text: TextArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -151,7 +160,7 @@ fn short(value: f64) -> String {
 
 /// What the reader found in the records.
 fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    say(&sign_in_words(&campaign.sign))?;
+    say(&dashpot_report::reading::sign_in_words(&campaign.sign))?;
     for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
@@ -194,8 +203,21 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    dashpot_output::check_kinds([(Some(args.output.as_path()), Kind::Model), (json, Kind::Figures)])?;
+    let excel = args.excel.as_deref();
+    if excel.is_some_and(dashpot_output::is_stdout) {
+        bail!("--excel needs a file name: standard output takes estimates (--json -) or the model (-o -)");
+    }
+    dashpot_output::check_kinds([
+        (Some(args.output.as_path()), Kind::Model),
+        (json, Kind::Figures),
+        (excel, Kind::Workbook),
+    ])?;
     let becomes = args.model.becomes();
+    if excel.is_some() && matches!(becomes, Becomes::Literature(_)) {
+        bail!(
+            "--excel has the tables of a model file; this model's numbers are in the file that -o names, and in --json"
+        );
+    }
     if args.elements.is_some() && !matches!(becomes, Becomes::Kernel(Family::Thesis)) {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
     }
@@ -247,5 +269,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             },
         )?;
     }
+    if let Some(path) = excel {
+        write_workbook(&tables(args, &campaign, &found, &over_whole_records)?, path)?;
+        say(&format!("workbook: {}", path.display()))?;
+    }
     Ok(())
+}
+
+/// What the fit found, as the sheets of a workbook.
+fn tables(args: &Args, campaign: &Campaign, found: &Fit, error: &Deviation) -> anyhow::Result<Workbook<'static>> {
+    let words = args.text.words();
+    let made = args.text.date.made(campaign.files.iter().cloned())?;
+    Ok(dashpot_report::fit::workbook((found, error), [&name_of(&args.output), &args.data.named()], made, words))
 }

@@ -7,6 +7,8 @@ use dashpot_records::Record;
 use dashpot_records::glob::matches as glob_matches;
 use dashpot_report::blocks::{Block, Column, Section, Table};
 use dashpot_report::numbers::{share, with_interval, with_unit};
+use dashpot_report::words::EN;
+use dashpot_report::{Cell, Made, Workbook, made};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -20,6 +22,16 @@ pub struct Group {
     pub records: Vec<Record>,
 }
 
+/// Data split into groups.
+pub struct Split {
+    /// The groups.
+    pub groups: Vec<Group>,
+    /// Tests that belong to none.
+    pub left_aside: Vec<String>,
+    /// Every file read.
+    pub files: Vec<PathBuf>,
+}
+
 /// What stands for the name of the group in a pattern.
 const PLACE: &str = "{}";
 
@@ -27,9 +39,9 @@ const PLACE: &str = "{}";
 ///
 /// # Errors
 /// A pattern without `{}`, data without folders, fewer than two groups, records that cannot be read.
-pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<(Vec<Group>, Vec<String>)> {
-    let (mut groups, left) = match by {
-        "folders" => (by_folders(data)?, Vec::new()),
+pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<Split> {
+    let mut split = match by {
+        "folders" => by_folders(data)?,
         _ if by.matches(PLACE).count() == 1 => by_name(data, by)?,
         _ => bail!(
             "--group takes the word folders, or a pattern of the tests' names with {PLACE} once where the group stands and * for \
@@ -38,13 +50,13 @@ pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<(Vec<Group>, Vec<Strin
     };
     // Pressures, clicks and serial numbers in the order of the number.
     let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
-    if groups.iter().all(|g| number(g).is_some()) {
-        groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));
+    if split.groups.iter().all(|g| number(g).is_some()) {
+        split.groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));
     }
-    Ok((groups, left))
+    Ok(split)
 }
 
-fn by_folders(data: &DataArgs) -> anyhow::Result<Vec<Group>> {
+fn by_folders(data: &DataArgs) -> anyhow::Result<Split> {
     let mut folders: Vec<PathBuf> = Vec::new();
     for path in &data.data {
         let within = std::fs::read_dir(path).map_err(|e| anyhow::anyhow!("{}: {e}", path.display()))?;
@@ -54,17 +66,21 @@ fn by_folders(data: &DataArgs) -> anyhow::Result<Vec<Group>> {
     if folders.is_empty() {
         bail!("--group folders: there is no folder in {}; put the records of each damper into one", data.named());
     }
-    let group = |folder: &PathBuf| {
+    let mut split = Split { groups: Vec::new(), left_aside: Vec::new(), files: Vec::new() };
+    for folder in &folders {
         let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        Ok(Group { name, records: data.load_like(std::slice::from_ref(folder))?.records })
-    };
-    folders.iter().map(group).collect()
+        let campaign = data.load_like(std::slice::from_ref(folder))?;
+        split.files.extend(campaign.files);
+        split.groups.push(Group { name, records: campaign.records });
+    }
+    Ok(split)
 }
 
-fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<(Vec<Group>, Vec<String>)> {
+fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<Split> {
     let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
     let mut left = Vec::new();
-    for record in data.load()?.records {
+    let campaign = data.load()?;
+    for record in campaign.records {
         match found(pattern, &record.name) {
             Some(name) => groups.entry(name.to_owned()).or_default().push(record),
             None => left.push(record.name),
@@ -73,7 +89,8 @@ fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<(Vec<Group>, Vec<St
     if groups.is_empty() {
         bail!("--group {pattern:?} matches no test; the first is called {:?}", left.first().map_or("", String::as_str));
     }
-    Ok((groups.into_iter().map(|(name, records)| Group { name, records }).collect(), left))
+    let groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
+    Ok(Split { groups, left_aside: left, files: campaign.files })
 }
 
 /// The shortest part of a name that stands where the pattern has `{}`, the first of equals.
@@ -145,20 +162,20 @@ impl Answers {
         lines
     }
 
-    /// The report for people, one HTML page.
-    pub fn page(&self, model: &Path) -> String {
+    /// The report for people.
+    pub fn page(&self, model: &Path, made: Made) -> Page {
         let mut numbers: BTreeMap<&str, (f64, &str)> = BTreeMap::new();
         for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
             numbers.entry(one.parameter).or_insert((one.reference, one.unit));
         }
         let of_group = |answer: &Answer| {
             let names: Vec<String> = answer.diagnosis.findings.iter().map(finding).collect();
-            let rms = |value: f64| dashpot_report::numbers::digits(value, 3);
+            let rms = |value: f64| Cell::digits(value, 3);
             vec![
-                answer.group.clone(),
-                answer.tests.to_string(),
-                answer.diagnosis.summary.clone(),
-                names.join(", "),
+                answer.group.as_str().into(),
+                Cell::count(answer.tests),
+                answer.diagnosis.summary.as_str().into(),
+                names.join(", ").into(),
                 rms(answer.diagnosis.before.rmse_n),
                 rms(answer.diagnosis.after.rmse_n),
                 rms(answer.diagnosis.before.noise_n),
@@ -183,18 +200,22 @@ impl Answers {
         let mut sections = vec![Section::new("groups", "What changed in which group", vec![Block::Table(groups)])];
         let mut rows = Vec::new();
         for (name, (reference, unit)) in &numbers {
-            rows.push(vec![(*name).to_owned(), self.reference.clone(), with_unit(*reference, unit)]);
+            let first = [self.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
+            rows.push([Cell::from(*name)].into_iter().chain(first).collect());
             for answer in &self.groups {
                 let there = answer.diagnosis.changed.iter().find(|c| c.parameter == *name);
-                let cell = there.map_or_else(|| "no change beyond the intervals".to_owned(), change);
-                rows.push(vec![(*name).to_owned(), answer.group.clone(), cell]);
+                let [value, interval] = there.map_or_else(
+                    || ["no change beyond the intervals".into(), Cell::none()],
+                    |c| Cell::with_interval(c.value, c.low, c.high, c.unit),
+                );
+                rows.push(vec![Cell::from(*name), answer.group.as_str().into(), value, interval]);
             }
         }
         if !rows.is_empty() {
             let table = Table {
                 caption: "Numbers of the model that differ from the reference in at least one group by more than both leave open."
                     .to_owned(),
-                columns: vec![Column::words("number"), Column::words("group"), Column::words("value")],
+                columns: vec![Column::words("number"), Column::words("group"), Column::figures("value"), Column::figures("95 % interval")],
                 rows,
                 sortable: true,
             };
@@ -208,12 +229,36 @@ impl Answers {
             sections.push(Section::new("aside", "Left aside", vec![Block::Warning(text)]));
         }
         let subtitle = format!("Model {} against each group; reference: {}", model.display(), self.reference);
-        dashpot_report::render_sections(
-            "What changed between dampers",
-            &subtitle,
-            &sections,
-            &dashpot_report::words::EN,
-        )
+        Page { subtitle, sections, made }
+    }
+}
+
+/// A report over groups: one HTML page, or a workbook of its tables.
+pub struct Page {
+    subtitle: String,
+    sections: Vec<Section>,
+    made: Made,
+}
+
+impl Page {
+    const TITLE: &'static str = "What changed between dampers";
+
+    /// As HTML.
+    pub fn render(&self) -> String {
+        let mut sections = self.sections.clone();
+        sections.push(made::section(&self.made, &EN));
+        dashpot_report::render_sections(Self::TITLE, &self.subtitle, &sections, &EN)
+    }
+
+    /// As a workbook.
+    pub fn workbook(&self) -> Workbook<'static> {
+        Workbook {
+            title: Self::TITLE.to_owned(),
+            subtitle: self.subtitle.clone(),
+            sections: self.sections.clone(),
+            made: self.made.clone(),
+            words: &EN,
+        }
     }
 }
 

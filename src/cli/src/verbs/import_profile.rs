@@ -1,6 +1,6 @@
 //! `dashpot import-profile`: what is known about records, written beside them.
 
-use super::data::{DataArgs, sign_in_words};
+use super::data::DataArgs;
 use anyhow::bail;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
@@ -40,7 +40,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     dashpot_output::write(&path, Profile::from_options(&options).text())?;
     let to = Some(path.as_path());
-    dashpot_output::say(to, &sign_in_words(&campaign.sign))?;
+    dashpot_output::say(to, &dashpot_report::reading::sign_in_words(&campaign.sign))?;
     for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
         dashpot_output::say(to, &format!("note: {}", note.text))?;
     }

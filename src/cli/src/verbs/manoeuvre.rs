@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// saw against the one that rig tests covered. Manoeuvres: bump, step-steer, sine-steer, track.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot manoeuvre bump damper.toml --report bump.html\n  dashpot manoeuvre track front.toml --rear rear.toml --tests campaign/\n  dashpot manoeuvre track front.toml --vehicle car.toml --report track.html"
+    after_help = "Examples:\n  dashpot manoeuvre bump damper.toml --report bump.html --excel bump.xlsx\n  dashpot manoeuvre track front.toml --rear rear.toml --tests campaign/\n  dashpot manoeuvre track front.toml --vehicle car.toml --report track.html"
 )]
 pub struct Args {
     /// bump, step-steer, sine-steer or track
@@ -42,6 +42,9 @@ pub struct Args {
     /// Report with tables and plots, one file that opens without a network
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    #[arg(long, value_name = "F.xlsx")]
+    excel: Option<PathBuf>,
     /// A vehicle of your own: name = number lines in SI; the report names them all
     #[arg(long, value_name = "car.toml")]
     vehicle: Option<PathBuf>,
@@ -51,10 +54,16 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    if args.report.as_deref().is_some_and(dashpot_output::is_stdout) {
-        bail!("--report needs a file name: standard output takes figures alone (--json -)");
+    for (option, path) in [("--report", &args.report), ("--excel", &args.excel)] {
+        if path.as_deref().is_some_and(dashpot_output::is_stdout) {
+            bail!("{option} needs a file name: standard output takes figures alone (--json -)");
+        }
     }
-    dashpot_output::check_kinds([(args.json.as_deref(), Kind::Figures), (args.report.as_deref(), Kind::Report)])?;
+    dashpot_output::check_kinds([
+        (args.json.as_deref(), Kind::Figures),
+        (args.report.as_deref(), Kind::Report),
+        (args.excel.as_deref(), Kind::Workbook),
+    ])?;
     let Some((_, driven)) = Manoeuvre::ALL.into_iter().find(|(name, _)| *name == args.name) else {
         bail!("there is no manoeuvre {}", args.name);
     };
@@ -82,9 +91,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &figures)?;
     }
-    if let Some(path) = &args.report {
+    if args.report.is_some() || args.excel.is_some() {
         let files = [Some(&args.model), args.rear.as_ref(), args.vehicle.as_ref()].into_iter().flatten();
-        let made = args.page.made(files.chain(campaign.iter().flat_map(|c| &c.files)).cloned())?;
+        let made = args.page.text.date.made(files.chain(campaign.iter().flat_map(|c| &c.files)).cloned())?;
         let page = ManoeuvreInput {
             figures: &figures,
             model_file: args.model.display().to_string(),
@@ -94,10 +103,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             car: &car,
             speed: driven.speed(),
             made: &made,
-            words: args.page.words(),
+            words: args.page.text.words(),
         };
-        dashpot_output::write(path, page.render())?;
-        dashpot_output::say(json, &format!("report: {}", path.display()))?;
+        if let Some(path) = &args.report {
+            dashpot_output::write(path, page.render())?;
+            dashpot_output::say(json, &format!("report: {}", path.display()))?;
+        }
+        if let Some(path) = &args.excel {
+            dashpot_report::write_workbook(&page.workbook(), path)?;
+            dashpot_output::say(json, &format!("workbook: {}", path.display()))?;
+        }
     }
     Ok(())
 }

@@ -1,22 +1,20 @@
 //! `dashpot validate`: a model against records, beside the FV curve.
 
-use super::data::{DataArgs, sign_in_words};
+use super::data::{DataArgs, name_of};
 use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::Model;
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Shape};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::limits;
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
-use dashpot_identification::model_file::{self, Interval, ModelFile, prepared};
+use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
+use dashpot_report::ReportInput;
 use dashpot_report::against::{self, Rival};
 use dashpot_report::certificate::{self, CertificateInput};
-use dashpot_report::{Block, Made, ParameterRow, ReportInput};
 use dashpot_simulation::comparison;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -26,7 +24,7 @@ use std::path::{Path, PathBuf};
 /// Errors by amplitude and by peak velocity, on tests the fit used and on tests it did not; hysteresis; plots.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json\n  dashpot validate damper.toml \
+    after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json --excel tables.xlsx\n  dashpot validate damper.toml \
                   campaign/ --limits limits.csv --certificate certificate.html\n\nWith --limits it ends with 0 where the damper keeps \
                   them all, with 1 where it does not, and with 2 on an error."
 )]
@@ -42,6 +40,9 @@ pub struct Args {
     /// Report with tables and plots, one file that opens without a network
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
+    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    #[arg(long, value_name = "F.xlsx")]
+    excel: Option<PathBuf>,
     /// Models of the literature to identify from the tests that MODEL was fitted to, and to compare with: fv, piecewise, lag,
     /// surface, dahl, bouc-wen, spencer, kwok, network, separated by commas; all; or a file that dashpot fit --model wrote
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -71,7 +72,7 @@ pub enum Verdict {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<Verdict> {
-    for (option, path) in [("--report", &args.report), ("--certificate", &args.certificate)] {
+    for (option, path) in [("--report", &args.report), ("--certificate", &args.certificate), ("--excel", &args.excel)] {
         if path.as_deref().is_some_and(dashpot_output::is_stdout) {
             bail!("{option} needs a file name: standard output takes figures alone (--json -)");
         }
@@ -80,6 +81,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         (args.json.as_deref(), Kind::Figures),
         (args.report.as_deref(), Kind::Report),
         (args.certificate.as_deref(), Kind::Report),
+        (args.excel.as_deref(), Kind::Workbook),
     ])?;
     let windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
@@ -127,12 +129,18 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     if let Some(path) = json {
         dashpot_output::json(path, &validation)?;
     }
-    if args.report.is_some() || args.svg.is_some() || args.certificate.is_some() {
+    if [&args.report, &args.svg, &args.certificate, &args.excel].into_iter().any(Option::is_some) {
         let progress = Progress::new("drawing");
         progress.set(0.2);
         let files = [Some(&args.model), args.limits.as_ref()].into_iter().flatten().chain(&campaign.files).cloned();
-        let how = (&args.page, args.page.made(files)?);
-        let mut input = report_input(&args.model, &args.data.named(), &model, &campaign, &compared, &validation, how)?;
+        let mut input = ReportInput {
+            words: args.page.text.words(),
+            print: args.page.print(),
+            made: args.page.text.date.made(files)?,
+            model_file: name_of(&args.model),
+            data: args.data.named(),
+            ..ReportInput::of(&model, &campaign, &compared, &validation)?
+        };
         input.extra.extend(against::section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
             let page = certificate::render(&CertificateInput {
@@ -149,6 +157,10 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         if let Some(path) = &args.report {
             dashpot_report::write_atomic(&input, path)?;
             dashpot_output::say(json, &format!("report: {}", path.display()))?;
+        }
+        if let Some(path) = &args.excel {
+            dashpot_report::write_workbook(&dashpot_report::workbook(&input), path)?;
+            dashpot_output::say(json, &format!("workbook: {}", path.display()))?;
         }
         if let Some(folder) = &args.svg {
             let written = dashpot_report::svgs(&input, folder)?;
@@ -280,100 +292,4 @@ pub fn table(v: &Validation) -> String {
     }
     row("all tests", v.overall.tests, &v.overall.errors);
     out.trim_end().to_owned()
-}
-
-/// Confidence below which the reader of a report must be warned of the sign that was worked out.
-const SURE_OF_SIGN: f64 = 0.9;
-
-/// Everything the report tells.
-pub fn report_input<'a>(
-    model_path: &Path,
-    data: &str,
-    model: &ModelFile,
-    campaign: &Campaign,
-    compared: &'a [Compared<'a>],
-    validation: &'a Validation,
-    (page, made): (&PageArgs, Made),
-) -> anyhow::Result<ReportInput<'a>> {
-    let sign = sign_in_words(&campaign.sign);
-    let doubtful = !campaign.sign.given && campaign.sign.confidence < SURE_OF_SIGN;
-    let mut identification = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
-    let notes: Vec<String> =
-        campaign.notes.iter().map(|n| n.text.clone()).chain(model.identification.notes.iter().cloned()).collect();
-    if !notes.is_empty() {
-        identification.push(Block::List(notes));
-    }
-    Ok(ReportInput {
-        words: page.words(),
-        print: page.print(),
-        made,
-        curve: comparison::at_constant_velocity(&prepared(&model.params)?, validation),
-        model_file: model_path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
-        data: data.to_owned(),
-        validation,
-        tests: compared,
-        parameters: parameter_rows(model),
-        identification,
-        extra: Vec::new(),
-    })
-}
-
-fn parameter_rows(model: &ModelFile) -> Vec<ParameterRow> {
-    let id = &model.identification;
-    let mut rows = Vec::new();
-    for row in parameter::table().filter(|r| r.group < elements::COUNT) {
-        let p = row.parameter;
-        if !model.params.is_on(GROUPS[row.group].name) {
-            continue;
-        }
-        let values = model.params.get(&row);
-        let interval = id.intervals.get(p.name);
-        let missing = id.not_identified.iter().any(|n| n == p.name);
-        match (p.shape, interval) {
-            (Shape::Choice(_), _) => continue,
-            (Shape::Scalar, interval) => {
-                let (low, high) = match interval {
-                    Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
-                    _ => (None, None),
-                };
-                // Rows of the other form of an element say nothing here.
-                if low.is_none() && !missing && values == p.default {
-                    continue;
-                }
-                rows.push(ParameterRow {
-                    name: p.name.to_owned(),
-                    value: values[0],
-                    unit: p.unit.to_owned(),
-                    low,
-                    high,
-                    source: id.sources.get(p.name).cloned().unwrap_or_default(),
-                    note: p.meaning.to_owned(),
-                    missing,
-                });
-            }
-            (Shape::List(_), Some(Interval::List(pairs))) => {
-                for (k, (value, [low, high])) in values.iter().zip(pairs).enumerate() {
-                    let at = match p.name {
-                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| format!("at {v:.4} m/s")),
-                        "spring_force" => {
-                            model.params.list("spring_displacement").get(k).map(|x| format!("at {x:.4} m"))
-                        }
-                        _ => None,
-                    };
-                    rows.push(ParameterRow {
-                        name: format!("{}[{k}]", p.name),
-                        value: *value,
-                        unit: p.unit.to_owned(),
-                        low: Some(*low),
-                        high: Some(*high),
-                        source: String::new(),
-                        note: at.unwrap_or_default(),
-                        missing: false,
-                    });
-                }
-            }
-            (Shape::List(_), _) => {}
-        }
-    }
-    rows
 }

@@ -1,6 +1,7 @@
 //! The verdict in a sentence, and the error of every test before and after.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
+use crate::cells::Cell;
 use crate::numbers::{digits, percent, share};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
@@ -76,18 +77,18 @@ fn worse(found: &Diagnosis) -> Option<String> {
 }
 
 fn key_table(found: &Diagnosis) -> Table {
-    let held_out = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 4));
+    let held_out = |value: Option<f64>| Cell::known(value, |v| Cell::digits(v, 4));
     let rows = [("before (the model as it came, refitted)", &found.before), ("after", &found.after)]
         .into_iter()
         .take(if found.findings.is_empty() { 1 } else { 2 })
         .map(|(name, f)| {
             vec![
-                name.to_owned(),
-                digits(f.rmse_n, 4),
-                digits(f.noise_n, 4),
+                name.into(),
+                Cell::digits(f.rmse_n, 4),
+                Cell::digits(f.noise_n, 4),
                 held_out(f.held_out_rmse_n),
                 held_out(f.held_out_noise_n),
-                percent(f.error_percent),
+                Cell::number(f.error_percent, percent),
             ]
         })
         .collect();

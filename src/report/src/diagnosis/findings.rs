@@ -1,7 +1,8 @@
 //! What was added, with its numbers, and why not something else.
 
 use crate::blocks::{Block, Column, Section, Table};
-use crate::numbers::{share, with_interval, with_unit};
+use crate::cells::Cell;
+use crate::numbers::{share, with_unit};
 use dashpot_diagnosis::{Diagnosis, Finding, Rival, Verdict};
 
 /// The findings, and the suspects of what got no name; `None` where nothing is missing.
@@ -96,9 +97,9 @@ fn parameters(finding: &Finding) -> Table {
         .parameters
         .iter()
         .map(|(name, v)| {
-            let (value, interval) = with_interval(v.value, v.low, v.high, v.unit);
+            let [value, interval] = Cell::with_interval(v.value, v.low, v.high, v.unit);
             let judged = if v.plausible { "plausible" } else { "outside what dampers and rigs show: treat with care" };
-            vec![(*name).to_owned(), value, interval, judged.to_owned()]
+            vec![(*name).into(), value, interval, judged.into()]
         })
         .collect();
     let columns = vec![
@@ -111,8 +112,10 @@ fn parameters(finding: &Finding) -> Table {
 }
 
 fn rivals(caption: &str, rivals: &[Rival]) -> Table {
-    let rows =
-        rivals.iter().map(|r| vec![r.effect.to_owned(), share(r.confidence), share(r.share), r.why.clone()]).collect();
+    let rows = rivals
+        .iter()
+        .map(|r| vec![r.effect.into(), Cell::share(r.confidence), Cell::share(r.share), r.why.as_str().into()])
+        .collect();
     let columns =
         vec![Column::words("effect"), Column::figures("confidence"), Column::figures("explains"), Column::words("why")];
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
@@ -120,8 +123,8 @@ fn rivals(caption: &str, rivals: &[Rival]) -> Table {
 
 fn changed(found: &Diagnosis) -> Table {
     let row = |c: &dashpot_diagnosis::Change| {
-        let (value, interval) = with_interval(c.value, c.low, c.high, c.unit);
-        vec![c.parameter.to_owned(), with_unit(c.reference, c.unit), value, interval]
+        let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit);
+        vec![c.parameter.into(), Cell::measured(c.reference, c.unit), value, interval]
     };
     let columns = vec![
         Column::words("parameter"),
@@ -138,8 +141,8 @@ fn shifts(found: &Diagnosis) -> Table {
         .shifts
         .iter()
         .map(|s| {
-            let change = if s.before == 0.0 { "–".into() } else { share(s.after / s.before - 1.0) };
-            vec![s.parameter.to_owned(), with_unit(s.before, s.unit), with_unit(s.after, s.unit), change]
+            let change = if s.before == 0.0 { Cell::none() } else { Cell::share(s.after / s.before - 1.0) };
+            vec![s.parameter.into(), Cell::measured(s.before, s.unit), Cell::measured(s.after, s.unit), change]
         })
         .collect();
     let columns = vec![

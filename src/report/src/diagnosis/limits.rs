@@ -1,7 +1,7 @@
 //! What these records cannot show, the tests that would tell more, and remarks.
 
 use crate::blocks::{Block, Column, Section, Table};
-use crate::numbers::{digits, milli};
+use crate::cells::Cell;
 use dashpot_diagnosis::Diagnosis;
 
 /// The last words.
@@ -15,7 +15,7 @@ pub fn section(found: &Diagnosis, reading: &[String]) -> Section {
     if found.could_not_test.is_empty() {
         blocks.push(Block::Paragraph("Every known effect would have shown in these records.".into()));
     } else {
-        let rows = found.could_not_test.iter().map(|c| vec![c.effect.to_owned(), c.why.clone()]).collect();
+        let rows = found.could_not_test.iter().map(|c| vec![c.effect.into(), c.why.as_str().into()]).collect();
         let columns = vec![Column::words("effect"), Column::words("why, and what would show it")];
         let caption = "Neither found nor ruled out.".to_owned();
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: false }));
@@ -29,19 +29,18 @@ pub fn section(found: &Diagnosis, reading: &[String]) -> Section {
 }
 
 fn next_tests(found: &Diagnosis) -> Table {
-    let known = |value: Option<f64>, text: fn(f64) -> String| value.map_or_else(|| "–".to_owned(), text);
-    let three = |value: f64| digits(value, 3);
+    let three = |value: Option<f64>| Cell::known(value, |v| Cell::digits(v, 3));
     let rows = found
         .next_tests
         .iter()
         .map(|t| {
             vec![
-                known(t.amplitude_m, milli),
-                known(t.frequency_hz, three),
-                known(t.mean_displacement_m, milli),
-                known(t.side_force_n, three),
-                known(t.difference_n, three),
-                t.text.clone(),
+                Cell::known(t.amplitude_m, Cell::milli),
+                three(t.frequency_hz),
+                Cell::known(t.mean_displacement_m, Cell::milli),
+                three(t.side_force_n),
+                three(t.difference_n),
+                t.text.as_str().into(),
             ]
         })
         .collect();

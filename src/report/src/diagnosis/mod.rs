@@ -21,9 +21,9 @@ mod tried;
 pub use answer::{headline, picture};
 
 use super::page::{self, Print};
-use super::{Block, ParameterRow, Section, parameters, write_figures, write_page};
+use super::{Block, Made, ParameterRow, Section, Workbook, made, parameters, write_figures, write_page};
 use crate::whole_records;
-use crate::words::EN;
+use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
 use dashpot_simulation::whole_records::OfDiagnosis;
@@ -46,14 +46,30 @@ pub struct DiagnosisReport<'a> {
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
+    /// What it was made from.
+    pub made: Made,
+    /// The language.
+    pub words: &'static Words,
 }
 
 impl DiagnosisReport<'_> {
     /// The report as one HTML document; the same input gives the same bytes.
     pub fn render(&self) -> String {
-        let subtitle = format!("Model {} against the rig data in {}", self.model_file, self.data);
-        let title = "Where model and records disagree, and what is missing";
-        page::page(title, &subtitle, &self.sections(), &EN, Print::Whole)
+        let [title, subtitle] = self.titles();
+        page::page(&title, &subtitle, &self.sections(), self.words, Print::Whole)
+    }
+
+    /// The tables of the report as a workbook.
+    pub fn workbook(&self) -> Workbook<'_> {
+        let [title, subtitle] = self.titles();
+        Workbook { title, subtitle, sections: self.sections(), made: self.made.clone(), words: self.words }
+    }
+
+    fn titles(&self) -> [String; 2] {
+        [
+            "Where model and records disagree, and what is missing".to_owned(),
+            format!("Model {} against the rig data in {}", self.model_file, self.data),
+        ]
     }
 
     /// Writes the report, replacing an older one only when the new one is complete.
@@ -81,7 +97,8 @@ impl DiagnosisReport<'_> {
         sections.extend(matrix::section(found, self.records));
         sections.extend(tried::section(found));
         sections.push(limits::section(found, &self.reading));
-        sections.extend(parameters::section(&self.parameters, &EN));
+        sections.extend(parameters::section(&self.parameters, self.words));
+        sections.push(made::section(&self.made, self.words));
         sections
     }
 }

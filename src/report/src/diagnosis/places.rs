@@ -1,7 +1,8 @@
 //! Where model and records disagree before anything is added.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
-use crate::numbers::{beside, digits};
+use crate::cells::Cell;
+use crate::numbers::beside;
 use crate::plot::{residual, residual_map};
 use dashpot_diagnosis::{Diagnosis, Region};
 
@@ -47,23 +48,23 @@ fn table(regions: &[Region]) -> Table {
     let span = |ends: [f64; 2]| match ends[0].is_finite() && ends[1].is_finite() {
         true => {
             let widest = 1e3 * ends[0].abs().max(ends[1].abs());
-            format!("{} … {}", beside(1e3 * ends[0], widest), beside(1e3 * ends[1], widest))
+            Cell::span(ends.map(|end| 1e3 * end), |end| beside(end, widest))
         }
-        false => "–".to_owned(),
+        false => Cell::none(),
     };
     let rows = regions
         .iter()
         .map(|r| {
             vec![
-                if r.test == "all" { "all that go there".into() } else { r.test.clone() },
-                r.direction.to_owned(),
+                if r.test == "all" { "all that go there".into() } else { r.test.as_str().into() },
+                r.direction.into(),
                 span(r.velocity_m_s),
                 span(r.displacement_m),
-                in_words(r.acceleration),
-                digits(r.mean_n, 3),
-                digits(r.rmse_n, 3),
-                digits(r.noise_n, 3),
-                r.text.clone(),
+                in_words(r.acceleration).into(),
+                Cell::digits(r.mean_n, 3),
+                Cell::digits(r.rmse_n, 3),
+                Cell::digits(r.noise_n, 3),
+                r.text.as_str().into(),
             ]
         })
         .collect();

@@ -1,7 +1,7 @@
 //! Everything that was tried: nothing is named behind the reader's back.
 
 use crate::blocks::{Block, Column, Section, Table};
-use crate::numbers::{digits, share};
+use crate::cells::Cell;
 use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
@@ -24,14 +24,14 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
             .map(|t| {
                 let e = &t.evidence;
                 vec![
-                    t.effect.to_owned(),
-                    t.form.to_owned(),
-                    share(t.confidence),
-                    share(e.share),
-                    digits(e.mean_square_after.sqrt(), 3),
-                    digits(e.log_odds, 3),
-                    digits(e.implausibility, 2),
-                    share(e.tests_better),
+                    t.effect.into(),
+                    t.form.into(),
+                    Cell::share(t.confidence),
+                    Cell::share(e.share),
+                    Cell::digits(e.mean_square_after.sqrt(), 3),
+                    Cell::digits(e.log_odds, 3),
+                    Cell::digits(e.implausibility, 2),
+                    Cell::share(e.tests_better),
                 ]
             })
             .collect();

@@ -293,6 +293,22 @@ words!(
     col_near_tests,
     saw_displacement,
     saw_velocity,
+    // The workbook.
+    workbook_contents,
+    workbook_sheet,
+    workbook_about,
+    // What a fit found.
+    fit_title,
+    fit_subtitle,
+    fit_answer,
+    fit_choices,
+    fit_choice_of,
+    fit_chosen,
+    fit_measured,
+    fit_tests,
+    remarks,
+    col_why,
+    col_interval,
 );
 
 #[cfg(test)]

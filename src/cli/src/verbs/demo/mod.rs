@@ -2,7 +2,7 @@
 
 mod riddle;
 
-use super::data::DataArgs;
+use super::data::{DataArgs, name_of};
 use super::{fit, validate};
 use crate::page::PageArgs;
 use crate::progress::Progress;
@@ -10,6 +10,7 @@ use dashpot_identification::FitOptions;
 use dashpot_identification::{model_file, validation};
 use dashpot_output::FolderLock;
 use dashpot_records::hold_out;
+use dashpot_report::ReportInput;
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
@@ -60,10 +61,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let validation = validation::validate(&compared)?;
     say(&validate::table(&validation))?;
     let report_path = args.output.join("report.html");
-    let named = data.named();
     let page = PageArgs::default();
-    let made = page.made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?;
-    let input = validate::report_input(&model_path, &named, &model, &campaign, &compared, &validation, (&page, made))?;
+    let input = ReportInput {
+        print: page.print(),
+        made: page.text.date.made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?,
+        model_file: name_of(&model_path),
+        data: data.named(),
+        ..ReportInput::of(&model, &campaign, &compared, &validation)?
+    };
     dashpot_report::write_atomic(&input, &report_path)?;
     say(&format!("   report: {}\n", report_path.display()))?;
     let diagnosis_path = riddle::tell(&args.output, args.seed)?;

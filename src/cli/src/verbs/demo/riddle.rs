@@ -2,6 +2,7 @@
 
 use super::super::data::DataArgs;
 use super::super::{diagnose, fit};
+use crate::page::DateArgs;
 use crate::progress::Progress;
 use anyhow::Context as _;
 use dashpot_diagnosis::Options as DiagnosisOptions;
@@ -54,7 +55,8 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     dashpot_output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
     dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;
     let report_path = in_folder("diagnosis.html");
-    diagnosed.report(&model_path, &data, &campaign, |report| report.write(&report_path))?;
+    let made = DateArgs::default().made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?;
+    diagnosed.report(&model_path, &data, &campaign, made, |report| report.write(&report_path))?;
     if let Some(svg) = picture(&diagnosed.found) {
         let path = in_folder("before-after.svg");
         replace_file(&path, svg.as_bytes()).with_context(|| format!("writing the figure {}", path.display()))?;

@@ -1,0 +1,139 @@
+//! Reports and workbooks of what was found: those that the verbs write, in the window's language.
+
+use crate::session::Session;
+use crate::session::campaign::Loaded;
+use crate::session::model::Tuned;
+use crate::session::outputs::{checked, told};
+use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
+use crate::session::verbs::compared;
+use dashpot_identification::validation::validate;
+use dashpot_output::Kind;
+use dashpot_records::Record;
+use dashpot_report::diagnosis::DiagnosisReport;
+use dashpot_report::words::Words;
+use dashpot_report::{Made, Print, ReportInput, parameters, reading, write_workbook};
+use dashpot_simulation::whole_records;
+use std::path::{Path, PathBuf};
+
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Paper {
+    /// The tables of the fit.
+    FitTables,
+    /// The report of the validation.
+    ValidationReport,
+    /// Its tables.
+    ValidationTables,
+    /// The report of the diagnosis.
+    DiagnosisReport,
+    /// Its tables.
+    DiagnosisTables,
+}
+
+impl Paper {
+    /// The name that is proposed, and how names of its kind end.
+    pub fn proposed(self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Paper::FitTables => ("fit.xlsx", &["xlsx"]),
+            Paper::ValidationReport => ("report.html", &["html"]),
+            Paper::ValidationTables => ("validation.xlsx", &["xlsx"]),
+            Paper::DiagnosisReport => ("diagnosis.html", &["html"]),
+            Paper::DiagnosisTables => ("diagnosis.xlsx", &["xlsx"]),
+        }
+    }
+
+    fn kind(self) -> Kind {
+        match self {
+            Paper::ValidationReport | Paper::DiagnosisReport => Kind::Report,
+            Paper::FitTables | Paper::ValidationTables | Paper::DiagnosisTables => Kind::Workbook,
+        }
+    }
+}
+
+/// What a paper is made from: the records, and the model where it lies in a file as it stands.
+fn made(loaded: &Loaded, model: &Tuned) -> Made {
+    let file = model.path.as_deref().filter(|_| !model.is_unsaved());
+    Made::of(file.into_iter().chain(loaded.campaign.files.iter().map(PathBuf::as_path)))
+}
+
+impl Session {
+    /// Writes a report or a workbook of what was found.
+    pub fn write_paper(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
+        match paper {
+            Paper::FitTables => self.write_fit(path, words),
+            Paper::ValidationReport | Paper::ValidationTables => self.write_validation(paper, path, words),
+            Paper::DiagnosisReport | Paper::DiagnosisTables => self.write_diagnosis(paper, path, words),
+        }
+    }
+
+    fn write_fit(&mut self, path: PathBuf, words: &'static Words) {
+        let (Some(loaded), Some(fit), Some(model)) = (self.campaign.clone(), self.answers.fit.clone(), &self.model)
+        else {
+            return;
+        };
+        let (name, made) = (model.name(), made(&loaded, model));
+        self.begin(Work::Write, move |_| {
+            let records: Vec<&Record> =
+                loaded.as_read().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
+            let error = whole_records::of_fit(&fit, &records).map_err(|e| e.to_string())?;
+            let tables = dashpot_report::fit::workbook((&fit, &error), [&name, &loaded.named()], made, words);
+            write(path, Kind::Workbook, |path| write_workbook(&tables, path))
+        });
+    }
+
+    fn write_validation(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
+        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
+        let (name, made) = (model.name(), made(&loaded, model));
+        let (file, ticked) = (model.file(), self.ticked());
+        self.begin(Work::Write, move |report| {
+            let compared = compared(&file, &loaded, &ticked, report)?;
+            let validation = validate(&compared).map_err(|e| e.to_string())?;
+            let input = ReportInput {
+                words,
+                print: Print::Brief,
+                made,
+                model_file: name,
+                data: loaded.named(),
+                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation).map_err(|e| told(&e))?
+            };
+            write(path, paper.kind(), |path| match paper.kind() {
+                Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
+                _ => dashpot_report::write_atomic(&input, path),
+            })
+        });
+    }
+
+    fn write_diagnosis(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
+        let (Some(loaded), Some(Diagnosed { found, over_whole_records, .. }), Some(model)) =
+            (self.campaign.clone(), &self.answers.diagnosis, &self.model)
+        else {
+            return;
+        };
+        let (model_file, made) = (model.name(), made(&loaded, model));
+        let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
+        self.begin(Work::Write, move |_| {
+            let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
+            let report = DiagnosisReport {
+                model_file,
+                data: loaded.named(),
+                parameters: parameters::of_diagnosis(&found),
+                found: &found,
+                records: &records,
+                reading: reading::sentences(&loaded.campaign),
+                over_whole_records,
+                made,
+                words,
+            };
+            write(path, paper.kind(), |path| match paper.kind() {
+                Kind::Workbook => write_workbook(&report.workbook(), path),
+                _ => report.write(path),
+            })
+        });
+    }
+}
+
+/// Writes a file of a kind where nothing else would be lost.
+fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, String> {
+    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| told(&e))?;
+    Ok(Outcome::Written(path, Vec::new()))
+}

@@ -1,0 +1,63 @@
+//! What a fit found, as tables; it has no report of its own.
+
+use crate::blocks::{Block, Column, Section, Table};
+use crate::cells::Cell;
+use crate::made::Made;
+use crate::parameters;
+use crate::whole_records::in_words;
+use crate::words::{Words, fill};
+use crate::workbook::Workbook;
+use dashpot_identification::Fit;
+use dashpot_identification::validation::Deviation;
+
+/// The tables of a fit, with its error over whole records and the names of the model and the data.
+pub fn workbook(
+    (fit, error): (&Fit, &Deviation),
+    [model, data]: [&str; 2],
+    made: Made,
+    words: &'static Words,
+) -> Workbook<'static> {
+    Workbook {
+        title: words.fit_title.to_owned(),
+        subtitle: fill(words.fit_subtitle, &[("model", model), ("data", data)]),
+        sections: sections(fit, error, words),
+        made,
+        words,
+    }
+}
+
+/// Estimates, choices, what the records are off by, and the tests used.
+fn sections(fit: &Fit, over_whole_records: &Deviation, words: &Words) -> Vec<Section> {
+    let count = fit.tests.len().to_string();
+    let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records))]);
+    let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
+    sections.extend(parameters::section(&parameters::of_fit(fit), words));
+    let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
+    if !fit.choices.is_empty() {
+        let columns =
+            vec![Column::words(words.fit_choice_of), Column::words(words.fit_chosen), Column::words(words.col_why)];
+        let rows = fit.choices.iter().map(|c| vec![c.of.into(), c.chosen.into(), c.why.as_str().into()]).collect();
+        sections.push(Section::new("choices", words.fit_choices, table(columns, rows)));
+    }
+    if !fit.measured.is_empty() {
+        let columns =
+            vec![Column::words(words.col_name), Column::figures(words.col_value), Column::figures(words.col_interval)];
+        let row = |m: &dashpot_identification::Measured| {
+            let mut row = vec![Cell::from(m.name)];
+            row.extend(Cell::with_interval(m.value, m.low, m.high, m.unit));
+            row
+        };
+        sections.push(Section::new(
+            "measured",
+            words.fit_measured,
+            table(columns, fit.measured.iter().map(row).collect()),
+        ));
+    }
+    let rows = fit.tests.iter().map(|name| vec![name.as_str().into()]).collect();
+    sections.push(Section::new("tests", words.fit_tests, table(vec![Column::words(words.col_test)], rows)));
+    if !fit.notes.is_empty() {
+        let rows = fit.notes.iter().map(|note| vec![note.as_str().into()]).collect();
+        sections.push(Section::new("notes", words.remarks, table(vec![Column::words(words.col_note)], rows)));
+    }
+    sections
+}

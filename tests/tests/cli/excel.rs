@@ -1,0 +1,113 @@
+//! `--excel`: the tables of a report as a workbook, read back as Excel would read it.
+
+use calamine::{Data, Range, Reader as _, Xlsx, open_workbook};
+use dashpot_tests::bridge::MODEL;
+use dashpot_tests::cli::{done, json, number, refused, small_campaign};
+use std::path::Path;
+
+/// The sheets of a workbook by name.
+pub fn sheets(path: &Path) -> Vec<(String, Range<Data>)> {
+    let mut book: Xlsx<_> = open_workbook(path).expect("a workbook");
+    book.worksheets()
+}
+
+/// The cells of the column of a sheet below a heading.
+pub fn column(sheet: &Range<Data>, heading: &str) -> Vec<Data> {
+    let headings: Vec<String> = sheet.rows().next().expect("a row").iter().map(ToString::to_string).collect();
+    let place = headings.iter().position(|h| h == heading).unwrap_or_else(|| panic!("no {heading} in {headings:?}"));
+    sheet.rows().skip(1).map(|row| row[place].clone()).collect()
+}
+
+/// One sheet.
+pub fn sheet<'a>(all: &'a [(String, Range<Data>)], name: &str) -> &'a Range<Data> {
+    let found = all.iter().find(|(n, _)| n == name);
+    &found.unwrap_or_else(|| panic!("no sheet {name} in {:?}", all.iter().map(|s| &s.0).collect::<Vec<_>>())).1
+}
+
+/// Everything that the first sheet says, in one text.
+fn first(all: &[(String, Range<Data>)]) -> String {
+    all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
+}
+
+#[test]
+fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dir = folder.path();
+    small_campaign(dir);
+    done(dir, &["fit", "records", "-o", "m.toml", "--json", "f.json", "--excel", "f.xlsx"]);
+    let fitted = sheets(&dir.join("f.xlsx"));
+    let values = column(sheet(&fitted, "Model parameters"), "value");
+    let estimates = json(&dir.join("f.json"));
+    let estimates = estimates["parameters"].as_array().expect("parameters");
+    assert_eq!(values.len(), estimates.len());
+    for (cell, estimate) in values.iter().zip(estimates) {
+        match cell {
+            Data::Float(value) => assert_eq!(*value, number(estimate, "value"), "{estimate}"),
+            _ => assert_eq!(estimate["standing"], "not_identified", "{estimate}"),
+        }
+    }
+
+    let validate = ["validate", "m.toml", "records", "--json", "v.json", "--excel", "v.xlsx"];
+    assert!(done(dir, &validate).contains("workbook: v.xlsx"));
+    let validated = sheets(&dir.join("v.xlsx"));
+    let version = env!("CARGO_PKG_VERSION");
+    for text in [version, "m.toml", "records/a50mm_v0262mm_s.csv", "dashpot validate m.toml records\n"] {
+        assert!(first(&validated).contains(text), "{text}");
+    }
+    // Every sheet is listed and begins with its headings; numbers are those of the JSON, with all digits.
+    for (name, range) in &validated[1..] {
+        assert!(first(&validated).contains(name.as_str()) && range.height() > 1, "{name}");
+        assert!(range.rows().next().expect("a row").iter().all(|cell| matches!(cell, Data::String(_))), "{name}");
+    }
+    let figures = json(&dir.join("v.json"));
+    let tests = figures["tests"].as_array().expect("tests");
+    let errors = column(sheet(&validated, "Errors of every test"), "model: mean error, N");
+    assert_eq!(errors.len(), tests.len());
+    for (cell, test) in errors.iter().zip(tests) {
+        assert_eq!(*cell, Data::Float(number(test, "mean_error_n")), "{test}");
+    }
+    let before = std::fs::read(dir.join("v.xlsx")).expect("a file");
+    done(dir, &validate);
+    assert!(std::fs::read(dir.join("v.xlsx")).expect("a file") == before, "the same bytes");
+    done(dir, &[&validate[..], &["--language", "zh"]].concat());
+    assert!(sheets(&dir.join("v.xlsx")).iter().any(|(name, _)| name == "各试验的误差"));
+
+    done(dir, &["diagnose", "m.toml", "records", "--json", "d.json", "--excel", "d.xlsx"]);
+    let diagnosed = sheets(&dir.join("d.xlsx"));
+    let tried = json(&dir.join("d.json"))["rounds"][0].as_array().expect("a round").len();
+    assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
+}
+
+#[test]
+fn a_manoeuvre_has_a_workbook_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dir = folder.path();
+    std::fs::write(dir.join("m.toml"), MODEL).expect("a model file");
+    done(dir, &["manoeuvre", "bump", "m.toml", "--json", "b.json", "--excel", "b.xlsx"]);
+    let book = sheets(&dir.join("b.xlsx"));
+    let corners = sheet(&book, "Corners in figures");
+    let low = json(&dir.join("b.json"))["corners"][0]["saw"]["displacement_m"][0].as_f64().expect("a number");
+    assert_eq!(column(corners, "displacement, mm (low)")[0], Data::Float(1e3 * low));
+}
+
+#[test]
+fn a_workbook_takes_the_place_of_an_older_one_of_ours_and_of_nothing_else() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dir = folder.path();
+    std::fs::write(dir.join("m.toml"), MODEL).expect("a model file");
+    let args = ["manoeuvre", "bump", "m.toml", "--excel", "b.xlsx"];
+    for foreign in [&b"PK\x03\x04xl/workbook.xml"[..], b"Dear Anna,\n"] {
+        std::fs::write(dir.join("b.xlsx"), foreign).expect("a file");
+        assert!(refused(dir, &args).contains("a workbook of dashpot"));
+        assert_eq!(std::fs::read(dir.join("b.xlsx")).expect("a file"), foreign);
+    }
+    for (args, told) in [
+        (&["manoeuvre", "bump", "m.toml", "--excel", "m.toml"][..], "--force"),
+        (&["manoeuvre", "bump", "m.toml", "--excel", "-"], "--excel needs a file name"),
+        (&["manoeuvre", "bump", "m.toml", "--excel", "no/b.xlsx"], "there is no folder"),
+        (&["fit", "m.toml", "-o", "n.toml", "--model", "dahl", "--excel", "n.xlsx"], "--json"),
+    ] {
+        let message = refused(dir, args);
+        assert!(message.contains(told), "{args:?}: {message}");
+    }
+}
