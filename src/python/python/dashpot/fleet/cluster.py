@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import importlib.util
+import subprocess
+import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -20,7 +22,7 @@ class Place:
     address: str | None = None
     """Scheduler of a Dask cluster, such as ``tcp://10.0.0.5:8786``."""
     slurm_jobs: int | None = None
-    """Slurm jobs, one worker each."""
+    """Slurm jobs, one worker each; those that end before the work does are replaced."""
     slurm_queue: str | None = None
     slurm_memory: str = "2GB"
     slurm_walltime: str = "24:00:00"
@@ -32,8 +34,11 @@ def has_dashboard() -> bool:
 
 
 @contextlib.contextmanager
-def client_of(place: Place) -> Iterator[Any]:
-    """A Dask client at that place; what was started for it ends with it."""
+def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
+    """A Dask client at that place; what was started for it ends with it.
+
+    :param logs: folder for what Slurm jobs say.
+    """
     try:
         import distributed
     except ImportError as error:
@@ -47,7 +52,7 @@ def client_of(place: Place) -> Iterator[Any]:
         if place.address is not None:
             target: Any = place.address
         elif place.slurm_jobs is not None:
-            target = stack.enter_context(_slurm(place))
+            target = stack.enter_context(_slurm(place, place.slurm_jobs, logs))
         else:
             target = stack.enter_context(
                 distributed.LocalCluster(
@@ -62,7 +67,11 @@ def client_of(place: Place) -> Iterator[Any]:
         yield stack.enter_context(distributed.Client(target, set_as_default=False))
 
 
-def _slurm(place: Place) -> Any:
+#: How often it is looked whether jobs are missing.
+_LOOK = "5s"
+
+
+def _slurm(place: Place, jobs: int, logs: str | None) -> Any:
     try:
         from dask_jobqueue.slurm import SLURMCluster
     except ImportError as error:
@@ -73,6 +82,28 @@ def _slurm(place: Place) -> Any:
         memory=place.slurm_memory,
         queue=place.slurm_queue,
         walltime=place.slurm_walltime,
+        log_directory=logs,
     )
-    cluster.scale(jobs=place.slurm_jobs)
+    try:
+        _ask_slurm(cluster.job_script())
+    except BaseException:
+        cluster.close()
+        raise
+    # Not `scale`: jobs that the scheduler ends (walltime, somebody with more right to the computer) would not come back, and
+    # with the last of them the run would wait forever.
+    cluster.adapt(minimum_jobs=jobs, maximum_jobs=jobs, interval=_LOOK)
     return cluster
+
+
+def _ask_slurm(script: str) -> None:
+    """Whether Slurm would take the job; a job that it refuses is never heard of again otherwise."""
+    with tempfile.NamedTemporaryFile("w", suffix=".sh") as file:
+        file.write(script)
+        file.flush()
+        try:
+            asked = subprocess.run(["sbatch", "--test-only", file.name], capture_output=True, text=True, check=False)
+        except FileNotFoundError as error:
+            raise DashpotError("there is no sbatch on this computer: --slurm works where jobs are submitted to Slurm") from error
+    if asked.returncode:
+        said = " ".join(line.split(":", 2)[-1].strip() for line in asked.stderr.strip().splitlines())
+        raise DashpotError(f"Slurm does not take the jobs: {said}; look at --slurm-queue, --slurm-memory and --slurm-walltime")

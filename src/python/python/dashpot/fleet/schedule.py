@@ -71,10 +71,10 @@ def run(
             say(f"{before} of {len(keyed)} campaigns were done before")
         done, failed = before, 0
         if rest:
-            with client_of(place) as client:
+            with client_of(place, logs=str(store.folder / "slurm")) as client:
                 if has_dashboard() and client.dashboard_link:
                     say(f"dashboard: {client.dashboard_link}")
-                for rows in _work(client, plan, _chunks(rest, chunk)):
+                for rows in _work(client, plan, _chunks(rest, chunk), place.slurm_jobs or 1):
                     store.add(rows)
                     failed += sum(row["status"] == "failed" for row in rows)
                     done += len(rows)
@@ -101,8 +101,11 @@ def _chunks(rest: Sequence[tuple[Job, str]], size: int) -> Iterator[Chunk]:
         yield list(rest[start : start + max(1, size)])
 
 
-def _work(client: Any, plan: Plan, chunks: Iterator[Chunk]) -> Iterator[list[Any]]:
-    """Rows chunk by chunk as they come. A few chunks are under way at a time, however many there are."""
+def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Iterator[list[Any]]:
+    """Rows chunk by chunk as they come. A few chunks are under way at a time, however many there are.
+
+    :param awaited: workers that will come; more may be there already or join later.
+    """
     from distributed import as_completed
 
     running: dict[Any, Chunk] = {}
@@ -113,15 +116,19 @@ def _work(client: Any, plan: Plan, chunks: Iterator[Chunk]) -> Iterator[list[Any
         running[future] = chunk
         return future
 
-    ahead = AHEAD * max(1, sum(client.nthreads().values()))
-    pool = as_completed([submit(chunk) for chunk in itertools.islice(chunks, ahead)], loop=client.loop)
+    def more() -> list[Any]:
+        # Counted each time: jobs of a cluster start when there is room for them, and not all at once.
+        ahead = AHEAD * max(awaited, sum(client.nthreads().values()))
+        return [submit(chunk) for chunk in itertools.islice(chunks, max(0, ahead - len(running)))]
+
+    pool = as_completed(more(), loop=client.loop)
     suspects: Chunk = []
     for future in pool:
         chunk = running.pop(future)
         rows = _rows(future)
         del future
-        for following in itertools.islice(chunks, 1):
-            pool.add(submit(following))
+        for following in more():
+            pool.add(following)
         if rows is None:
             suspects.extend(chunk)
         else:
