@@ -1,5 +1,5 @@
 //! Runs the second laboratory's cases: `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference]
-//! [fitted] [only=EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it; with
+//! [fitted] [only=BLOCK,EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it; with
 //! `fitted` the model is what `dashpot fit` makes of the records, not one with series spring, Coulomb friction and gas alone. In place of the
 //! first seed stands `split=calibrate`, `split=check`, or `split=locked="what for"`, which opens seeds that nobody has seen and retires them.
 
@@ -24,7 +24,7 @@ fn main() {
     };
     for (block, case) in suite(number(0, 1), first) {
         let hidden = case.effects.first().map_or("nothing", |(name, _)| name.as_str());
-        if only.is_some_and(|names| !names.split(',').any(|name| name == hidden)) {
+        if only.is_some_and(|names| !names.split(',').any(|name| name == hidden || name == block)) {
             continue;
         }
         match run(block, &case, way) {

@@ -6,7 +6,7 @@ use crate::case::{Measured, base_model, model_of};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
-use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind};
+use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind, Protocol};
 use dashpot_records::{self as records, Record};
 use dashpot_rig::{HiddenEffect, Truth};
 use std::collections::BTreeMap;
@@ -69,8 +69,13 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
+/// Pairs of effects a round.
+const PAIRS: usize = 8;
+
 /// Cases of the second laboratory at typical strengths: every effect that leaves a trace, everything outside the vocabulary and as many with
-/// nothing hidden, on each plant in turn; `rounds` times over, with seeds from `first_seed` on.
+/// nothing hidden, under white noise and under coloured noise with hum; pairs of effects; and every effect again as some laboratory would
+/// measure it, with the sampling, the cycles and the channels that it happens to have. On each plant in turn; `rounds` times over, with seeds
+/// from `first_seed` on.
 pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::hidden::KNOWN, dashpot_other_lab::hidden::UNKNOWN);
     let mut seed = first_seed;
@@ -84,6 +89,26 @@ pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
         all.extend(names.enumerate().map(|(k, name)| ("single", next(k).hiding(name, 1.0))));
         all.extend(unknown.iter().enumerate().map(|(k, u)| ("unknown", next(k).hiding(u.effect.name, 1.0))));
         all.extend((0..unknown.len()).map(|k| ("null_white", next(k))));
+        let coloured = |mut case: Case| {
+            case.protocol.noise_colour = 0.8;
+            case.protocol.hum_n = 2.0;
+            case.protocol.bits = Some(14);
+            case
+        };
+        all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
+        let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
+        all.extend((0..PAIRS).map(|k| {
+            // Steps that share no divisor with each other lead through all effects, and never to one effect twice.
+            let a = (5 * (k + PAIRS * round) + 1) % hidden.len();
+            let b = (a + 1 + (7 * k + round) % (hidden.len() - 1)) % hidden.len();
+            ("pair", next(k).hiding(hidden[a], 1.0).hiding(hidden[b], 1.0))
+        }));
+        let mut as_some_laboratory = |k: usize| {
+            let case = next(k);
+            Case { protocol: Protocol::of_laboratory(case.protocol.plan, case.seed), ..case }
+        };
+        all.extend(hidden.iter().enumerate().map(|(k, name)| ("elsewhere", as_some_laboratory(k).hiding(name, 1.0))));
+        all.extend((0..unknown.len()).map(|k| ("null_elsewhere", as_some_laboratory(k))));
     }
     all
 }
@@ -226,7 +251,7 @@ impl Ground {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_other_lab::{Plan, Protocol};
+    use dashpot_other_lab::Plan;
 
     #[test]
     fn strength_makes_the_severity_that_was_asked_for() {

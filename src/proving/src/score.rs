@@ -57,6 +57,13 @@ pub fn table(all: &[Outcome]) -> String {
     let _ = writeln!(out, "wrong name given as sure (>= 0.9), anywhere: {}", share(sure, single.len()));
     let extra = single.iter().filter(|o| o.named.len() > 1).count();
     let _ = writeln!(out, "a second name where one is hidden: {}", share(extra, single.len()));
+    let elsewhere: Vec<_> = of("elsewhere").into_iter().filter(|o| !o.in_the_model).collect();
+    let _ = writeln!(
+        out,
+        "measured as some laboratory would, right name first: {}; wrong name first: {}",
+        share(elsewhere.iter().filter(|o| right(o)).count(), elsewhere.len()),
+        share(elsewhere.iter().filter(|o| first_wrong(o)).count(), elsewhere.len())
+    );
     let whole = of("whole_fit");
     let _ = writeln!(
         out,
@@ -64,7 +71,7 @@ pub fn table(all: &[Outcome]) -> String {
         share(whole.iter().filter(|o| right(o)).count(), whole.len()),
         share(whole.iter().filter(|o| first_wrong(o)).count(), whole.len())
     );
-    for block in ["null_white", "null_coloured", "null_form", "null_whole_fit"] {
+    for block in ["null_white", "null_coloured", "null_form", "null_whole_fit", "null_elsewhere"] {
         let some = of(block);
         let _ = writeln!(
             out,
