@@ -8,7 +8,8 @@
 //! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + F_p') + g² (k_s + F_p'),
 //! ```
 //!
-//! where the springs on the mass are linearised about the predicted x_m (they are soft beside k_s). The left side
+//! where the springs on the mass are linearised about the predicted x_m (they are soft beside k_s); one of a table or of a
+//! higher power, whose line may end at the next point, about the x_m that they lead to. The left side
 //! rises strictly with u, so there is one answer whatever the stiffness, and the FV curve finds it in a fixed number
 //! of operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
 //!
@@ -17,6 +18,7 @@
 mod cheap;
 pub mod paths;
 
+use crate::curve::Value;
 use crate::elements::{Describe, Elements, MAX_MEMORY, Memory, Motion, Outer, Response};
 use crate::input::{Input, Path, PathPoint};
 use crate::math::pair;
@@ -380,25 +382,25 @@ struct Substep<'a> {
 }
 
 impl Substep<'_> {
-    /// All stages.
+    /// All stages. `BENT`: with springs that no straight line may stand for; apart, so that others do not pay for it.
     #[inline(always)]
-    fn run<T: Tableau>(&mut self, follow: &mut impl Follow) -> Mass {
-        let mut mass = self.stage::<T, 0>(follow);
+    fn run<T: Tableau, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.stage::<T, 0, BENT>(follow);
         if T::STAGES > 1 {
-            mass = self.stage::<T, 1>(follow);
+            mass = self.stage::<T, 1, BENT>(follow);
         }
         if T::STAGES > 2 {
-            mass = self.stage::<T, 2>(follow);
+            mass = self.stage::<T, 2, BENT>(follow);
         }
         if T::STAGES > 3 {
-            self.stage::<T, 3>(follow);
-            mass = self.stage::<T, 4>(follow);
+            self.stage::<T, 3, BENT>(follow);
+            mass = self.stage::<T, 4, BENT>(follow);
         }
         mass
     }
 
     #[inline(always)]
-    fn stage<T: Tableau, const I: usize>(&mut self, follow: &mut impl Follow) -> Mass {
+    fn stage<T: Tableau, const I: usize, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
         let e = &self.elements.series_compliance;
         let g = self.g;
         let last = I + 1 == T::STAGES;
@@ -425,7 +427,16 @@ impl Substep<'_> {
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = self.mass_rate * known_v + drive - inner_known;
         // Three iterations are below the method's own error.
-        let (u, fd) = self.elements.fv_curve.solve::<3>(a, r);
+        let (mut u, mut fd) = self.elements.fv_curve.solve::<3>(a, r);
+        let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
+        let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
+        let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
+        if BENT && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
+            let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
+            self.settle(known_x, point.x, r + inner_known, &mut balance);
+            Balance { u, fd, inner, inner_at, inner_known, inner_slope } = balance;
+            a = self.resistance + inner_slope;
+        }
         let moved = g * u;
         self.gains[I] = [moved, u - known_v];
         self.predicted = u;
@@ -451,6 +462,72 @@ impl Substep<'_> {
             },
         );
         Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
+    }
+}
+
+/// The springs on the mass at a place, straight beyond the reach of the series spring about the driven end: as if from the place
+/// given, with the force at x itself.
+#[inline(always)]
+fn springs(e: &Elements, x: f64, velocity: f64, driven: f64, side: (f64, f64)) -> (Response, f64, f64) {
+    let at = if x < driven - REACH { driven - REACH } else { x };
+    let at = if at > driven + REACH { driven + REACH } else { at };
+    let inner = e.inner(&Motion { displacement: at, velocity, side_force: side.0, temperature: side.1 });
+    (inner, inner.force + inner.by_x * (x - at), at)
+}
+
+/// What answers a stage: the velocity of the mass, the FV curve there, and the springs about a place.
+struct Balance {
+    u: f64,
+    fd: Value,
+    inner: Response,
+    inner_at: f64,
+    /// The springs as `inner_known` + `inner_slope` u.
+    inner_known: f64,
+    inner_slope: f64,
+}
+
+/// What the springs' straight line may miss, as a part of the forces on the mass: the error that the automatic method is held
+/// to. More lets through forces that no spring makes.
+const MISSED: f64 = 1e-3;
+/// What is left of a balance of large forces that cancel, as a part of them.
+const ROUNDING: f64 = 1e-12;
+/// Most rounds until it misses no more. Past [`PATIENCE`] every other one halves the bracket.
+const ROUNDS: usize = 60;
+const PATIENCE: usize = 6;
+
+impl Substep<'_> {
+    /// Solves a stage whose springs bend: the straight line that they were taken for at the predicted place holds neither beyond
+    /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
+    ///
+    /// The springs rise with the place and the curve with the velocity, so what is left of the balance rises with u: each
+    /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro. `known`
+    /// is X, `r` the right side without the springs.
+    #[inline(never)]
+    fn settle(&self, known: f64, driven: f64, r: f64, balance: &mut Balance) {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for round in 0..ROUNDS {
+            let Balance { u, fd, .. } = *balance;
+            let (inner, held, at) = springs(self.elements, known + self.g * u, u, driven, self.side);
+            let slope = inner.by_v + self.g * inner.by_x;
+            *balance = Balance { u, fd, inner, inner_at: at, inner_known: held - slope * u, inner_slope: slope };
+            let left = self.resistance * u + held + fd.value - r;
+            if left.abs() <= MISSED * (held.abs() + fd.value.abs()) + ROUNDING * r.abs() {
+                break;
+            }
+            if left > 0.0 {
+                high = u;
+            } else {
+                low = u;
+            }
+            let curve = &self.elements.fv_curve;
+            (balance.u, balance.fd) = curve.solve::<3>(self.resistance + slope, r - balance.inner_known);
+            let inside = balance.u > low && balance.u < high;
+            let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
+            if !inside || halved {
+                balance.u = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { u };
+                balance.fd = curve.at(balance.u);
+            }
+        }
     }
 }
 
@@ -497,14 +574,34 @@ fn move_mass<T: Tableau, const ONCE: bool>(
     if T::STAGES == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
+    if drive.elements.bends() {
+        return move_mass_on_bent_springs::<T>(drive, substeps, mass, follow);
+    }
     if ONCE {
         // The common case, written out so that the places of the stages are constants.
-        return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T>(follow);
+        return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
     }
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T>(follow);
+        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, false>(follow);
+        theta += part;
+    }
+    mass
+}
+
+/// As [`move_mass`] where springs bend ([`Elements::bends`]).
+#[inline(never)]
+fn move_mass_on_bent_springs<T: Tableau>(
+    drive: &Drive,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    let part = 1.0 / substeps as f64;
+    let mut theta = 0.0;
+    for left in (0..substeps).rev() {
+        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, true>(follow);
         theta += part;
     }
     mass
@@ -523,6 +620,11 @@ fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut 
         let at = before.springs_at(&to);
         let (inner, inner_at) = (elements.inner(&at), at.displacement);
         let after = cheap::take(elements, &before, &to, inner_at, inner);
+        if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
+            mass = Substep::new::<Euler>(drive, (sub - 1) as f64 * part, part, last, mass).run::<Euler, true>(follow);
+            from = to;
+            continue;
+        }
         let denominator = 1.0 / after.by_impulse;
         follow.stage(
             elements,
@@ -768,15 +870,18 @@ fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
     output.force_by_velocity = through.by_v + friction.by_v + preload.by_v + extras.by_v;
 }
 
-/// A cheap step in which some element takes its time.
+/// A cheap step in which some element takes its time, or in which a line does not hold.
 #[cold]
 #[inline(never)]
 fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
-    cheap_step::<false>(model, state, &to, dt, output);
+    if !cheap_step::<false>(model, state, &to, dt, output) {
+        answer::<Euler, false>(model, state, &to, dt, output);
+    }
 }
 
-/// One cheap step of a damper whose only memory is its mass, as fast as it goes. `AT_ONCE`: does nothing and returns
-/// false unless all elements answer at once; nothing is then called, and all stays in registers.
+/// One cheap step of a damper whose only memory is its mass, as fast as it goes. Leaves the state and returns false where its
+/// lines do not hold and, with `AT_ONCE`, unless all elements answer at once; nothing is then called, and all stays in
+/// registers.
 #[inline(always)]
 fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     let elements = &model.elements;
@@ -816,6 +921,9 @@ fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input,
     let (by_x_beside, by_v_beside) = (friction.by_x + preload.by_x, friction.by_v + preload.by_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
+    if !after.holds() || !AT_ONCE && !after.springs_hold(elements, &end, before.side) {
+        return false;
+    }
     state.displacement = end.x;
     state.velocity = end.v;
     state.mass_displacement = after.x;

@@ -157,3 +157,168 @@ fn a_valve_opens_no_further_than_open() {
     let run = case.run(&prepare(&case).unwrap(), false).unwrap();
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
+
+/// The spring was taken for a straight line where the mass was predicted, in a table whose pieces it crosses by the dozen in a
+/// step of 10 ms: 74 kN, where the elements make 4.
+#[test]
+fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
+    for method in [0.0, 1.0, 2.0, 3.0, 4.0] {
+        let mut case = millimetre(
+            &["parallel_spring", "moving_mass"],
+            &[
+                ("moving_mass_place", &[1.0]),
+                (
+                    "spring_displacement",
+                    &[0.0, 0.0001269961502412327, 0.0002539923004824654, 0.000380988450723698, 0.08449080644892977],
+                ),
+                ("spring_force", &[0.0, 202.17569150143777, 3433.376903841725, 6468.632249764898, 6468.632249764898]),
+                ("method", &[method]),
+            ],
+        );
+        case.on.retain(|name| *name != "fv_curve");
+        case.start = -0.0002372781780055771;
+        case.motion = vec![
+            given(Some(0.0001672547048983584), 0.10012057665890144, 0.01),
+            given(Some(0.0009084315766520563), 0.04811479769183814, 0.01),
+        ];
+        holds(&case);
+    }
+}
+
+/// The tangent of the cheap step, drawn inside a steep piece of the curve, was followed far beyond it: 1.9 kN from a curve of 29 N.
+#[test]
+fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
+    let mut checked = 0;
+    for i in 0..100 {
+        // The jump in every place about the velocity at which the third step draws its line.
+        let jump = -0.0305 + 3e-5 * f64::from(i);
+        let mut case = millimetre(
+            &[],
+            &[
+                ("series_stiffness", &[1e8]),
+                ("method", &[2.0]),
+                ("substeps", &[1.0]),
+                ("fv_velocity", &[-0.06, jump - 3.5e-5, jump, 0.0, 0.06]),
+                ("fv_force", &[-29.4, -25.6, -22.3, 0.0, 29.3]),
+            ],
+        );
+        case.start = -1.81634e-4;
+        case.motion = vec![
+            given(Some(2.82110e-4), 4.095e-2, 0.01),
+            given(Some(5.29879e-4), 5.173e-3, 0.01),
+            given(Some(3.71991e-4), -3.456e-2, 0.01),
+            given(Some(-7.06817e-5), -4.784e-2, 0.01),
+        ];
+        let run = case.run(&prepare(&case).unwrap(), false).unwrap();
+        assert!(run.forces.iter().all(|f| f.abs() < 200.0), "{jump}: {:?}", run.forces);
+        checked += 1;
+    }
+    assert_eq!(checked, 100);
+}
+
+/// Friction that falls with speed leaves the stage's equation no slope of its own; the straight step by those that stood in for
+/// it threw the mass to 3 km/s, and the force to 3 MN.
+#[test]
+fn no_straight_step_by_slopes_that_stand_in() {
+    let mut case = millimetre(
+        &["aeration", "cavitation", "valve_hysteresis", "stribeck_friction", "viscous_friction", "moving_mass"],
+        &[
+            ("fv_form", &[0.0]),
+            ("fv_interpolation", &[1.0]),
+            ("series_damping", &[0.0]),
+            ("internal_mass", &[0.05]),
+            ("series_load", &[1.0]),
+            ("aeration_compression", &[0.0]),
+            ("cavitation_force", &[10.0]),
+            ("cavitation_onset", &[0.0010271556254530126]),
+            ("cavitation_expansion", &[0.0006088089468368465]),
+            ("valve_opening_force", &[100000.0]),
+            ("valve_width", &[32511.951086054112]),
+            ("valve_form", &[2.0]),
+            ("valve_damping", &[9.886432545981974]),
+            ("stribeck_coulomb_force", &[484.50393720610083]),
+            ("stribeck_breakaway_velocity", &[3.1869103164255665e-5]),
+            ("viscous_coefficient", &[0.4288569659369354]),
+            ("moving_mass_place", &[1.0]),
+            ("method", &[3.0]),
+            ("substeps", &[5.0]),
+            (
+                "fv_velocity",
+                &[
+                    -8.897948368497847,
+                    -5.451172588594361,
+                    -2.6643695667125176,
+                    0.7836985635510975,
+                    0.7837014654660025,
+                    3.987509668537944,
+                    3.987512570452849,
+                    3.987515472367754,
+                    3.987518374282659,
+                    4.484636031655546,
+                    5.907944463128146,
+                    8.897942564668037,
+                    8.897945466582941,
+                    8.897948368497847,
+                ],
+            ),
+            (
+                "fv_force",
+                &[
+                    -207.08506715732955,
+                    -177.45588622732734,
+                    -170.33009421713425,
+                    -168.14458071679996,
+                    -168.14458071679996,
+                    -168.14458071679996,
+                    -117.30081393950859,
+                    -117.30081393950859,
+                    -63.87823397064239,
+                    -35.88210786678657,
+                    -35.88055035641615,
+                    -14.629223920947489,
+                    14.397373265490403,
+                    56.35733480577629,
+                ],
+            ),
+        ],
+    );
+    case.start = -0.0007231144944081771;
+    let x = Some(-0.0007213224068065827);
+    // To and fro, but for two steps.
+    let signs = "+-+-+-++-+-+-+-+-+-+--+-+-+-+-+-+-+-+-+-+-+-+-+-+-+-+-+--+-+-+-+-+-+";
+    case.motion = signs
+        .chars()
+        .map(|sign| {
+            let v = 0.03584175203188867;
+            Given { temperature: 49.67374100337109, ..given(x, if sign == '+' { v } else { -v }, 0.0001) }
+        })
+        .collect();
+    holds(&case);
+    let run = case.run(&prepare(&case).unwrap(), false).unwrap();
+    assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
+}
+
+/// What the method of fourth order puts together from its stages opened the spool when they had closed it: 272 kN at an end
+/// whose latest stage had 0.2, and the motion makes 163.
+#[test]
+fn a_spool_that_turns_inside_a_step() {
+    let mut case = millimetre(
+        &["valve_hysteresis"],
+        &[
+            ("fv_form", &[1.0]),
+            ("fv_rebound_c1", &[139741.6953259526]),
+            ("fv_rebound_c3", &[402.07611951278193]),
+            ("fv_rebound_v2", &[0.18228508153991585]),
+            ("fv_compression_c1", &[0.0]),
+            ("fv_compression_c2", &[8732.369184436637]),
+            ("fv_compression_v1", &[1.7128676838185943]),
+            ("valve_hysteresis_share", &[7.066242449483145e-6]),
+            ("valve_closing_ratio", &[0.30679877511424847]),
+            ("valve_form", &[2.0]),
+        ],
+    );
+    case.on.retain(|name| *name != "series_compliance");
+    case.start = -2.30610e-2;
+    case.motion = vec![given(Some(-2.51983e-2), -0.2519, 0.01), given(Some(-2.557563e-2), 0.17647, 0.01)];
+    holds(&case);
+}

@@ -193,6 +193,12 @@ pub trait Force {
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
     }
+
+    /// Whether it bends so sharply that a straight line may not hold for a stage.
+    #[inline(always)]
+    fn bends(&self) -> bool {
+        false
+    }
 }
 
 /// Where the answer counts the force of an element beside the damper, besides the total.
@@ -485,6 +491,12 @@ macro_rules! elements {
                 let mut sum = Response::NONE;
                 $(if self.has(Place::$inner) { sum.add(self.$inner.force(at)); })*
                 sum
+            }
+
+            /// Whether one of them bends so sharply that no straight line holds for a stage.
+            #[inline(always)]
+            pub fn bends(&self) -> bool {
+                false $(|| self.has(Place::$inner) && self.$inner.bends())*
             }
 
             /// As [`Elements::inner`] where all of them answer at once.

@@ -99,6 +99,11 @@ impl Force for ParallelSpring {
     }
 
     #[inline(always)]
+    fn bends(&self) -> bool {
+        self.has_higher || self.has_lookup
+    }
+
+    #[inline(always)]
     fn at_once(&self, at: &Motion) -> Option<Response> {
         if self.has_higher || self.has_lookup {
             return None;

@@ -22,6 +22,9 @@ const SETTLED: f64 = 1e-4;
 /// the oil behind it soft, a hardly visible step in w is a long one of the mass: straight on over a knee it would throw it.
 const STRAIGHT: f64 = 1e-4;
 
+/// Share of the slope by which a step was found that has to be the equation's own for the straight step to be taken.
+const OWN: f64 = 0.5;
+
 /// R and its slopes over w and over F_d.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
@@ -111,7 +114,10 @@ pub fn oil_velocity<Q: Equation>(
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
         if short && (size <= tolerance * scale || settled) || round == ROUNDS {
             let inside = w + step > low.w && w + step < high.w;
-            let step = if inside && round < ROUNDS { step } else { 0.0 };
+            // Only where the equation's own slopes lead: where it falls, as behind a friction that falls with speed, those that
+            // stand in for them have all else that goes straight on by that step thrown far off.
+            let own = r.by_w + r.by_curve * curve.slope > OWN * (by_w + by_curve * curve.slope);
+            let step = if inside && own && round < ROUNDS { step } else { 0.0 };
             return Found { w, step, curve, look: seen };
         }
         let here = End { w, curve: curve.value };

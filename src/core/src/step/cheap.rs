@@ -17,6 +17,10 @@
 //!   while its secant would fall short and swing.
 //!
 //! Both agree with F_d to the first order in h, so the method has order 1, and every derivative is explicit.
+//!
+//! A line says nothing of what lies far beyond the place it was drawn at: where the driven end turns round, v̂ may lie beside
+//! standstill or inside a jump of the curve, and a spring of a table has another slope past its next point. There the step is
+//! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
 
 use super::REACH;
 use crate::elements::{Elements, Motion, Response};
@@ -48,10 +52,38 @@ pub(super) struct After {
     pub by_impulse: f64,
     /// ∂u/∂v̂: how far the answer leans on the guess.
     pub by_guess: f64,
+    /// |F_d(v̂) − F_d(0)|.
+    level: f64,
+    /// F_d(0).
+    offset: f64,
 }
 
 /// Speed beside which a secant is not taken any shorter, m/s: far below all that matters.
 const STANDSTILL: f64 = 1e-9;
+
+/// How far beyond the force at v̂ the line may lead, as a factor. Less has more steps taken again where the driven end turns
+/// round, at the cost of a stage; more lets the force be so many times that of the curve. Not tuned: one value was tried.
+const BEYOND: f64 = 2.0;
+/// What the springs' tangent may miss, as a part of the forces on the mass: about the error of the method.
+const MISSED: f64 = 0.05;
+
+impl After {
+    /// Whether the FV curve's line was left near the place it was drawn at.
+    #[inline(always)]
+    pub fn holds(&self) -> bool {
+        (self.primary - self.offset).abs() <= BEYOND * self.level
+    }
+
+    /// The same of the springs, in a step to `end`.
+    #[inline(always)]
+    pub fn springs_hold(&self, elements: &Elements, end: &PathPoint, side: (f64, f64)) -> bool {
+        if !elements.bends() {
+            return true;
+        }
+        let made = super::springs(elements, self.x, self.v, end.x, side).1;
+        (made - self.spring).abs() <= MISSED * (made.abs() + self.primary.abs())
+    }
+}
 
 impl Before {
     /// Where the springs on the mass are linearised in a step to `end`.
@@ -115,5 +147,7 @@ pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint, spring
         spring: held + spring_slope * u,
         by_impulse,
         by_guess,
+        level: curve.value.abs(),
+        offset,
     }
 }
