@@ -382,9 +382,10 @@ impl Substep<'_> {
     /// # What keeps the force near
     /// Each stage has an answer (see [`crate::paths::solve`]) and its own force is one that the elements make. What a method
     /// puts together from its stages need not be: the last row of the one of fourth order weighs them by up to 31. Where
-    /// the force at the end lies further from that of the latest stage than those of all stages account for, the substep is done again by the method of second order, which
-    /// is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979): two motions of a damper that only
-    /// takes energy do not part in it, however sharply its elements turn.
+    /// the force at the end lies further from that of the latest stage than those of all stages account for, the substep
+    /// is done again by the method of second order, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J.
+    /// Numer. Anal. 16, 1979): two motions of a damper that only takes energy do not part in it, however sharply its
+    /// elements turn.
     #[inline(always)]
     fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl FollowPaths) -> Now {
         let turns = acts::<ON>(self.elements, CAVITATION) && self.driven_turns(&from);
