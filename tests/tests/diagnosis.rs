@@ -72,7 +72,8 @@ fn told(d: &Diagnosis) -> String {
                 .join("; ")
         })
         .collect();
-    format!("{:?} {} | {}\n{}", d.verdict, d.summary, d.notes.join("; "), rounds.join("\n"))
+    let notes: Vec<String> = d.notes.iter().map(ToString::to_string).collect();
+    format!("{:?} {} | {}\n{}", d.verdict, d.summary, notes.join("; "), rounds.join("\n"))
 }
 
 #[test]

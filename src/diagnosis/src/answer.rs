@@ -2,8 +2,10 @@
 
 use super::decisions::{NAMED, SUSPECTED};
 use super::outcome::{Rival, Verdict};
+use super::phrases;
 use super::round::{Round, Tried};
 use super::search::Search;
+use super::sentence::{Sentence, Template};
 use super::tree::{decided, tree};
 use dashpot_estimation::samples::Test;
 
@@ -19,11 +21,11 @@ pub struct Judged {
     /// The word.
     pub verdict: Verdict,
     /// The sentences.
-    pub summary: String,
+    pub summary: Sentence,
     /// What may be missing, or still be missing, without being likely enough to be named; likeliest first.
     pub suspects: Vec<Rival>,
     /// Remarks.
-    pub notes: Vec<String>,
+    pub notes: Vec<Sentence>,
 }
 
 fn percent(x: f64) -> String {
@@ -39,34 +41,25 @@ pub fn explained(before: f64, after: f64) -> f64 {
 pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
     let before = found.rounds[0].before.mean();
     let after = found.found.weighed(fitted).mean();
-    let times =
-        |mean_square: f64| format!("{:.2} times the error that noise and the form of curves leave", mean_square.sqrt());
+    let times = |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
     let last = found.last_look.map(|place| &found.rounds[place]);
     let mut notes = Vec::new();
     if !found.found.added.is_empty() {
-        let names: Vec<String> = found
-            .found
-            .added
-            .iter()
-            .zip(confidence)
-            .map(|(a, c)| format!("{} ({} sure)", a.candidate.effect, percent(*c)))
-            .collect();
+        let name = |(a, c): (&super::search::Added, &f64)| {
+            Sentence::from(phrases::NAME_AND_SURE).with("effect", a.candidate.effect).with("percent", percent(*c))
+        };
+        let names: Vec<Sentence> = found.found.added.iter().zip(confidence).map(name).collect();
         let left = 1.0 - explained(before, after);
         let suspects = last.map_or(Vec::new(), |round| suspects(round));
         if left > UNEXPLAINED {
-            notes.push(format!(
-                "{} of the disagreement is not explained by what was named: another form of it, or something else",
-                percent(left)
-            ));
+            notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left)));
         }
         return Judged {
             verdict: Verdict::Named,
-            summary: format!(
-                "missing: {}; what is left falls from {} to {:.2} times",
-                names.join(", "),
-                times(before),
-                after.sqrt()
-            ),
+            summary: Sentence::from(phrases::MISSING)
+                .with_list("names", names, phrases::COMMA)
+                .with_said("before", times(before))
+                .with("after", format!("{:.2}", after.sqrt())),
             suspects,
             notes,
         };
@@ -83,17 +76,19 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
             .collect();
         loud.sort_by(|a, b| b.1.total_cmp(&a.1));
         if !loud.is_empty() {
-            let words: Vec<String> =
-                loud.iter().take(TOLD).map(|(t, times)| format!("{} ({times:.1} times)", t.segment.name)).collect();
-            notes.push(format!("too rare or too small to be named, but these tests are missed: {}", words.join(", ")));
+            let told = |(t, times): &(&Test, f64)| {
+                Sentence::from(phrases::TEST_AND_TIMES)
+                    .with("test", &t.segment.name)
+                    .with("times", format!("{times:.1}"))
+            };
+            let tests = loud.iter().take(TOLD).map(told).collect();
+            notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
         }
         return Judged {
             verdict: Verdict::NothingMissing,
-            summary: format!(
-                "nothing is missing that these records can show ({} sure): the model is off by {}",
-                percent(odds.nothing),
-                times(before)
-            ),
+            summary: Sentence::from(phrases::NOTHING_MISSING)
+                .with("percent", percent(odds.nothing))
+                .with_said("times", times(before)),
             suspects: Vec::new(),
             notes,
         };
@@ -103,38 +98,41 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
     let named: f64 = odds.effects.values().sum();
     if named >= NAMED {
         let names: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
-        let place = match way.last() {
-            Some(branch) => format!("; it acts in the path {:?} ({})", branch.name, percent(branch.probability)),
-            None => String::new(),
-        };
+        let place = way.last().map(|branch| {
+            Sentence::from(phrases::IN_PATH)
+                .with_word("path", &branch.name)
+                .with("percent", percent(branch.probability))
+        });
         let why = match names[..] {
-            [one] => format!("{one} is the likeliest name, but too few tests speak for it to give it"),
-            _ => format!("these records cannot tell {} apart", names.join(" and ")),
+            [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
+            _ => Sentence::from(phrases::NOT_APART).with_names("names", names, phrases::AND),
         };
         return Judged {
             verdict: Verdict::CannotTell,
-            summary: format!("something is missing: the model is off by {}, and {why}{place}", times(before)),
+            summary: Sentence::from(phrases::CANNOT_TELL)
+                .with_said("times", times(before))
+                .with_said("why", why)
+                .with_any("place", place),
             suspects,
             notes,
         };
     }
     let nearest = match (looks_like(first), first.named().first()) {
-        (Some((what, t)), _) => {
-            format!("; it looks like {what}, which explains {}", percent(explained(before, t.weighed.mean())))
-        }
-        (None, Some(t)) => format!(
-            "; the nearest, {}, explains {}",
-            t.candidate.effect,
-            percent(explained(before, t.weighed.mean()).max(0.0))
+        (Some((what, t)), _) => Some(
+            Sentence::from(phrases::LOOKS_LIKE)
+                .with_said("what", what)
+                .with("percent", percent(explained(before, t.weighed.mean()))),
         ),
-        (None, None) => String::new(),
+        (None, Some(t)) => Some(
+            Sentence::from(phrases::NEAREST)
+                .with("effect", t.candidate.effect)
+                .with("percent", percent(explained(before, t.weighed.mean()).max(0.0))),
+        ),
+        (None, None) => None,
     };
     Judged {
         verdict: Verdict::UnknownEffect,
-        summary: format!(
-            "the model is off by {}, and none of the known effects is likely enough to explain that{nearest}",
-            times(before)
-        ),
+        summary: Sentence::from(phrases::UNKNOWN_EFFECT).with_said("times", times(before)).with_any("nearest", nearest),
         suspects,
         notes,
     }
@@ -144,7 +142,7 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
 const UNEXPLAINED: f64 = 0.25;
 
 /// What a disagreement without a name looks like, where that is likelier than any name.
-fn looks_like(round: &Round) -> Option<(&'static str, &Tried)> {
+fn looks_like(round: &Round) -> Option<(Template, &Tried)> {
     let best = round.tried.first()?;
     best.candidate.unnamed.map(|what| (what, best))
 }
@@ -180,13 +178,10 @@ pub fn rivals(round: &Round, winner: Option<&str>) -> Vec<Rival> {
 /// Price of strange values, beyond the base's, from which it is told as the reason.
 const STRANGE: f64 = 3.0;
 
-fn why(tried: &Tried, before: &super::evidence::Weighed, share: f64) -> String {
-    let says = format!("explains {} of the disagreement", percent(share.max(0.0)));
-    if tried.weighed.implausibility - before.implausibility > STRANGE {
-        format!("{says}, with numbers that dampers hardly show")
-    } else {
-        says
-    }
+fn why(tried: &Tried, before: &super::evidence::Weighed, share: f64) -> Sentence {
+    let is_strange = tried.weighed.implausibility - before.implausibility > STRANGE;
+    let says = if is_strange { phrases::EXPLAINS_STRANGELY } else { phrases::EXPLAINS };
+    Sentence::from(says).with("percent", percent(share.max(0.0)))
 }
 
 #[cfg(test)]
@@ -208,7 +203,7 @@ mod tests {
         let look = round(9.0, vec![tried("aeration", "", 1.2), tried("free_play", "", 1.5), tried("bushing", "", 6.0)]);
         let all = rivals(&look, Some("aeration"));
         assert_eq!(all.iter().map(|r| r.effect).collect::<Vec<_>>(), ["free_play", "bushing"]);
-        assert!(all[0].confidence > all[1].confidence && all[0].why.contains("94 %"), "{all:?}");
+        assert!(all[0].confidence > all[1].confidence && all[0].why.to_string().contains("94 %"), "{all:?}");
         // What is hardly possible is no suspect.
         assert!(suspects(&look).iter().all(|r| r.confidence >= LISTED));
     }
@@ -218,6 +213,6 @@ mod tests {
         let mut strange = tried("bushing", "", 1.2);
         strange.weighed.implausibility = 2.0 * STRANGE;
         let all = rivals(&round(9.0, vec![tried("aeration", "", 1.2), strange]), Some("aeration"));
-        assert!(all[0].why.contains("hardly show"), "{all:?}");
+        assert!(all[0].why.to_string().contains("hardly show"), "{all:?}");
     }
 }

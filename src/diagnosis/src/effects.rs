@@ -1,5 +1,7 @@
 //! One card an effect: where it acts, what it is, what records must show of it, and the test that shows it best.
 
+use super::phrases;
+use super::sentence::{Sentence, Template};
 use super::situation::Situation;
 use dashpot_core::elements::GROUPS;
 
@@ -13,12 +15,12 @@ pub struct Card {
     /// Effects of one family act in the same place and are the hardest to tell apart.
     pub family: &'static str,
     /// The test that shows it best.
-    pub remedy: &'static str,
+    pub remedy: Template,
     /// Why records cannot show it, from their channels and ranges alone; `None` where they may.
-    pub missing: fn(&Situation) -> Option<String>,
+    pub missing: fn(&Situation) -> Option<Sentence>,
 }
 
-fn nothing(_: &Situation) -> Option<String> {
+fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
@@ -33,112 +35,107 @@ const HEAT: f64 = 500.0;
 /// Displacement within which a stop of a car may lie, m.
 const STOPS: f64 = 0.04;
 
-const SLOW: &str = "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures";
-const SPRING: &str = "stroke the whole travel slowly, and once at 1 Hz, at two mean positions";
-const MOUNT: &str = "0.05 to 0.5 mm sines at 1 to 30 Hz";
-const ZERO: &str = "read the force at rest, with and without the damper hooked in";
-
-fn behind_series(s: &Situation) -> Option<String> {
-    (!s.base.is_on("series_compliance"))
-        .then(|| "it is part of the series path: the model needs series_compliance first".to_owned())
+fn behind_series(s: &Situation) -> Option<Sentence> {
+    (!s.base.is_on("series_compliance")).then(|| phrases::NEEDS_SERIES.into())
 }
 
 /// All cards, in the order of the way that the force takes.
 pub const CARDS: &[Card] = &[
-    Card { name: "gas_preload", path: "gas and springs", family: "constant force", remedy: ZERO, missing: nothing },
-    Card { name: "gas_spring", path: "gas and springs", family: "spring", remedy: SPRING, missing: nothing },
-    Card { name: "coulomb_friction", path: "friction", family: "dry friction", remedy: SLOW, missing: nothing },
-    Card { name: "stribeck_friction", path: "friction", family: "dry friction", remedy: SLOW, missing: nothing },
+    Card {
+        name: "gas_preload",
+        path: "gas and springs",
+        family: "constant force",
+        remedy: phrases::SHOW_ZERO,
+        missing: nothing,
+    },
+    Card {
+        name: "gas_spring",
+        path: "gas and springs",
+        family: "spring",
+        remedy: phrases::SHOW_SPRING,
+        missing: nothing,
+    },
+    Card {
+        name: "coulomb_friction",
+        path: "friction",
+        family: "dry friction",
+        remedy: phrases::SHOW_SLOW,
+        missing: nothing,
+    },
+    Card {
+        name: "stribeck_friction",
+        path: "friction",
+        family: "dry friction",
+        remedy: phrases::SHOW_SLOW,
+        missing: nothing,
+    },
     Card {
         name: "presliding_friction",
         path: "friction",
         family: "dry friction",
-        remedy: "strokes of 0.1 to 2 mm at 0.1 and 1 Hz: equal loops speak for it",
+        remedy: phrases::SHOW_PRESLIDING,
         missing: nothing,
     },
     Card {
         name: "viscous_friction",
         path: "friction",
         family: "viscous friction",
-        remedy: SLOW,
-        missing: |s| {
-            (!s.base.is_on("viscous_friction"))
-                .then(|| "a free FV curve takes a v² term up: it needs the curve fixed by a specification".to_owned())
-        },
+        remedy: phrases::SHOW_SLOW,
+        missing: |s| (!s.base.is_on("viscous_friction")).then(|| phrases::NEEDS_FIXED_CURVE.into()),
     },
     Card {
         name: "side_force_friction",
         path: "friction",
         family: "friction under load",
-        remedy: "the same sine at 0, 500 and 1000 N side force",
-        missing: |s| {
-            (s.side_force_span < SIDE_FORCE).then(|| {
-                "the side force does not vary: run the same sine under two or more side forces, with the channel recorded"
-                    .to_owned()
-            })
-        },
+        remedy: phrases::SHOW_SIDE_FORCE,
+        missing: |s| (s.side_force_span < SIDE_FORCE).then(|| phrases::NEEDS_SIDE_FORCE.into()),
     },
-    Card { name: "series_compliance", path: "series", family: "mount", remedy: MOUNT, missing: nothing },
-    Card { name: "bushing", path: "series", family: "mount", remedy: MOUNT, missing: behind_series },
-    Card { name: "parallel_spring", path: "gas and springs", family: "spring", remedy: SPRING, missing: nothing },
+    Card { name: "series_compliance", path: "series", family: "mount", remedy: phrases::SHOW_MOUNT, missing: nothing },
+    Card { name: "bushing", path: "series", family: "mount", remedy: phrases::SHOW_MOUNT, missing: behind_series },
+    Card {
+        name: "parallel_spring",
+        path: "gas and springs",
+        family: "spring",
+        remedy: phrases::SHOW_SPRING,
+        missing: nothing,
+    },
     Card {
         name: "oil_compressibility",
         path: "hydraulic",
         family: "oil column",
-        remedy: "one peak velocity at several strokes and frequencies, at two mean positions",
+        remedy: phrases::SHOW_OIL,
         missing: nothing,
     },
     Card {
         name: "aeration",
         path: "hydraulic",
         family: "oil column",
-        remedy: "one test after a night's rest and after 200 cycles",
+        remedy: phrases::SHOW_AERATION,
         missing: nothing,
     },
-    Card {
-        name: "cavitation",
-        path: "hydraulic",
-        family: "void",
-        remedy: "one peak velocity at several strokes, with the gas pressure raised",
-        missing: nothing,
-    },
+    Card { name: "cavitation", path: "hydraulic", family: "void", remedy: phrases::SHOW_CAVITATION, missing: nothing },
     Card {
         name: "temperature_fade",
         path: "hydraulic",
         family: "oil temperature",
-        remedy: "a reference test repeated cold and hot, in shuffled order, with the temperature recorded",
-        missing: |s| {
-            (!s.temperature_measured && s.heat_span < HEAT).then(|| {
-                "no temperature channel varies, and the records' clocks show no heating: record the oil or tube temperature, or \
-                 repeat one test cold and after hard work"
-                    .to_owned()
-            })
-        },
+        remedy: phrases::SHOW_FADE,
+        missing: |s| (!s.temperature_measured && s.heat_span < HEAT).then(|| phrases::NEEDS_TEMPERATURE.into()),
     },
     Card {
         name: "position_dependent_damping",
         path: "hydraulic",
         family: "valves",
-        remedy: "5 to 10 mm sines at five or more mean positions",
-        missing: |s| {
-            (s.places_span < PLACES).then(|| {
-                "all tests pass the same places at the same speeds: run one small sine at five or more mean positions, or one \
-                 peak velocity at several strokes"
-                    .to_owned()
-            })
-        },
+        remedy: phrases::SHOW_POSITION,
+        missing: |s| (s.places_span < PLACES).then(|| phrases::NEEDS_PLACES.into()),
     },
     Card {
         name: "bump_stop",
         path: "gas and springs",
         family: "stop",
-        remedy: "push slowly into the stop, then at two speeds",
+        remedy: phrases::SHOW_BUMP_STOP,
         missing: |s| {
             (s.reach.0 > -STOPS).then(|| {
-                format!(
-                    "only within the {:.0} mm of compression that the tests reach: push slowly further to see a stop beyond",
-                    1e3 * s.reach.0.abs()
-                )
+                Sentence::from(phrases::ONLY_WITHIN_COMPRESSION).with("reach", format!("{:.0}", 1e3 * s.reach.0.abs()))
             })
         },
     },
@@ -146,13 +143,10 @@ pub const CARDS: &[Card] = &[
         name: "rebound_stop",
         path: "gas and springs",
         family: "stop",
-        remedy: "pull slowly into the stop, then at two speeds",
+        remedy: phrases::SHOW_REBOUND_STOP,
         missing: |s| {
             (s.reach.1 < STOPS).then(|| {
-                format!(
-                    "only within the {:.0} mm of extension that the tests reach: pull slowly further to see a stop beyond",
-                    1e3 * s.reach.1.abs()
-                )
+                Sentence::from(phrases::ONLY_WITHIN_EXTENSION).with("reach", format!("{:.0}", 1e3 * s.reach.1.abs()))
             })
         },
     },
@@ -160,64 +154,38 @@ pub const CARDS: &[Card] = &[
         name: "free_play",
         path: "series",
         family: "mount",
-        remedy: "small strokes with a preload that keeps the force from crossing zero, and without",
+        remedy: phrases::SHOW_FREE_PLAY,
         missing: behind_series,
     },
     Card {
         name: "frequency_selective_damping",
         path: "hydraulic",
         family: "valves",
-        remedy: "one peak velocity at 0.5, 1, 2, 5 and 10 Hz",
-        missing: |s| {
-            (s.frequency_ratio < FREQUENCIES).then(|| {
-                "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz".to_owned()
-            })
-        },
+        remedy: phrases::SHOW_FREQUENCY,
+        missing: |s| (s.frequency_ratio < FREQUENCIES).then(|| phrases::NEEDS_FREQUENCIES.into()),
     },
     Card {
         name: "valve_hysteresis",
         path: "hydraulic",
         family: "valves",
-        remedy: "slow ramps of velocity through the knee, up and down",
+        remedy: phrases::SHOW_VALVE,
         missing: nothing,
     },
-    Card {
-        name: "moving_mass",
-        path: "rig",
-        family: "mass",
-        remedy: "run the rig without the damper",
-        missing: nothing,
-    },
-    Card {
-        name: "channel_delay",
-        path: "rig",
-        family: "timing",
-        remedy: "run a spring in place of the damper: its loop must close",
-        missing: nothing,
-    },
+    Card { name: "moving_mass", path: "rig", family: "mass", remedy: phrases::SHOW_MASS, missing: nothing },
+    Card { name: "channel_delay", path: "rig", family: "timing", remedy: phrases::SHOW_DELAY, missing: nothing },
     Card {
         name: "force_offset",
         path: "rig",
         family: "load cell",
-        remedy: ZERO,
-        missing: |s| {
-            (s.base.is_on("gas_preload") && s.pauses.is_empty()).then(|| {
-                "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper \
-                 unhooked, before and after"
-                    .to_owned()
-            })
-        },
+        remedy: phrases::SHOW_ZERO,
+        missing: |s| (s.base.is_on("gas_preload") && s.pauses.is_empty()).then(|| phrases::NEEDS_ZERO.into()),
     },
     Card {
         name: "force_drift",
         path: "rig",
         family: "load cell",
-        remedy: "repeat a reference test at the start, middle and end",
-        missing: |s| {
-            (s.clock_span <= 1.0).then(|| {
-                "every record starts its clock anew: keep one clock through the campaign and repeat a reference test".to_owned()
-            })
-        },
+        remedy: phrases::SHOW_DRIFT,
+        missing: |s| (s.clock_span <= 1.0).then(|| phrases::NEEDS_ONE_CLOCK.into()),
     },
 ];
 
@@ -238,8 +206,8 @@ pub fn card(name: &str) -> Option<&'static Card> {
 }
 
 /// The test that shows an effect best.
-pub fn remedy(effect: &str) -> &'static str {
-    card(effect).map_or("more amplitudes and frequencies", |c| c.remedy)
+pub fn remedy(effect: &str) -> Template {
+    card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy)
 }
 
 /// Whether tests as they are looked at can show an effect at all; stops are looked for as far as the tests reach.
@@ -248,12 +216,12 @@ pub fn can_be_shown(effect: &str, s: &Situation) -> bool {
 }
 
 /// What an effect is, in one line.
-pub fn meaning(effect: &str) -> String {
+pub fn meaning(effect: &str) -> &'static str {
     match effect {
-        "channel_delay" => "the force channel lags the motion channels (rig)".to_owned(),
-        "force_offset" => "the load cell does not read zero without load (rig)".to_owned(),
-        "force_drift" => "the zero of the load cell moves with time (rig)".to_owned(),
-        _ => GROUPS.iter().find(|g| g.name == effect).map_or_else(String::new, |g| g.meaning.to_owned()),
+        "channel_delay" => "the force channel lags the motion channels (rig)",
+        "force_offset" => "the load cell does not read zero without load (rig)",
+        "force_drift" => "the zero of the load cell moves with time (rig)",
+        _ => GROUPS.iter().find(|g| g.name == effect).map_or("", |g| g.meaning),
     }
 }
 

@@ -14,6 +14,7 @@
 //! | [`calibration`] | what a probability of that rule is worth |
 //! | [`tree`] | all probabilities: path, family, effect, form |
 //! | [`answer`], [`outcome`] | the answer in words and figures |
+//! | [`sentence`], [`phrases`] | every text that it says, in English, and what lets it be said in another language |
 //! | [`regions`] | where model and records disagree |
 //! | [`reference`] | what changed against the same tests on a good damper |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
@@ -32,12 +33,14 @@ mod nearby;
 mod next_matrix;
 mod next_test;
 mod outcome;
+mod phrases;
 mod race;
 mod reference;
 mod regions;
 mod round;
 mod screening;
 mod search;
+mod sentence;
 mod situation;
 mod spring_end;
 mod tree;
@@ -48,6 +51,8 @@ mod vocabulary;
 pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_held_out;
 pub use outcome::*;
+pub use phrases::texts;
+pub use sentence::{Sentence, Template};
 pub use tree::Branch;
 
 use answer::{explained, judge, rivals};
@@ -263,7 +268,7 @@ impl Answer<'_> {
         let first_round = &found.rounds[0];
         let could_not_test = untestable::list(self.situation, &first_round.invisible, &names);
         let summary = match judged.verdict {
-            Verdict::NothingMissing => format!("{}{}", judged.summary, self.not_seen(&could_not_test)),
+            Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
             _ => judged.summary.clone(),
         };
         let mut diagnosis = Diagnosis {
@@ -425,39 +430,29 @@ impl Answer<'_> {
             .collect()
     }
 
-    /// What "nothing is missing" does not cover.
-    fn not_seen(&self, could_not_test: &[CouldNotTest]) -> String {
-        let names: Vec<&str> = could_not_test.iter().map(|c| c.effect).collect();
-        let mut text = String::new();
-        if !names.is_empty() {
-            text += &format!("; they cannot show {}", names.join(", "));
-        }
-        if self.left.is_empty() {
-            text += "; no test was left out to confirm it";
-        }
-        text
+    /// "Nothing is missing", with what that does not cover.
+    fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
+        let names = could_not_test.iter().map(|c| c.effect);
+        let not_seen = (!could_not_test.is_empty())
+            .then(|| Sentence::from(phrases::CANNOT_SHOW).with_names("names", names, phrases::COMMA));
+        let not_confirmed = self.left.is_empty().then(|| phrases::NOT_CONFIRMED.into());
+        nothing.with_any("not_seen", not_seen).with_any("not_confirmed", not_confirmed)
     }
 
     /// What there is to say of how the comparison was made.
-    fn about_the_reference(&self) -> Option<String> {
+    fn about_the_reference(&self) -> Option<Sentence> {
         let Some(reference) = &self.reference else {
-            return Some(
-                "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper \
-                 was measured on the same rig, --reference asks what changed"
-                    .to_owned(),
-            )
-            .filter(|_| !self.found.found.added.is_empty());
+            return (!self.found.found.added.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
         };
-        let text = "compared with the reference campaign: what the model leaves of the same tests there is taken out"
-            .to_owned();
-        Some(match &reference.missing[..] {
-            [] => text,
-            missing => format!(
-                "{text}; {} tests have no counterpart there and were left aside: {}",
-                missing.len(),
-                missing.join(", ")
-            ),
-        })
+        let missing = &reference.missing;
+        let aside = (!missing.is_empty()).then(|| {
+            Sentence::from(phrases::WITHOUT_COUNTERPART).with("count", missing.len()).with_names(
+                "tests",
+                missing,
+                phrases::COMMA,
+            )
+        });
+        Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside))
     }
 
     /// Numbers of the model that differ from the reference damper's by more than both leave open.

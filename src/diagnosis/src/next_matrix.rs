@@ -36,11 +36,12 @@ impl Diagnosis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Sentence;
 
     #[test]
     fn a_sine_is_a_row_and_a_soak_is_none() {
         let sine = NextTest {
-            text: String::new(),
+            text: Sentence::default(),
             amplitude_m: Some(0.0125),
             frequency_hz: Some(2.5),
             mean_displacement_m: Some(-0.01),

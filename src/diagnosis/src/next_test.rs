@@ -3,6 +3,8 @@
 
 use super::effects::remedy;
 use super::outcome::NextTest;
+use super::phrases;
+use super::sentence::Sentence;
 use dashpot_core::Input;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::samples::Test;
@@ -161,14 +163,19 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
             continue;
         }
         let (a, b) = (rivals[i].effect, rivals[j].effect);
-        let place = if d.mean.abs() > 1e-4 { format!(" about {:+.0} mm", 1e3 * d.mean) } else { String::new() };
-        let side = if d.side_force > 0.0 { format!(" under {:.0} N side force", d.side_force) } else { String::new() };
+        let about = (d.mean.abs() > 1e-4)
+            .then(|| Sentence::from(phrases::ABOUT_MEAN).with("mean", format!("{:+.0}", 1e3 * d.mean)));
+        let under = (d.side_force > 0.0)
+            .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", d.side_force)));
         told.push(NextTest {
-            text: format!(
-                "run a sine of {} mm at {} Hz{place}{side}: {a} and {b} differ there by {difference:.1} N rms",
-                1e3 * d.amplitude,
-                d.frequency
-            ),
+            text: Sentence::from(phrases::RUN_SINE)
+                .with("amplitude", 1e3 * d.amplitude)
+                .with("frequency", d.frequency)
+                .with_any("about", about)
+                .with_any("under", under)
+                .with("a", a)
+                .with("b", b)
+                .with("difference", format!("{difference:.1}")),
             amplitude_m: Some(d.amplitude),
             frequency_hz: Some(d.frequency),
             mean_displacement_m: Some(d.mean),
@@ -189,7 +196,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
 /// The test that shows one effect best, in words.
 pub fn in_words(effect: &'static str) -> NextTest {
     NextTest {
-        text: format!("{effect} shows best in: {}", remedy(effect)),
+        text: Sentence::from(phrases::SHOWS_BEST).with("effect", effect).with_said("remedy", remedy(effect)),
         amplitude_m: None,
         frequency_hz: None,
         mean_displacement_m: None,

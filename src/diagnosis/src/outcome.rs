@@ -1,5 +1,6 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
+use super::sentence::Sentence;
 use super::tree::Branch;
 use dashpot_core::Params;
 use serde::Serialize;
@@ -25,7 +26,7 @@ pub struct Diagnosis {
     /// The answer in one word.
     pub verdict: Verdict,
     /// The answer in sentences.
-    pub summary: String,
+    pub summary: Sentence,
     /// Effects in the order in which they were added.
     pub findings: Vec<Finding>,
     /// What explains about as well as each other a disagreement, or the rest of one, that got no name; likeliest first.
@@ -52,7 +53,7 @@ pub struct Diagnosis {
     /// Against a reference: numbers of the model that are others on this damper.
     pub changed: Vec<Change>,
     /// Remarks.
-    pub notes: Vec<String>,
+    pub notes: Vec<Sentence>,
     /// Each test before and after.
     pub tests: Vec<TestOutcome>,
     /// Every effect that was tried in full, round by round.
@@ -78,7 +79,7 @@ pub struct Finding {
     /// Which form of it fits best; empty where there is one.
     pub form: &'static str,
     /// What it is, in one line.
-    pub meaning: String,
+    pub meaning: &'static str,
     /// Where in the way of the force it acts.
     pub path: &'static str,
     /// Its family: effects that act in the same place.
@@ -129,7 +130,7 @@ pub struct Rival {
     /// Share of the excess that it explains.
     pub share: f64,
     /// Why it lost.
-    pub why: String,
+    pub why: Sentence,
 }
 
 /// A region where model and records disagree.
@@ -152,7 +153,7 @@ pub struct Region {
     /// What noise makes there, N.
     pub noise_n: f64,
     /// The same in words.
-    pub text: String,
+    pub text: Sentence,
 }
 
 /// How far a model is off.
@@ -174,7 +175,7 @@ pub struct Figures {
 #[derive(Debug, Clone, Serialize)]
 pub struct NextTest {
     /// What to do and what it would show.
-    pub text: String,
+    pub text: Sentence,
     /// Amplitude, m.
     pub amplitude_m: Option<f64>,
     /// Frequency, Hz.
@@ -195,7 +196,7 @@ pub struct CouldNotTest {
     /// Its name.
     pub effect: &'static str,
     /// Why, and what test would show it.
-    pub why: String,
+    pub why: Sentence,
 }
 
 /// A number of the base model that moved when effects were added.

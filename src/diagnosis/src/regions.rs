@@ -2,6 +2,8 @@
 //! the noise, in words and figures.
 
 use super::outcome::Region;
+use super::phrases;
+use super::sentence::Sentence;
 use dashpot_estimation::samples::Test;
 
 /// Bounds of the speed bands, m/s.
@@ -92,7 +94,7 @@ fn region(tests: &[Test], residual: &[Vec<f64>], which: Option<usize>, name: &st
         rmse_n: (square / n).sqrt(),
         mean_n: sum / n,
         noise_n: (noise / n).sqrt(),
-        text: String::new(),
+        text: Sentence::default(),
     };
     region.text = words(&region, ((square / n - (sum / n).powi(2)).max(0.0) / n).sqrt());
     Some(region)
@@ -111,27 +113,34 @@ fn joined(a: &Region, b: &Region) -> Region {
     both
 }
 
-fn words(r: &Region, error: f64) -> String {
+fn words(r: &Region, error: f64) -> Sentence {
     let (slow, fast) =
         (r.velocity_m_s[0].abs().min(r.velocity_m_s[1].abs()), r.velocity_m_s[0].abs().max(r.velocity_m_s[1].abs()));
+    let direction = if r.direction == "rebound" { phrases::REBOUND } else { phrases::COMPRESSION };
     let phase = match r.acceleration {
-        "speeding_up" => " while it speeds up",
-        "slowing_down" => " while it slows down",
-        _ => "",
+        "speeding_up" => Some(phrases::SPEEDING_UP.into()),
+        "slowing_down" => Some(phrases::SLOWING_DOWN.into()),
+        _ => None,
     };
-    let place = if r.test == "all" { "in all tests that go there".to_owned() } else { format!("in test {}", r.test) };
-    let missing = if r.mean_n.abs() > 0.5 * r.rmse_n {
-        format!(
-            "measured force is {:.1} N ± {:.1} {} than computed",
-            r.mean_n.abs(),
-            error.max(0.05),
-            if r.mean_n > 0.0 { "more tensile" } else { "more compressive" }
-        )
+    let place = if r.test == "all" {
+        phrases::IN_ALL_TESTS.into()
     } else {
-        format!("{:.1} N rms off in both senses", r.rmse_n)
+        Sentence::from(phrases::IN_TEST).with("test", &r.test)
     };
-    format!(
-        "{}, {slow:.2}–{fast:.2} m/s{phase}, {place}: {missing} (rms {:.1} N, noise {:.1} N)",
-        r.direction, r.rmse_n, r.noise_n
-    )
+    let tenths = |newton: f64| format!("{newton:.1}");
+    let missing = if r.mean_n.abs() > 0.5 * r.rmse_n {
+        let sense = if r.mean_n > 0.0 { phrases::MORE_TENSILE } else { phrases::MORE_COMPRESSIVE };
+        Sentence::from(sense).with("mean", tenths(r.mean_n.abs())).with("error", tenths(error.max(0.05)))
+    } else {
+        Sentence::from(phrases::OFF_BOTH_WAYS).with("rms", tenths(r.rmse_n))
+    };
+    Sentence::from(phrases::REGION)
+        .with_said("direction", direction)
+        .with("slow", format!("{slow:.2}"))
+        .with("fast", format!("{fast:.2}"))
+        .with_any("phase", phase)
+        .with_said("place", place)
+        .with_said("missing", missing)
+        .with("rms", tenths(r.rmse_n))
+        .with("noise", tenths(r.noise_n))
 }

@@ -2,6 +2,7 @@
 
 use super::decisions::NAMED;
 use super::effects::{CARDS, card};
+use super::phrases::{NOTHING, SOMETHING_ELSE};
 use super::round::Round;
 use serde::Serialize;
 
@@ -70,7 +71,7 @@ pub fn tree(round: &Round, samples: f64) -> Vec<Branch> {
             joined(path, "path", families.into_iter().map(family).collect())
         })
         .collect();
-    for (name, probability) in [("nothing", odds.nothing), ("something else", odds.without_name)] {
+    for (name, probability) in [(NOTHING, odds.nothing), (SOMETHING_ELSE, odds.without_name)] {
         all.push(Branch { name: name.to_owned(), level: "path", probability, branches: Vec::new() });
     }
     sorted(all)

@@ -2,6 +2,8 @@
 
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
+use super::phrases;
+use super::sentence::Sentence;
 use super::situation::Situation;
 
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
@@ -18,15 +20,10 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) ->
         if let Some(why) = (card.missing)(s) {
             all.push(CouldNotTest { effect, why });
         } else if invisible.iter().any(|(name, seen)| *name == effect && *seen < TRACE) {
-            let why = format!("at a usual strength it would leave no trace in these tests: {}", remedy(effect));
+            let why = Sentence::from(phrases::NO_TRACE).with_said("remedy", remedy(effect));
             all.push(CouldNotTest { effect, why });
         }
     }
-    all.push(CouldNotTest {
-        effect: "cylinder_expansion",
-        why: "the tube widens in proportion to pressure like the oil column yields: a rig shows their sum, which \
-              oil_compressibility stands for"
-            .to_owned(),
-    });
+    all.push(CouldNotTest { effect: "cylinder_expansion", why: phrases::SUM_ALONE.into() });
     all
 }

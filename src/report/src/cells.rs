@@ -1,6 +1,7 @@
 //! Cells of tables: the text that a page shows, with the number behind it, which a workbook takes in full.
 
 use super::numbers::{self, digits, usual};
+use crate::words::Words;
 
 /// A cell of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,9 +58,9 @@ impl Cell {
     }
 
     /// A value and the ends of its interval, in one unit.
-    pub fn with_interval(value: f64, low: f64, high: f64, unit: &str) -> [Self; 2] {
+    pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> [Self; 2] {
         let (factor, usual) = usual(value, unit);
-        let (text, ends) = numbers::with_interval(value, low, high, unit);
+        let (text, ends) = numbers::with_interval(value, low, high, unit, words);
         [
             Self { text, value: Value::Measured(factor * value, usual.clone()) },
             Self { text: ends, value: Value::Between([factor * low, factor * high], usual) },

@@ -5,7 +5,7 @@ use super::numbers::{error, force, frequency, milli, percent};
 use crate::cells::Cell;
 use crate::plot::overview;
 use crate::words::{Words, fill};
-use dashpot_identification::validation::{Deviation, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
+use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 
 /// The error matrix as a picture, and the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
@@ -18,21 +18,27 @@ pub fn pictures(validation: &Validation, words: &Words) -> Section {
 
 /// The error matrix in figures.
 pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
-    let matrix = &validation.matrix;
-    let together = |row: &MatrixRow, text: &str, value: f64| (fill(text, &[("value", &milli(value))]), row.clone());
-    let by_amplitude = matrix.by_amplitude.iter().map(|r| together(r, words.row_amplitude, r.value));
-    let slow = matrix.slow.iter().map(|r| together(r, words.row_slow, SLOW_PEAK_VELOCITY));
-    let other = matrix.not_periodic.iter().map(|r| together(r, words.row_not_periodic, r.value));
-    let apart: Vec<_> = slow.chain(other).collect();
-    if matrix.by_amplitude.is_empty() {
+    let [by_amplitude, apart, second] = labelled(&validation.matrix, words, milli);
+    if by_amplitude.is_empty() {
         return vec![Block::Table(table(words.row_rule.to_owned(), apart, words))];
     }
     let rule = [("rule", words.row_rule)];
-    let first = by_amplitude.chain(apart).collect();
-    let second = matrix.by_peak_velocity.iter().map(|r| together(r, words.row_peak_velocity, r.value)).collect();
+    let first = by_amplitude.into_iter().chain(apart).collect();
     vec![
         Block::Table(table(fill(words.by_amplitude, &rule), first, words)),
         Block::Table(table(fill(words.by_peak_velocity, &rule), second, words)),
+    ]
+}
+
+/// The rows of a matrix with their names: those of one amplitude, those of tests that stand apart, those of one peak velocity.
+fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
+    let named = |row: &MatrixRow, text: &str, value: f64| (fill(text, &[("value", &write(value))]), row.clone());
+    let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
+    let other = matrix.not_periodic.iter().map(|r| named(r, words.row_not_periodic, r.value));
+    [
+        matrix.by_amplitude.iter().map(|r| named(r, words.row_amplitude, r.value)).collect(),
+        slow.chain(other).collect(),
+        matrix.by_peak_velocity.iter().map(|r| named(r, words.row_peak_velocity, r.value)).collect(),
     ]
 }
 
@@ -68,25 +74,44 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Errors of one row per amplitude or peak velocity, before and after an improvement of the model, which stands in the
+/// Errors of one row per amplitude and per peak velocity, before and after an improvement of the model, which stands in the
 /// places of the curve and the model.
-pub fn before_and_after<'a>(caption: String, rows: impl Iterator<Item = &'a MatrixRow>) -> Table {
+pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
+    let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
+    let about = |text: &str, rule: &str| fill(text, &[("rule", rule)]).trim_end().to_owned();
+    let first = by_amplitude.into_iter().chain(apart).collect();
+    let mut blocks = vec![two_sided(about(words.by_amplitude, words.mean_cycles_rule), first, words)];
+    if !by_peak_velocity.is_empty() {
+        blocks.push(two_sided(about(words.by_peak_velocity, ""), by_peak_velocity, words));
+    }
+    blocks
+}
+
+/// [`milli`] without zeros at its end.
+fn short(si: f64) -> String {
+    let text = milli(si);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+fn two_sided(caption: String, rows: Vec<(String, MatrixRow)>, words: &Words) -> Block {
     let rows = rows
-        .map(|row| {
+        .into_iter()
+        .map(|(label, row)| {
             let Errors { model: after, fv_only: before } = &row.errors;
-            let mut cells = start(row.label.as_str().into(), row);
+            let mut cells = start(label.into(), &row);
             for one in [before, after] {
                 cells.extend(three(one));
             }
             cells
         })
         .collect();
-    let mut columns = vec![Column::words("tests"), Column::figures("number"), Column::figures("largest force,\u{a0}N")];
-    for group in ["before", "after"] {
-        let headings = ["mean error,\u{a0}N", "error,\u{a0}%", "rms error,\u{a0}N"];
+    let mut columns =
+        vec![Column::words(words.col_tests), Column::figures(words.col_number), Column::figures(words.col_max_force)];
+    for group in [words.before, words.after] {
+        let headings = [words.col_mean_error, words.col_error_percent, words.col_rms];
         columns.extend(headings.map(|heading| Column::figures(heading).of(group)));
     }
-    Table { caption, columns, rows, sortable: false }
+    Block::Table(Table { caption, columns, rows, sortable: false })
 }
 
 fn table(caption: String, rows: Vec<(String, MatrixRow)>, words: &Words) -> Table {

@@ -29,7 +29,7 @@ pub fn workbook(
 /// Estimates, choices, what the records are off by, and the tests used.
 fn sections(fit: &Fit, over_whole_records: &Deviation, words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
-    let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records))]);
+    let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
     sections.extend(parameters::section(&parameters::of_fit(fit), words));
     let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
@@ -44,7 +44,7 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, words: &Words) -> Vec<Sec
             vec![Column::words(words.col_name), Column::figures(words.col_value), Column::figures(words.col_interval)];
         let row = |m: &dashpot_identification::Measured| {
             let mut row = vec![Cell::from(m.name)];
-            row.extend(Cell::with_interval(m.value, m.low, m.high, m.unit));
+            row.extend(Cell::with_interval(m.value, m.low, m.high, m.unit, words));
             row
         };
         sections.push(Section::new(

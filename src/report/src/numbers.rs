@@ -1,6 +1,7 @@
 //! How the report writes figures: as many digits as mean something, in a damper engineer's units.
 
 use crate::plot::ticks::number;
+use crate::words::{Words, fill};
 
 /// A force, N.
 pub fn force(newton: f64) -> String {
@@ -56,7 +57,7 @@ pub fn with_unit(value: f64, unit: &str) -> String {
 }
 
 /// A value with the ends of its interval, all in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
-pub fn with_interval(value: f64, low: f64, high: f64, unit: &str) -> (String, String) {
+pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
     let (factor, unit) = usual(value, unit);
     let [value, low, high] = [value, low, high].map(|v| factor * v);
     // Digits beyond the first two of the interval's half width say nothing.
@@ -69,7 +70,8 @@ pub fn with_interval(value: f64, low: f64, high: f64, unit: &str) -> (String, St
         }
         _ => digits(v, 4),
     };
-    (spaced(write(value), &unit), spaced(format!("{} to {}", write(low), write(high)), &unit))
+    let ends = fill(words.range, &[("low", &write(low)), ("high", &write(high))]);
+    (spaced(write(value), &unit), spaced(ends, &unit))
 }
 
 fn spaced(figures: String, unit: &str) -> String {
@@ -109,6 +111,7 @@ fn superscript(value: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::EN;
 
     #[test]
     fn significant_digits_survive_every_size() {
@@ -147,7 +150,7 @@ mod tests {
             assert_eq!(with_unit(value, unit).replace('\u{a0}', " "), text);
         }
         let plain = |(a, b): (String, String)| (a.replace('\u{a0}', " "), b.replace('\u{a0}', " "));
-        let of = |value, low, high, unit| plain(with_interval(value, low, high, unit));
+        let of = |value, low, high, unit| plain(with_interval(value, low, high, unit, &EN));
         assert_eq!(of(2412.0, 2371.0, 2453.0, "N/m"), ("2.412 N/mm".into(), "2.371 to 2.453 N/mm".into()));
         assert_eq!(of(66.5, 50.9, 82.1, "N/m"), ("0.067 N/mm".into(), "0.051 to 0.082 N/mm".into()));
         assert_eq!(of(140.0, 139.9, 140.1, "N"), ("140.0 N".into(), "139.9 to 140.1 N".into()));

@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::words::Words;
+use crate::words::{Words, fill};
 use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
@@ -137,10 +137,13 @@ pub fn of_fit(fit: &Fit) -> Vec<ParameterRow> {
 }
 
 /// Those of the improved model of a diagnosis.
-pub fn of_diagnosis(found: &Diagnosis) -> Vec<ParameterRow> {
+pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
     let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
     let row = |e: &Estimate| ParameterRow {
-        source: added(e.name).map_or_else(|| "refitted".to_owned(), |f| format!("added: {}", f.effect)),
+        source: match added(e.name) {
+            Some(finding) => fill(words.source_added, &[("effect", finding.effect)]),
+            None => words.source_refitted.to_owned(),
+        },
         ..of_estimate(e)
     };
     found.estimates.iter().map(row).collect()

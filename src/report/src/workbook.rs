@@ -333,7 +333,7 @@ mod tests {
     }
 
     fn row(name: &str, force: f64, [value, low, high]: [f64; 3], unit: &str, share: f64) -> Vec<Cell> {
-        let [value, interval] = Cell::with_interval(value, low, high, unit);
+        let [value, interval] = Cell::with_interval(value, low, high, unit, &EN);
         vec![name.into(), Cell::number(force, crate::numbers::error), value, interval, Cell::share(share)]
     }
 

@@ -246,6 +246,25 @@ fn the_report_tells_everything_and_asks_nobody() {
 }
 
 #[test]
+fn the_report_is_in_the_language_asked_for_and_nothing_else_is() {
+    let folder = copy();
+    let dir = folder.path();
+    let ask = ["diagnose", "plain.toml", "records", "--candidates", "presliding_friction,channel_delay"];
+    let outputs = ["--json", "c.json", "--report", "c.html", "--excel", "c.xlsx"];
+    let english = done(dir, &[&ask[..], &outputs].concat());
+    let figures = std::fs::read(dir.join("c.json")).unwrap();
+    let chinese = done(dir, &[&ask[..], &outputs, &["--language", "zh"]].concat());
+    assert_eq!(english, chinese);
+    assert!(std::fs::read(dir.join("c.json")).unwrap() == figures);
+    let report = std::fs::read_to_string(dir.join("c.html")).unwrap();
+    assert!(report.contains("<html lang=\"zh\">") && report.contains("<h2>缺少什么</h2>"));
+    assert!(!report.contains("What is missing") && !report.contains("explains"));
+    let book = excel::sheets(&dir.join("c.xlsx"));
+    assert!(!excel::column(excel::sheet(&book, "全部尝试"), "概率, %").is_empty());
+    assert!(refused(dir, &[&ask[..], &["--language", "it"]].concat()).contains("en, de, fr and zh"));
+}
+
+#[test]
 fn mistakes_end_in_a_sentence() {
     let folder = copy();
     let dir = folder.path();
@@ -365,6 +384,11 @@ fn groups_are_compared_with_one_reference() {
         .map(ToString::to_string)
         .collect();
     assert_eq!(names, ["b", "c"]);
+    let group = ["diagnose", "plain.toml", "fleet", "--group", "folders", "--candidates", "channel_delay"];
+    done(dir, &[&group[..], &outputs, &["--language", "zh"]].concat());
+    let report = std::fs::read_to_string(dir.join("g.html")).unwrap();
+    assert!(report.contains("<h2>各组的变化</h2>") && !report.contains("What changed"));
+    assert!(!excel::column(excel::sheet(&excel::sheets(&dir.join("g.xlsx")), "各组的变化"), "结论").is_empty());
     assert!(
         refused(dir, &["diagnose", "plain.toml", "records", "--group", "folders"]).contains("no folder in records")
     );

@@ -116,7 +116,7 @@ impl Session {
             let report = DiagnosisReport {
                 model_file,
                 data: loaded.named(),
-                parameters: parameters::of_diagnosis(&found),
+                parameters: parameters::of_diagnosis(&found, words),
                 found: &found,
                 records: &records,
                 reading: reading::sentences(&loaded.campaign),

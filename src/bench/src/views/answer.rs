@@ -6,7 +6,7 @@ use crate::session::papers::Paper;
 use crate::session::tasks::Diagnosed;
 use crate::units::digits;
 use crate::views::View;
-use crate::words::Words;
+use crate::words::{Language, Words};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::validation::{Errors, Validation};
 use dashpot_identification::{Fit, Standing};
@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let mut take = false;
         if let Some(Diagnosed { found, .. }) = &session.answers.diagnosis {
             ui.heading(w.diagnosis_answer);
-            diagnosis(ui, found, w, &mut view.asks);
+            diagnosis(ui, found, view.language, &mut view.asks);
             ui.horizontal_wrapped(|ui| {
                 let free = session.task.is_none();
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
@@ -52,7 +52,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             ui.heading(w.fit_answer);
             // Above the numbers, which are more than the window holds.
             papers(ui, session.task.is_none(), view, &[(w.save_tables, Paper::FitTables)]);
-            fit(ui, found, w);
+            fit(ui, found, view.language);
         }
         if take {
             session.take_improved();
@@ -73,7 +73,8 @@ fn wrapped(ui: &mut Ui, text: RichText) {
     ui.add(egui::Label::new(text).wrap());
 }
 
-fn fit(ui: &mut Ui, found: &Fit, w: &Words) {
+fn fit(ui: &mut Ui, found: &Fit, language: Language) {
+    let (w, said) = (language.words(), language.of_reports());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
     for choice in &found.choices {
         wrapped(ui, RichText::new(format!("{}: {} — {}", choice.of, choice.chosen, choice.why)));
@@ -84,7 +85,7 @@ fn fit(ui: &mut Ui, found: &Fit, w: &Words) {
             match (&e.standing, e.low, e.high) {
                 (Standing::NotIdentified, ..) => ui.label(RichText::new(w.not_identified).small().weak()),
                 (_, Some(low), Some(high)) => {
-                    let (value, interval) = with_interval(e.value, low, high, e.unit);
+                    let (value, interval) = with_interval(e.value, low, high, e.unit, said);
                     ui.label(RichText::new(format!("{value}  ({interval})")).small())
                 }
                 _ => ui.label(RichText::new(format!("{} {}", digits(e.value), e.unit)).small()),
@@ -124,29 +125,30 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
     });
 }
 
-fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words, asks: &mut Vec<Ask>) {
-    wrapped(ui, RichText::new(headline(found)).strong());
+fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
+    let (w, said) = (language.words(), language.of_reports());
+    wrapped(ui, RichText::new(headline(found, said)).strong());
     for finding in &found.findings {
         ui.add_space(4.0);
-        let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
+        let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };
         wrapped(
             ui,
             RichText::new(format!("{}{form}, {} {}", finding.effect, share(finding.confidence), w.sure)).strong(),
         );
-        wrapped(ui, RichText::new(&finding.meaning));
+        wrapped(ui, RichText::new(said.word(finding.meaning)));
         for (name, value) in &finding.parameters {
-            let (value, interval) = with_interval(value.value, value.low, value.high, value.unit);
+            let (value, interval) = with_interval(value.value, value.low, value.high, value.unit, said);
             wrapped(ui, RichText::new(format!("{name}  {value}  ({interval})")).small());
         }
         if finding.of_the_rig {
             wrapped(ui, RichText::new(w.of_the_rig).weak());
         }
         for rival in finding.rivals.iter().take(2) {
-            wrapped(ui, RichText::new(format!("• {}: {}", rival.effect, rival.why)).weak());
+            wrapped(ui, RichText::new(format!("• {}: {}", rival.effect, said.say(&rival.why))).weak());
         }
     }
     for suspect in &found.suspects {
-        wrapped(ui, RichText::new(format!("{}: {}", suspect.effect, suspect.why)));
+        wrapped(ui, RichText::new(format!("{}: {}", suspect.effect, said.say(&suspect.why))));
     }
     ui.add_space(4.0);
     let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", digits(v)));
@@ -167,13 +169,13 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words, asks: &mut Vec<Ask>) {
         ui.end_row();
     });
     for region in found.regions.iter().take(5) {
-        wrapped(ui, RichText::new(format!("• {}", region.text)).weak());
+        wrapped(ui, RichText::new(format!("• {}", said.say(&region.text))).weak());
     }
     if !found.next_tests.is_empty() {
         ui.strong(w.next_test);
     }
     for test in found.next_tests.iter().take(3) {
-        wrapped(ui, RichText::new(&test.text));
+        wrapped(ui, RichText::new(said.say(&test.text)));
     }
     if let Some((matrix, _)) = found.next_matrix() {
         ui.horizontal(|ui| {
@@ -189,11 +191,11 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, w: &Words, asks: &mut Vec<Ask>) {
         ui.strong(w.changed);
     }
     for change in &found.changed {
-        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, said);
         let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
         wrapped(ui, RichText::new(format!("{}  {before} → {value}  ({interval})", change.parameter)));
     }
     for note in &found.notes {
-        wrapped(ui, RichText::new(format!("• {note}")).weak());
+        wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
     }
 }

@@ -545,9 +545,13 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
     assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
-    let headline = dashpot_report::diagnosis::headline(found);
-    harness.step();
-    assert!(says(&harness, &headline), "{headline}");
+    let headlines = Language::ALL.map(|of| (of, dashpot_report::diagnosis::headline(found, of.of_reports())));
+    // English comes last, for what follows.
+    for (language, headline) in headlines.iter().rev() {
+        harness.state_mut().view.language = *language;
+        harness.step();
+        assert!(says(&harness, headline), "{headline}");
+    }
     harness.check_accessibility();
     press(&mut harness, "Write report…");
     until(&mut harness, "the report", |app| app.session.task.is_none());

@@ -2,7 +2,7 @@
 
 use super::data::{DataArgs, name_of};
 use super::groups::{self, Answers, Group};
-use crate::page::DateArgs;
+use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
@@ -13,7 +13,7 @@ use dashpot_records::{Campaign, Record, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
-use dashpot_report::words::EN;
+use dashpot_report::words::{EN, Words};
 use dashpot_report::{Made, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
@@ -72,7 +72,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
     #[command(flatten)]
-    date: DateArgs,
+    text: TextArgs,
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
@@ -134,7 +134,7 @@ impl Diagnosed {
     /// In lines.
     pub fn told(&self) -> Vec<String> {
         let mut lines = told(&self.found);
-        lines.push(whole_records::told(&self.over_whole_records));
+        lines.push(whole_records::told(&self.over_whole_records, &EN));
         lines
     }
 
@@ -151,6 +151,7 @@ impl Diagnosed {
         data: &DataArgs,
         campaign: &Campaign,
         made: Made,
+        words: &'static Words,
         write: impl FnOnce(&DiagnosisReport<'_>) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
         let records: Vec<&Record> = campaign.records.iter().collect();
@@ -161,9 +162,9 @@ impl Diagnosed {
             records: &records,
             reading: reading::sentences(campaign),
             over_whole_records: self.over_whole_records,
-            parameters: parameters::of_diagnosis(&self.found),
+            parameters: parameters::of_diagnosis(&self.found, words),
             made,
-            words: &EN,
+            words,
         })
     }
 }
@@ -223,8 +224,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.is_none() && args.excel.is_none() && args.svg.is_none() {
         return Ok(());
     }
-    let made = args.date.made(files)?;
-    diagnosed.report(&args.model, &args.data, &campaign, made, |report| {
+    let made = args.text.date.made(files)?;
+    diagnosed.report(&args.model, &args.data, &campaign, made, args.text.words(), |report| {
         if let Some(path) = &args.report {
             report.write(path)?;
             say(&format!("report: {}", path.display()))?;
@@ -295,7 +296,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &answers)?;
     }
-    let page = answers.page(&args.model, args.date.made(files)?);
+    let page = answers.page(&args.model, args.text.date.made(files)?, args.text.words());
     if let Some(path) = &args.report {
         dashpot_output::write(path, page.render())?;
         dashpot_output::say(json, &format!("report: {}", path.display()))?;
@@ -314,7 +315,7 @@ const NEXT: usize = 3;
 
 /// The findings in lines.
 pub fn told(found: &Diagnosis) -> Vec<String> {
-    let mut lines = vec![headline(found)];
+    let mut lines = vec![headline(found, &EN)];
     if !found.regions.is_empty() {
         lines.push("Where the model as it came disagrees:".to_owned());
         lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
@@ -338,7 +339,7 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
         lines.push("Numbers that are others than on the reference damper:".to_owned());
     }
     for change in &found.changed {
-        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &EN);
         let before = with_unit(change.reference, change.unit);
         lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.parameter));
     }
@@ -361,7 +362,7 @@ fn one(finding: &Finding) -> Vec<String> {
     ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
-        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit);
+        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &EN);
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
     if let Some(gap) = finding.gap_closed {

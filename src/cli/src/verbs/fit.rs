@@ -13,6 +13,7 @@ use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, SignFinding};
 use dashpot_report::whole_records::in_words;
+use dashpot_report::words::EN;
 use dashpot_report::{Workbook, write_workbook};
 use dashpot_simulation::whole_records;
 use serde::Serialize;
@@ -252,7 +253,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         say(&format!("note: {note}"))?;
     }
     let over_whole_records = whole_records::of_fit(&found, &records)?;
-    let error = in_words(&over_whole_records);
+    let error = in_words(&over_whole_records, &EN);
     say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
         dashpot_output::json(

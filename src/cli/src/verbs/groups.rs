@@ -7,7 +7,7 @@ use dashpot_records::Record;
 use dashpot_records::glob::matches as glob_matches;
 use dashpot_report::blocks::{Block, Column, Section, Table};
 use dashpot_report::numbers::{share, with_interval, with_unit};
-use dashpot_report::words::EN;
+use dashpot_report::words::{EN, Words, fill};
 use dashpot_report::{Cell, Made, Workbook, made};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -129,12 +129,12 @@ pub struct Answers {
     pub groups: Vec<Answer>,
 }
 
-fn finding(finding: &Finding) -> String {
-    format!("{} ({} sure)", finding.effect, share(finding.confidence))
+fn finding(finding: &Finding, words: &Words) -> String {
+    fill(words.name_and_sure, &[("name", finding.effect), ("sure", &share(finding.confidence))])
 }
 
 fn change(change: &Change) -> String {
-    let (value, interval) = with_interval(change.value, change.low, change.high, change.unit);
+    let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &EN);
     format!("{value} (95 %: {interval})")
 }
 
@@ -143,8 +143,8 @@ impl Answers {
     pub fn told(&self) -> Vec<String> {
         let mut lines = vec![format!("Compared with {}:", self.reference)];
         for answer in &self.groups {
-            let names: Vec<String> = answer.diagnosis.findings.iter().map(finding).collect();
-            let names = if names.is_empty() { answer.diagnosis.summary.clone() } else { names.join(", ") };
+            let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, &EN)).collect();
+            let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
             lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
             for one in &answer.diagnosis.changed {
                 let before = with_unit(one.reference, one.unit);
@@ -163,41 +163,62 @@ impl Answers {
     }
 
     /// The report for people.
-    pub fn page(&self, model: &Path, made: Made) -> Page {
-        let mut numbers: BTreeMap<&str, (f64, &str)> = BTreeMap::new();
-        for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
-            numbers.entry(one.parameter).or_insert((one.reference, one.unit));
+    pub fn page(&self, model: &Path, made: Made, words: &'static Words) -> Page {
+        let mut sections =
+            vec![Section::new("groups", words.groups_section, vec![Block::Table(self.of_groups(words))])];
+        let numbers = self.numbers(words);
+        if !numbers.rows.is_empty() {
+            sections.push(Section::new("numbers", words.numbers_section, vec![Block::Table(numbers)]));
         }
+        if let Some(text) = &self.as_the_fit_saw {
+            sections.push(Section::new("measurement", words.measurement_section, vec![Block::Warning(text.clone())]));
+        }
+        if !self.left_aside.is_empty() {
+            let text = fill(words.aside, &[("tests", &self.left_aside.join(words.comma))]);
+            sections.push(Section::new("aside", words.aside_section, vec![Block::Warning(text)]));
+        }
+        let model = model.display().to_string();
+        let subtitle = fill(words.groups_subtitle, &[("model", &model), ("reference", &self.reference)]);
+        Page { subtitle, sections, made, words }
+    }
+
+    /// A row a group: its answer and its errors.
+    fn of_groups(&self, words: &Words) -> Table {
         let of_group = |answer: &Answer| {
-            let names: Vec<String> = answer.diagnosis.findings.iter().map(finding).collect();
+            let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, words)).collect();
             let rms = |value: f64| Cell::digits(value, 3);
             vec![
                 answer.group.as_str().into(),
                 Cell::count(answer.tests),
-                answer.diagnosis.summary.as_str().into(),
-                names.join(", ").into(),
+                words.say(&answer.diagnosis.summary).into(),
+                names.join(words.comma).into(),
                 rms(answer.diagnosis.before.rmse_n),
                 rms(answer.diagnosis.after.rmse_n),
                 rms(answer.diagnosis.before.noise_n),
             ]
         };
-        let groups = Table {
-            caption: "Every group beside the reference. N rms over the mean cycles of the tests, the model refitted: before a name is \
-                      added, after, and what noise makes of it."
-                .to_owned(),
+        Table {
+            caption: words.groups_caption.to_owned(),
             columns: vec![
-                Column::words("group"),
-                Column::figures("tests"),
-                Column::words("answer"),
-                Column::words("named"),
-                Column::figures("before N"),
-                Column::figures("after N"),
-                Column::figures("noise N"),
+                Column::words(words.col_group),
+                Column::figures(words.col_tests),
+                Column::words(words.col_answer),
+                Column::words(words.col_named),
+                Column::figures(words.col_before_n),
+                Column::figures(words.col_after_n),
+                Column::figures(words.col_group_noise),
             ],
             rows: self.groups.iter().map(of_group).collect(),
             sortable: true,
-        };
-        let mut sections = vec![Section::new("groups", "What changed in which group", vec![Block::Table(groups)])];
+        }
+    }
+
+    /// Every number that changed in any group, of the reference and of all groups.
+    fn numbers(&self, words: &Words) -> Table {
+        let mut numbers: BTreeMap<&str, (f64, &str)> = BTreeMap::new();
+        for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
+            numbers.entry(one.parameter).or_insert((one.reference, one.unit));
+        }
         let mut rows = Vec::new();
         for (name, (reference, unit)) in &numbers {
             let first = [self.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
@@ -205,31 +226,23 @@ impl Answers {
             for answer in &self.groups {
                 let there = answer.diagnosis.changed.iter().find(|c| c.parameter == *name);
                 let [value, interval] = there.map_or_else(
-                    || ["no change beyond the intervals".into(), Cell::none()],
-                    |c| Cell::with_interval(c.value, c.low, c.high, c.unit),
+                    || [words.no_change.into(), Cell::none()],
+                    |c| Cell::with_interval(c.value, c.low, c.high, c.unit, words),
                 );
                 rows.push(vec![Cell::from(*name), answer.group.as_str().into(), value, interval]);
             }
         }
-        if !rows.is_empty() {
-            let table = Table {
-                caption: "Numbers of the model that differ from the reference in at least one group by more than both leave open."
-                    .to_owned(),
-                columns: vec![Column::words("number"), Column::words("group"), Column::figures("value"), Column::figures("95 % interval")],
-                rows,
-                sortable: true,
-            };
-            sections.push(Section::new("numbers", "Numbers that changed", vec![Block::Table(table)]));
+        Table {
+            caption: words.numbers_caption.to_owned(),
+            columns: vec![
+                Column::words(words.col_quantity),
+                Column::words(words.col_group),
+                Column::figures(words.col_value),
+                Column::figures(words.col_interval),
+            ],
+            rows,
+            sortable: true,
         }
-        if let Some(text) = &self.as_the_fit_saw {
-            sections.push(Section::new("measurement", "The measurement itself", vec![Block::Warning(text.clone())]));
-        }
-        if !self.left_aside.is_empty() {
-            let text = format!("Tests that belong to no group: {}.", self.left_aside.join(", "));
-            sections.push(Section::new("aside", "Left aside", vec![Block::Warning(text)]));
-        }
-        let subtitle = format!("Model {} against each group; reference: {}", model.display(), self.reference);
-        Page { subtitle, sections, made }
     }
 }
 
@@ -238,26 +251,25 @@ pub struct Page {
     subtitle: String,
     sections: Vec<Section>,
     made: Made,
+    words: &'static Words,
 }
 
 impl Page {
-    const TITLE: &'static str = "What changed between dampers";
-
     /// As HTML.
     pub fn render(&self) -> String {
         let mut sections = self.sections.clone();
-        sections.push(made::section(&self.made, &EN));
-        dashpot_report::render_sections(Self::TITLE, &self.subtitle, &sections, &EN)
+        sections.push(made::section(&self.made, self.words));
+        dashpot_report::render_sections(self.words.groups_title, &self.subtitle, &sections, self.words)
     }
 
     /// As a workbook.
     pub fn workbook(&self) -> Workbook<'static> {
         Workbook {
-            title: Self::TITLE.to_owned(),
+            title: self.words.groups_title.to_owned(),
             subtitle: self.subtitle.clone(),
             sections: self.sections.clone(),
             made: self.made.clone(),
-            words: &EN,
+            words: self.words,
         }
     }
 }

@@ -15,6 +15,7 @@ mod valves;
 
 pub use base::base_numbers;
 
+use super::sentence::Template;
 use super::situation::Situation;
 use dashpot_core::elements;
 use dashpot_estimation::hypothesis::Free;
@@ -92,7 +93,7 @@ pub struct Candidate {
     pub jumps: bool,
     /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
     /// what it explains better.
-    pub unnamed: Option<&'static str>,
+    pub unnamed: Option<Template>,
 }
 
 impl Candidate {
@@ -183,5 +184,22 @@ mod tests {
             missing.iter().all(|e| base.is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
             "{missing:?}"
         );
+    }
+
+    #[test]
+    fn the_list_of_texts_has_every_form_and_no_other() {
+        let mut forms = std::collections::BTreeSet::new();
+        for preload in [false, true] {
+            for measured in [false, true] {
+                let mut base = Params::new();
+                base.enable("gas_preload", preload).unwrap();
+                base.enable("stribeck_friction", false).unwrap();
+                let mut situation = Situation::new(&base, &[], &[]);
+                (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
+                situation.temperature_measured = measured;
+                forms.extend(candidates(&situation).iter().map(|c| c.form).filter(|form| !form.is_empty()));
+            }
+        }
+        assert_eq!(forms, crate::phrases::FORMS.iter().copied().collect());
     }
 }

@@ -5,80 +5,61 @@ use crate::cells::Cell;
 use crate::numbers::{digits, percent, share};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
+use crate::words::{Words, fill};
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 
 /// The first section.
-pub fn section(found: &Diagnosis) -> Section {
-    let mut blocks = vec![Block::Lead(headline(found))];
-    blocks.extend(gap(found).map(Block::Paragraph));
-    blocks.extend(worse(found).map(Block::Warning));
-    blocks.push(Block::Table(key_table(found)));
-    blocks.push(Block::Wide(Figure::new("error-of-tests", before_after::errors(&found.tests)).saying(
-        "Each column is one test: how far the computed force is from the measured one before (grey) and after (red). A red \
-         dot on the bar means that nothing but noise is left. Left-out tests were seen by no refit: what closes there is real.",
-    )));
-    Section::new("answer", "Answer", blocks)
+pub fn section(found: &Diagnosis, words: &Words) -> Section {
+    let mut blocks = vec![Block::Lead(headline(found, words))];
+    blocks.extend(gap(found, words).map(Block::Paragraph));
+    blocks.extend(worse(found, words).map(Block::Warning));
+    blocks.push(Block::Table(key_table(found, words)));
+    let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
+    blocks.push(Block::Wide(errors.saying(words.errors_caption)));
+    Section::new("answer", words.answer, blocks)
 }
 
 /// The answer as one sentence.
-pub fn headline(found: &Diagnosis) -> String {
-    let mut summary = found.summary.trim().trim_end_matches('.').to_owned();
-    if let Some(first) = summary.get(..1).map(str::to_uppercase) {
-        summary.replace_range(..1, &first);
-    }
-    summary + "."
+pub fn headline(found: &Diagnosis, words: &Words) -> String {
+    let said = words.say(&found.summary);
+    fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
 /// What the verdict means and how much of the gap is closed.
-fn gap(found: &Diagnosis) -> Option<String> {
+fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let left_out = found.tests.iter().filter(|t| t.held_out).count();
-    let where_from = match (left_out, found.before.held_out_rmse_n, found.after.held_out_rmse_n) {
-        (1.., Some(before), Some(after)) => format!(
-            "On the {left_out} tests that no refit has seen, the error goes from {} to {} N rms",
-            digits(before, 3),
-            digits(after, 3)
-        ),
-        _ => format!(
-            "No test was left out (too few, or none named), so these figures show how well the model fits, not how well it \
-             predicts: the error goes from {} to {} N rms",
-            digits(found.before.rmse_n, 3),
-            digits(found.after.rmse_n, 3)
-        ),
+    let (text, before, after) = match (left_out, found.before.held_out_rmse_n, found.after.held_out_rmse_n) {
+        (1.., Some(before), Some(after)) => (words.error_unseen, before, after),
+        _ => (words.error_fitted, found.before.rmse_n, found.after.rmse_n),
     };
-    match found.verdict {
-        Verdict::Named => Some(match found.gap_closed {
-            Some(gap) => format!("{where_from}; {} of the gap between model and noise is closed, each test counted in units of its own noise.", share(gap)),
-            None => format!("{where_from}."),
-        }),
-        Verdict::NothingMissing => Some("The model stays as it is; only its numbers were refitted.".to_owned()),
-        Verdict::CannotTell => Some(
-            "Nothing was added: a guess between names that explain the records equally well would be worth nothing. The \
-             suspects are below, and the tests that would decide."
-                .to_owned(),
-        ),
-        Verdict::UnknownEffect => Some(
-            "Nothing was added: the disagreement is described below without a name. Its shape over velocity, displacement \
-             and time says what to look for at the damper or at the rig."
-                .to_owned(),
-        ),
-    }
+    let (tests, before, after) = (left_out.to_string(), digits(before, 3), digits(after, 3));
+    let error = fill(text, &[("tests", &tests), ("before", &before), ("after", &after)]);
+    Some(match found.verdict {
+        Verdict::Named => match found.gap_closed {
+            Some(gap) => fill(words.gap_is_closed, &[("error", &error), ("gap", &share(gap))]),
+            None => fill(words.sentence_end, &[("sentence", &error)]),
+        },
+        Verdict::NothingMissing => words.nothing_stays.to_owned(),
+        Verdict::CannotTell => words.nothing_added_rivals.to_owned(),
+        Verdict::UnknownEffect => words.nothing_added_unknown.to_owned(),
+    })
 }
 
 /// Left-out tests that got worse.
-fn worse(found: &Diagnosis) -> Option<String> {
+fn worse(found: &Diagnosis, words: &Words) -> Option<String> {
     if found.findings.is_empty() {
         return None;
     }
     let is_worse = |t: &&TestOutcome| t.held_out && t.after_rmse_n > t.before_rmse_n + 0.1 * t.noise_n;
     let names: Vec<&str> = found.tests.iter().filter(is_worse).map(|t| t.test.as_str()).collect();
-    let (first, count) = (names.first()?, names.len());
-    let all = found.tests.iter().filter(|t| t.held_out).count();
-    Some(format!("{count} of {all} left-out tests are further off than before, the first is {first}."))
+    let (first, count) = (names.first()?, names.len().to_string());
+    let all = found.tests.iter().filter(|t| t.held_out).count().to_string();
+    Some(fill(words.worse_tests, &[("count", &count), ("all", &all), ("test", first)]))
 }
 
-fn key_table(found: &Diagnosis) -> Table {
+fn key_table(found: &Diagnosis, words: &Words) -> Table {
     let held_out = |value: Option<f64>| Cell::known(value, |v| Cell::digits(v, 4));
-    let rows = [("before (the model as it came, refitted)", &found.before), ("after", &found.after)]
+    let rows = [(words.row_before, &found.before), (words.after, &found.after)]
         .into_iter()
         .take(if found.findings.is_empty() { 1 } else { 2 })
         .map(|(name, f)| {
@@ -93,45 +74,43 @@ fn key_table(found: &Diagnosis) -> Table {
         })
         .collect();
     let columns = vec![
-        Column::words("model"),
-        Column::figures("fitted tests,\u{a0}N\u{a0}rms"),
-        Column::figures("noise of these,\u{a0}N\u{a0}rms"),
-        Column::figures("left-out tests,\u{a0}N\u{a0}rms"),
-        Column::figures("noise of these,\u{a0}N\u{a0}rms"),
-        Column::figures("error,\u{a0}%"),
+        Column::words(words.col_model),
+        Column::figures(words.col_fitted_rms),
+        Column::figures(words.col_their_noise),
+        Column::figures(words.col_left_out_rms),
+        Column::figures(words.col_their_noise),
+        Column::figures(words.col_error_percent),
     ];
-    let caption =
-        "On mean cycles, which have less noise than single ones. Error in percent: mean |computed − measured| of a \
-                   test over its largest force, mean over all tests."
-            .to_owned();
-    Table { caption, columns, rows, sortable: false }
+    Table { caption: words.mean_cycles_caption.to_owned(), columns, rows, sortable: false }
 }
 
 /// The before/after picture by itself: the loop of the left-out test with the largest gap beside its rest, above the error
 /// of every test.
-pub fn picture(found: &Diagnosis) -> Option<String> {
+pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let shown = super::loops::largest(&found.tests, true).or_else(|| super::loops::largest(&found.tests, false))?;
     let [wide, tall] = crate::plot::axes::SIZE;
-    let errors = before_after::errors(&found.tests);
+    let errors = before_after::errors(&found.tests, words);
     let size = |name: &str| -> f64 {
         errors.split(&format!(" {name}=\"")).nth(1).and_then(|t| t.split('"').next()?.parse().ok()).unwrap_or(0.0)
     };
-    let named: Vec<String> =
-        found.findings.iter().map(|f| format!("{} ({} sure)", f.effect, share(f.confidence))).collect();
-    let title = match found.verdict {
-        Verdict::Named => format!("Missing: {}", named.join(", ")),
-        Verdict::NothingMissing => "Nothing is missing".to_owned(),
-        Verdict::CannotTell => "Something is missing, and these records cannot tell what".to_owned(),
-        Verdict::UnknownEffect => "Something is missing that no known effect explains".to_owned(),
+    let name = |f: &dashpot_diagnosis::Finding| {
+        fill(words.name_and_sure, &[("name", f.effect), ("sure", &share(f.confidence))])
     };
-    let kind = if shown.held_out { "left out of every refit" } else { "fitted" };
+    let named: Vec<String> = found.findings.iter().map(name).collect();
+    let title = match found.verdict {
+        Verdict::Named => fill(words.picture_named, &[("names", &named.join(words.comma))]),
+        Verdict::NothingMissing => words.picture_nothing.to_owned(),
+        Verdict::CannotTell => words.picture_cannot_tell.to_owned(),
+        Verdict::UnknownEffect => words.picture_unknown.to_owned(),
+    };
+    let kind = if shown.held_out { words.kind_left_out } else { words.kind_fitted };
     let top = 48.0;
     let mut svg = Svg::new((2.0 * wide).max(size("width")), top + tall + size("height"), &title);
     svg.text([20.0, 20.0], &title, TextStyle { bold: true, ..TextStyle::plain(15.0, Anchor::Start) });
-    let below = format!("Above: test {}, {kind}. Below: every test.", shown.test);
+    let below = fill(words.picture_below, &[("kind", kind), ("test", &shown.test)]);
     svg.text([20.0, 38.0], &below, TextStyle::faint(12.0, Anchor::Start));
-    svg.inside([0.0, top], &before_after::force_velocity(shown));
-    svg.inside([wide, top], &before_after::residual_velocity(shown));
+    svg.inside([0.0, top], &before_after::force_velocity(shown, words));
+    svg.inside([wide, top], &before_after::residual_velocity(shown, words));
     svg.inside([0.0, top + tall], &errors);
     Some(svg.finish())
 }

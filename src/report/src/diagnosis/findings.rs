@@ -1,23 +1,25 @@
 //! What was added, with its numbers, and why not something else.
 
+use super::capital;
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::numbers::{share, with_unit};
+use crate::words::{Words, fill};
 use dashpot_diagnosis::{Diagnosis, Finding, Rival, Verdict};
 
 /// The findings, and the suspects of what got no name; `None` where nothing is missing.
-pub fn section(found: &Diagnosis) -> Option<Section> {
+pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let mut blocks = Vec::new();
     for (k, finding) in found.findings.iter().enumerate() {
-        blocks.extend(one(k + 1, finding));
+        blocks.extend(one(k + 1, finding, words));
     }
     if !found.suspects.is_empty() {
         let caption = match found.verdict {
-            Verdict::CannotTell => "One of these is missing, likeliest first.",
-            Verdict::Named => "What may be missing beside that, likeliest first; none is likely enough to be added.",
-            _ => "What comes nearest; none is likely enough to be named.",
+            Verdict::CannotTell => words.suspects_cannot_tell,
+            Verdict::Named => words.suspects_beside,
+            _ => words.suspects_nearest,
         };
-        blocks.push(Block::Table(rivals(caption, &found.suspects)));
+        blocks.push(Block::Table(rivals(caption, &found.suspects, words)));
     }
     if !found.corrections.is_empty() {
         let all: Vec<String> = found
@@ -25,24 +27,20 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
             .iter()
             .map(|(name, value)| format!("{name} {}", with_unit(*value, unit_of(name))))
             .collect();
-        blocks.push(Block::Warning(format!(
-            "The rig added to the measurement: {}. That is corrected in this comparison only and is not part of the improved \
-             model; put the rig right before the next campaign.",
-            all.join(", ")
-        )));
+        blocks.push(Block::Warning(fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
     if !found.changed.is_empty() {
-        blocks.push(Block::Heading("Numbers that are others than on the reference damper".into()));
-        blocks.push(Block::Table(changed(found)));
+        blocks.push(Block::Heading(words.changed_section.into()));
+        blocks.push(Block::Table(changed(found, words)));
     }
     if !found.shifts.is_empty() {
-        blocks.push(Block::Heading("Numbers of the model that moved".into()));
-        blocks.push(Block::Table(shifts(found)));
+        blocks.push(Block::Heading(words.shifts_section.into()));
+        blocks.push(Block::Table(shifts(found, words)));
     }
     if blocks.is_empty() {
         return None;
     }
-    let title = if found.findings.is_empty() { "Suspects" } else { "What is missing" };
+    let title = if found.findings.is_empty() { words.suspects_section } else { words.findings_section };
     Some(Section::new("findings", title, blocks))
 }
 
@@ -55,88 +53,87 @@ pub fn unit_of(effect: &str) -> &'static str {
     }
 }
 
-fn one(place: usize, finding: &Finding) -> Vec<Block> {
-    let form = if finding.form.is_empty() { String::new() } else { format!(", form {}", finding.form) };
-    let e = &finding.evidence;
-    let gap = finding.gap_closed.map_or_else(String::new, |gap| {
-        format!(" By itself it closes {} of the gap on tests that no refit has seen.", share(gap))
-    });
-    let to_what = if finding.of_the_rig {
-        "It is of the rig, not of the damper: corrected in the comparison, not put into the model."
-    } else {
-        "It is added to the improved model."
+fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
+    let form = match finding.form {
+        "" => String::new(),
+        form => fill(words.finding_form, &[("form", words.word(form))]),
     };
+    let gap = |gap| fill(words.finding_gap, &[("gap", &share(gap))]);
+    let gap = finding.gap_closed.map_or_else(String::new, gap);
+    let added = if finding.of_the_rig { words.finding_of_rig } else { words.finding_added };
+    let (number, sure) = (place.to_string(), share(finding.confidence));
+    let heading = [("place", number.as_str()), ("effect", finding.effect), ("form", &form), ("sure", &sure)];
+    let meaning = capital(words.word(finding.meaning));
+    let why = [
+        ("path", words.word(finding.path)),
+        ("family", words.word(finding.family)),
+        ("family_sure", &share(finding.family_confidence)),
+        ("share", &share(finding.share)),
+        ("tests", &share(finding.evidence.tests_better)),
+    ];
     let mut blocks = vec![
-        Block::Heading(format!("{place}. {}{form}: {} sure", finding.effect, share(finding.confidence))),
-        Block::Paragraph(format!("{}. {to_what}{gap}", capital(&finding.meaning))),
-        Block::Paragraph(format!(
-            "Where: {} (family {}, {} sure). Why: without it {} of the disagreement opens again; it leaves less of {} of the tests.",
-            finding.path,
-            finding.family,
-            share(finding.family_confidence),
-            share(finding.share),
-            share(e.tests_better),
-        )),
+        Block::Heading(fill(words.finding_heading, &heading)),
+        Block::Paragraph(fill(words.finding_what, &[("meaning", &meaning), ("added", added), ("gap", &gap)])),
+        Block::Paragraph(fill(words.finding_why, &why)),
     ];
     if !finding.parameters.is_empty() {
-        blocks.push(Block::Table(parameters(finding)));
+        blocks.push(Block::Table(parameters(finding, words)));
     }
     if !finding.rivals.is_empty() {
-        blocks.push(Block::Table(rivals("What else was tried in its place.", &finding.rivals)));
+        blocks.push(Block::Table(rivals(words.rivals_caption, &finding.rivals, words)));
     }
     blocks
 }
 
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-fn parameters(finding: &Finding) -> Table {
+fn parameters(finding: &Finding, words: &Words) -> Table {
     let rows = finding
         .parameters
         .iter()
         .map(|(name, v)| {
-            let [value, interval] = Cell::with_interval(v.value, v.low, v.high, v.unit);
-            let judged = if v.plausible { "plausible" } else { "outside what dampers and rigs show: treat with care" };
+            let [value, interval] = Cell::with_interval(v.value, v.low, v.high, v.unit, words);
+            let judged = if v.plausible { words.plausible } else { words.not_plausible };
             vec![(*name).into(), value, interval, judged.into()]
         })
         .collect();
     let columns = vec![
-        Column::words("parameter"),
-        Column::figures("value"),
-        Column::figures("95 % interval"),
-        Column::words("judged"),
+        Column::words(words.col_parameter),
+        Column::figures(words.col_value),
+        Column::figures(words.col_interval),
+        Column::words(words.col_judged),
     ];
     Table { caption: String::new(), columns, rows, sortable: false }
 }
 
-fn rivals(caption: &str, rivals: &[Rival]) -> Table {
+fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
     let rows = rivals
         .iter()
-        .map(|r| vec![r.effect.into(), Cell::share(r.confidence), Cell::share(r.share), r.why.as_str().into()])
+        .map(|r| vec![r.effect.into(), Cell::share(r.confidence), Cell::share(r.share), words.say(&r.why).into()])
         .collect();
-    let columns =
-        vec![Column::words("effect"), Column::figures("confidence"), Column::figures("explains"), Column::words("why")];
+    let columns = vec![
+        Column::words(words.col_effect),
+        Column::figures(words.col_confidence),
+        Column::figures(words.col_explains),
+        Column::words(words.col_why),
+    ];
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
 }
 
-fn changed(found: &Diagnosis) -> Table {
+fn changed(found: &Diagnosis, words: &Words) -> Table {
     let row = |c: &dashpot_diagnosis::Change| {
-        let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit);
+        let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit, words);
         vec![c.parameter.into(), Cell::measured(c.reference, c.unit), value, interval]
     };
     let columns = vec![
-        Column::words("parameter"),
-        Column::figures("reference"),
-        Column::figures("this damper"),
-        Column::figures("95 % interval"),
+        Column::words(words.col_parameter),
+        Column::figures(words.col_reference),
+        Column::figures(words.col_this_damper),
+        Column::figures(words.col_interval),
     ];
-    let caption = "Shown are those that differ by more than three standard deviations of both fits.".to_owned();
-    Table { caption, columns, rows: found.changed.iter().map(row).collect(), sortable: false }
+    let rows = found.changed.iter().map(row).collect();
+    Table { caption: words.changed_caption.to_owned(), columns, rows, sortable: false }
 }
 
-fn shifts(found: &Diagnosis) -> Table {
+fn shifts(found: &Diagnosis, words: &Words) -> Table {
     let rows = found
         .shifts
         .iter()
@@ -146,14 +143,10 @@ fn shifts(found: &Diagnosis) -> Table {
         })
         .collect();
     let columns = vec![
-        Column::words("parameter"),
-        Column::figures("before"),
-        Column::figures("after"),
-        Column::figures("change"),
+        Column::words(words.col_parameter),
+        Column::figures(words.before),
+        Column::figures(words.after),
+        Column::figures(words.col_change),
     ];
-    let caption =
-        "Without the effect these numbers had taken a part of it up. Shown are those that moved by more than three \
-                   standard deviations."
-            .to_owned();
-    Table { caption, columns, rows, sortable: false }
+    Table { caption: words.shifts_caption.to_owned(), columns, rows, sortable: false }
 }

@@ -2,33 +2,34 @@
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
+use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
 /// The last words.
-pub fn section(found: &Diagnosis, reading: &[String]) -> Section {
+pub fn section(found: &Diagnosis, reading: &[String], words: &Words) -> Section {
     let mut blocks = Vec::new();
     if !found.next_tests.is_empty() {
-        blocks.push(Block::Heading("Tests worth running next".into()));
-        blocks.push(Block::Table(next_tests(found)));
+        blocks.push(Block::Heading(words.next_tests_section.into()));
+        blocks.push(Block::Table(next_tests(found, words)));
     }
-    blocks.push(Block::Heading("What these records cannot show".into()));
+    blocks.push(Block::Heading(words.cannot_show_section.into()));
     if found.could_not_test.is_empty() {
-        blocks.push(Block::Paragraph("Every known effect would have shown in these records.".into()));
+        blocks.push(Block::Paragraph(words.all_would_show.into()));
     } else {
-        let rows = found.could_not_test.iter().map(|c| vec![c.effect.into(), c.why.as_str().into()]).collect();
-        let columns = vec![Column::words("effect"), Column::words("why, and what would show it")];
-        let caption = "Neither found nor ruled out.".to_owned();
+        let rows = found.could_not_test.iter().map(|c| vec![c.effect.into(), words.say(&c.why).into()]).collect();
+        let columns = vec![Column::words(words.col_effect), Column::words(words.col_cannot_show)];
+        let caption = words.cannot_show_caption.to_owned();
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: false }));
     }
-    let remarks: Vec<String> = found.notes.iter().chain(reading).cloned().collect();
+    let remarks: Vec<String> = found.notes.iter().map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
     if !remarks.is_empty() {
-        blocks.push(Block::Heading("Remarks".into()));
+        blocks.push(Block::Heading(words.remarks.into()));
         blocks.push(Block::List(remarks));
     }
-    Section::new("limits", "What to measure next", blocks)
+    Section::new("limits", words.limits_section, blocks)
 }
 
-fn next_tests(found: &Diagnosis) -> Table {
+fn next_tests(found: &Diagnosis, words: &Words) -> Table {
     let three = |value: Option<f64>| Cell::known(value, |v| Cell::digits(v, 3));
     let rows = found
         .next_tests
@@ -40,21 +41,17 @@ fn next_tests(found: &Diagnosis) -> Table {
                 Cell::known(t.mean_displacement_m, Cell::milli),
                 three(t.side_force_n),
                 three(t.difference_n),
-                t.text.as_str().into(),
+                words.say(&t.text).into(),
             ]
         })
         .collect();
     let columns = vec![
-        Column::figures("amplitude, mm"),
-        Column::figures("frequency, Hz"),
-        Column::figures("mean position, mm"),
-        Column::figures("side force, N"),
-        Column::figures("difference, N rms"),
-        Column::words("what to do"),
+        Column::figures(words.col_next_amplitude),
+        Column::figures(words.col_next_frequency),
+        Column::figures(words.col_next_mean),
+        Column::figures(words.col_side_force),
+        Column::figures(words.col_difference_rms),
+        Column::words(words.col_what_to_do),
     ];
-    let caption =
-        "Difference: by how much the explanations' predictions differ there. A test decides where that is well above \
-                   the noise."
-            .to_owned();
-    Table { caption, columns, rows, sortable: false }
+    Table { caption: words.next_tests_caption.to_owned(), columns, rows, sortable: false }
 }

@@ -3,37 +3,35 @@
 use crate::blocks::{Block, Figure, Section};
 use crate::numbers::{digits, share};
 use crate::plot::before_after;
+use crate::words::{Words, fill};
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
 /// Tests shown of each kind.
 const SHOWN: usize = 3;
 
 /// The loops; `None` where no test can be drawn.
-pub fn section(found: &Diagnosis) -> Option<Section> {
-    let names = before_after::names(&found.tests);
+pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
+    let names = before_after::names(&found.tests, words);
     let mut blocks = Vec::new();
     for held_out in [false, true] {
         for place in worst(&found.tests, held_out).into_iter().take(SHOWN) {
             let test = &found.tests[place];
-            let kind = if held_out { "left out of every refit" } else { "fitted" };
-            blocks.push(Block::Heading(format!("{}, {kind}", names[place])));
-            blocks.push(Block::Paragraph(in_words(test)));
+            let kind = if held_out { words.kind_left_out } else { words.kind_fitted };
+            blocks.push(Block::Heading(fill(words.loop_heading, &[("kind", kind), ("test", &names[place])])));
+            blocks.push(Block::Paragraph(in_words(test, words)));
             let figure = |kind: &str, svg: String| Figure::new(format!("{:03}-{kind}", place + 1), svg);
             blocks.push(Block::Figures(vec![
-                figure("force-velocity", before_after::force_velocity(test)),
-                figure("force-displacement", before_after::force_displacement(test)),
-                figure("residual-velocity", before_after::residual_velocity(test)),
+                figure("force-velocity", before_after::force_velocity(test, words)),
+                figure("force-displacement", before_after::force_displacement(test, words)),
+                figure("residual-velocity", before_after::residual_velocity(test, words)),
             ]));
         }
     }
     if blocks.is_empty() {
         return None;
     }
-    let about = "The tests whose disagreement before is the largest share of their force. Blue is the measured mean cycle, grey \
-                 the model as it came, red the improved one; the third figure magnifies what is left of the force."
-        .to_owned();
-    blocks.insert(0, Block::Paragraph(about));
-    Some(Section::new("loops", "Loops before and after", blocks))
+    blocks.insert(0, Block::Paragraph(words.loops_about.to_owned()));
+    Some(Section::new("loops", words.loops_section, blocks))
 }
 
 /// The test of one kind whose disagreement is the largest share of its force.
@@ -58,25 +56,22 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     places
 }
 
-fn in_words(test: &TestOutcome) -> String {
+fn in_words(test: &TestOutcome, words: &Words) -> String {
     let gap = test.before_rmse_n - test.noise_n;
     let closed = if gap > 0.0 {
-        format!(" {} of the gap is closed.", share((test.before_rmse_n - test.after_rmse_n) / gap))
+        fill(words.loop_closed, &[("gap", &share((test.before_rmse_n - test.after_rmse_n) / gap))])
     } else {
         String::new()
     };
-    format!(
-        "Error {} N rms before, {} N after; noise alone makes {} N.{closed}",
-        digits(test.before_rmse_n, 3),
-        digits(test.after_rmse_n, 3),
-        digits(test.noise_n, 3)
-    )
+    let [before, after, noise] = [test.before_rmse_n, test.after_rmse_n, test.noise_n].map(|n| digits(n, 3));
+    fill(words.loop_errors, &[("before", &before), ("after", &after), ("noise", &noise), ("closed", &closed)])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::plot::before_after::tests::outcome;
+    use crate::words::EN;
 
     #[test]
     fn the_largest_gap_comes_first_and_what_has_no_answer_is_passed_over() {
@@ -90,6 +85,7 @@ mod tests {
         assert_eq!(worst(&tests, false), [2, 0, 4]);
         assert_eq!(largest(&tests, true).unwrap().test, "out");
         assert!(largest(&tests[..1], true).is_none());
-        assert!(in_words(&tests[0]).contains("97\u{a0}% of the gap"), "{}", in_words(&tests[0]));
+        let told = in_words(&tests[0], &EN);
+        assert!(told.contains("97\u{a0}% of the gap"), "{told}");
     }
 }

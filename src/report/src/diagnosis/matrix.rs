@@ -3,12 +3,13 @@
 use crate::blocks::{Block, Figure, Section};
 use crate::errors;
 use crate::plot::overview;
+use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 use dashpot_identification::validation::{Compared, Validation, validate};
 use dashpot_records::Record;
 
 /// The error matrix; `None` where nothing can be compared.
-pub fn section(found: &Diagnosis, records: &[&Record]) -> Option<Section> {
+pub fn section(found: &Diagnosis, records: &[&Record], words: &Words) -> Option<Section> {
     let cycles = mean_cycles(&found.tests, records);
     let compared: Vec<Compared<'_>> = cycles
         .iter()
@@ -21,34 +22,18 @@ pub fn section(found: &Diagnosis, records: &[&Record]) -> Option<Section> {
         .collect();
     let validation = validate(&compared).ok()?;
     let mut blocks = Vec::new();
-    blocks.extend(figures(&validation, !found.findings.is_empty()));
-    let matrix = &validation.matrix;
-    let rule = "Each test has equal weight in its row; the percent is of the largest force of the row. Errors of mean cycles: \
-                noise is smaller than in dashpot validate, which compares every sample.";
-    let apart = matrix.slow.iter().chain(&matrix.not_periodic);
-    let rows = matrix.by_amplitude.iter().chain(apart);
-    blocks.push(Block::Table(errors::before_and_after(format!("Tests of one amplitude together. {rule}"), rows)));
-    if !matrix.by_peak_velocity.is_empty() {
-        let rows = matrix.by_peak_velocity.iter();
-        let caption = "Tests of one peak velocity together.".to_owned();
-        blocks.push(Block::Table(errors::before_and_after(caption, rows)));
-    }
-    Some(Section::new("matrix", "Errors by amplitude and peak velocity", blocks))
+    blocks.extend(figures(&validation, !found.findings.is_empty(), words));
+    blocks.extend(errors::before_and_after(&validation.matrix, words));
+    Some(Section::new("matrix", words.matrix_section, blocks))
 }
 
-fn figures(validation: &Validation, changed: bool) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    let before = overview::error_map_of(validation, "Error before, % of largest force", |e| e.fv_only.error_percent);
-    blocks.extend(before.map(|svg| {
-        Block::Wide(
-            Figure::new("matrix-before", svg).saying("One cell per amplitude and peak velocity; dark is far off."),
-        )
-    }));
-    let after = overview::error_map_of(validation, "Error after, % of largest force", |e| e.model.error_percent);
-    blocks.extend(after.filter(|_| changed).map(|svg| {
-        Block::Wide(Figure::new("matrix-after", svg).saying("The same with what was found, in the same colours."))
-    }));
-    blocks
+fn figures(validation: &Validation, changed: bool, words: &Words) -> Vec<Block> {
+    let before = overview::error_map_of(validation, words.map_before, words, |e| e.fv_only.error_percent);
+    let after = overview::error_map_of(validation, words.map_after, words, |e| e.model.error_percent);
+    let wide = |name: &str, svg: String, caption: &str| Block::Wide(Figure::new(name, svg).saying(caption));
+    let before = before.map(|svg| wide("matrix-before", svg, words.map_before_caption));
+    let after = after.filter(|_| changed).map(|svg| wide("matrix-after", svg, words.map_after_caption));
+    before.into_iter().chain(after).collect()
 }
 
 /// One record per test, made of its mean cycles, with the force before and after and whether it was left out.

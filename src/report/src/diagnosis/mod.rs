@@ -23,7 +23,7 @@ pub use answer::{headline, picture};
 use super::page::{self, Print};
 use super::{Block, Made, ParameterRow, Section, Workbook, made, parameters, write_figures, write_page};
 use crate::whole_records;
-use crate::words::Words;
+use crate::words::{Words, fill};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
 use dashpot_simulation::whole_records::OfDiagnosis;
@@ -66,10 +66,8 @@ impl DiagnosisReport<'_> {
     }
 
     fn titles(&self) -> [String; 2] {
-        [
-            "Where model and records disagree, and what is missing".to_owned(),
-            format!("Model {} against the rig data in {}", self.model_file, self.data),
-        ]
+        let subtitle = fill(self.words.subtitle_validation, &[("model", &self.model_file), ("data", &self.data)]);
+        [self.words.diagnosis_title.to_owned(), subtitle]
     }
 
     /// Writes the report, replacing an older one only when the new one is complete.
@@ -89,16 +87,22 @@ impl DiagnosisReport<'_> {
     }
 
     fn sections(&self) -> Vec<Section> {
-        let found = self.found;
-        let mut sections = vec![answer::section(found), places::section(found)];
-        sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records)));
-        sections.extend(findings::section(found));
-        sections.extend(loops::section(found));
-        sections.extend(matrix::section(found, self.records));
-        sections.extend(tried::section(found));
-        sections.push(limits::section(found, &self.reading));
-        sections.extend(parameters::section(&self.parameters, self.words));
-        sections.push(made::section(&self.made, self.words));
+        let (found, words) = (self.found, self.words);
+        let mut sections = vec![answer::section(found, words), places::section(found, words)];
+        sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records, words)));
+        sections.extend(findings::section(found, words));
+        sections.extend(loops::section(found, words));
+        sections.extend(matrix::section(found, self.records, words));
+        sections.extend(tried::section(found, words));
+        sections.push(limits::section(found, &self.reading, words));
+        sections.extend(parameters::section(&self.parameters, words));
+        sections.push(made::section(&self.made, words));
         sections
     }
+}
+
+/// A text that begins a sentence.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -2,22 +2,16 @@
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
+use crate::words::{Words, fill};
 use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
-pub fn section(found: &Diagnosis) -> Option<Section> {
+pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let rounds: Vec<_> = found.rounds.iter().filter(|round| !round.is_empty()).collect();
     if rounds.is_empty() {
         return None;
     }
-    let mut blocks = vec![Block::Paragraph(
-        "In each look every form of every effect is added to the model and all numbers are refitted with it, from several \
-         starts. Explains: share of the mean square beyond the noise. Error left: mean over the tests, in units of what noise and \
-         the form of curves leave. Log odds: how many more times the records are likely with it, as a natural logarithm, each test \
-         counted as one independent sample and its numbers paid for. Strange numbers: what values that dampers hardly show cost it, \
-         in the same units. Probability is that of the effect, over all its forms."
-            .to_owned(),
-    )];
+    let mut blocks = vec![Block::Paragraph(words.tried_about.to_owned())];
     for (k, round) in rounds.iter().enumerate() {
         let rows = round
             .iter()
@@ -25,7 +19,7 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
                 let e = &t.evidence;
                 vec![
                     t.effect.into(),
-                    t.form.into(),
+                    words.word(t.form).into(),
                     Cell::share(t.confidence),
                     Cell::share(e.share),
                     Cell::digits(e.mean_square_after.sqrt(), 3),
@@ -36,17 +30,17 @@ pub fn section(found: &Diagnosis) -> Option<Section> {
             })
             .collect();
         let columns = vec![
-            Column::words("effect"),
-            Column::words("form"),
-            Column::figures("probability"),
-            Column::figures("explains"),
-            Column::figures("error left"),
-            Column::figures("log odds"),
-            Column::figures("strange numbers"),
-            Column::figures("tests better"),
+            Column::words(words.col_effect),
+            Column::words(words.col_form),
+            Column::figures(words.col_probability),
+            Column::figures(words.col_explains),
+            Column::figures(words.col_error_left),
+            Column::figures(words.col_log_odds),
+            Column::figures(words.col_strange),
+            Column::figures(words.col_tests_better),
         ];
-        let caption = format!("Look {}.", k + 1);
+        let caption = fill(words.look, &[("number", &(k + 1).to_string())]);
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: true }));
     }
-    Some(Section::new("tried", "Everything that was tried", blocks))
+    Some(Section::new("tried", words.tried_section, blocks))
 }

@@ -1,25 +1,18 @@
 //! Before and after a diagnosis: the error of every test, and the loops of one.
 
 use super::axes::{Axis, LABEL, Mark, Marks, Plane, Series, TICK, heading, text_width};
-use super::of_test::{DISPLACEMENT, FORCE, MEASURED, VELOCITY};
 use super::overview::shorten;
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::Ticks;
+use crate::words::{Words, fill};
 use dashpot_diagnosis::TestOutcome;
-
-/// The model as it came.
-pub const BEFORE: &str = "before";
-/// The model with what was found.
-pub const AFTER: &str = "after";
-/// Error axis of a diagnosis: the sign of what the model lacks.
-pub const RESIDUAL: &str = "measured − computed, N";
 
 /// Least error that is told apart from none, N.
 const FLOOR: f64 = 0.01;
 
 /// Name of every test; the stretches of a long one are numbered.
-pub fn names(tests: &[TestOutcome]) -> Vec<String> {
+pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
     let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.held_out == b.held_out;
     tests
         .iter()
@@ -30,28 +23,34 @@ pub fn names(tests: &[TestOutcome]) -> Vec<String> {
                 return test.test.clone();
             }
             let place = tests[..k].iter().filter(|other| same(other, test)).count();
-            format!("{} ({} of {count})", test.test, place + 1)
+            let (place, count) = ((place + 1).to_string(), count.to_string());
+            // The name comes last: it may hold braces.
+            fill(words.stretch, &[("place", &place), ("count", &count), ("test", &test.test)])
         })
         .collect()
 }
 
 /// Root-mean-square error of every test before and after, with what noise alone makes; fitted tests left, left-out ones
 /// right.
-pub fn errors(tests: &[TestOutcome]) -> String {
+pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let fitted = tests.iter().filter(|t| !t.held_out).count();
     let groups = usize::from(fitted > 0) + usize::from(fitted < tests.len());
     let pitch = (900.0 / tests.len().max(1) as f64).clamp(13.0, 60.0);
     let gap = if groups == 2 { pitch } else { 0.0 };
-    let names: Vec<String> = names(tests).iter().map(|name| shorten(name)).collect();
+    let names: Vec<String> = names(tests, words).iter().map(|name| shorten(name)).collect();
     let longest = names.iter().map(|name| text_width(name, TICK)).fold(0.0, f64::max);
     let (left, top, tall) = (66.0, 68.0, 250.0);
     let right = left + pitch * tests.len() as f64 + gap;
     let bottom = top + tall;
-    let title = "Error of every test, N rms";
+    let title = words.plot_error_rms;
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
-    heading(&mut svg, title, left, &[(Role::Before, BEFORE, Mark::Dot), (Role::Model, AFTER, Mark::Dot)]);
-    svg.frame(&[[[left + 175.0, 33.0], [left + 187.0, 33.0]]], 1.6);
-    svg.text([left + 193.0, 37.0], "noise alone", TextStyle::plain(LABEL, Anchor::Start));
+    let legend = [(Role::Before, words.before, Mark::Dot), (Role::Model, words.after, Mark::Dot)];
+    heading(&mut svg, title, left, &legend);
+    // Behind the legend, which is wider in some languages than in English.
+    let wide: f64 = legend.iter().map(|(_, label, _)| 41.0 + text_width(label, LABEL)).sum();
+    let noise = left + wide.max(175.0);
+    svg.frame(&[[[noise, 33.0], [noise + 12.0, 33.0]]], 1.6);
+    svg.text([noise + 18.0, 37.0], words.noise_alone, TextStyle::plain(LABEL, Anchor::Start));
 
     let values = tests.iter().flat_map(|t| [t.before_rmse_n, t.after_rmse_n, t.noise_n]);
     let known = values.filter(|v| v.is_finite()).map(|v| v.max(FLOOR));
@@ -65,19 +64,19 @@ pub fn errors(tests: &[TestOutcome]) -> String {
         svg.text([left - 6.0, at_y(*value) + 4.0], label, TextStyle::faint(TICK, Anchor::End));
     }
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
-    svg.text([15.0, 0.5 * (top + bottom)], "error, N rms", turned);
+    svg.text([15.0, 0.5 * (top + bottom)], words.axis_error_rms, turned);
     let label = |svg: &mut Svg, x: f64, text: &str| {
         svg.text([x, top - 8.0], text, TextStyle { bold: true, ..TextStyle::faint(TICK, Anchor::Start) });
     };
     if fitted > 0 {
-        label(&mut svg, left + 6.0, "fitted tests");
+        label(&mut svg, left + 6.0, words.fitted_tests);
     }
     if fitted < tests.len() {
         let x = left + pitch * fitted as f64 + 0.5 * gap;
         if groups == 2 {
             svg.frame(&[[[x, top - 20.0], [x, bottom]]], 1.0);
         }
-        label(&mut svg, x + 6.0, "left out");
+        label(&mut svg, x + 6.0, words.left_out);
     }
     for (i, (test, name)) in tests.iter().zip(&names).enumerate() {
         let x = left + (i as f64 + 0.5) * pitch + if test.held_out { gap } else { 0.0 };
@@ -96,26 +95,28 @@ pub fn errors(tests: &[TestOutcome]) -> String {
 }
 
 /// Force over velocity: measured, before, after.
-pub fn force_velocity(test: &TestOutcome) -> String {
+pub fn force_velocity(test: &TestOutcome, words: &Words) -> String {
     let velocity = &test.curves.velocity;
-    plane("Force over velocity", VELOCITY, FORCE, forces(test, |i| 1e3 * velocity[i]))
+    let series = forces(test, words, |i| 1e3 * velocity[i]);
+    plane(words.plot_force_velocity, words.axis_velocity, words.axis_force, series)
 }
 
 /// Force over displacement: measured, before, after.
-pub fn force_displacement(test: &TestOutcome) -> String {
+pub fn force_displacement(test: &TestOutcome, words: &Words) -> String {
     let displacement = &test.curves.displacement;
-    plane("Force over displacement", DISPLACEMENT, FORCE, forces(test, |i| 1e3 * displacement[i]))
+    let series = forces(test, words, |i| 1e3 * displacement[i]);
+    plane(words.plot_force_displacement, words.axis_displacement, words.axis_force, series)
 }
 
 /// What is left before and after, over velocity.
-pub fn residual_velocity(test: &TestOutcome) -> String {
+pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     let curves = &test.curves;
     let line = |role, label, force: &[f64]| {
         let points = |i: usize| [1e3 * curves.velocity[i], curves.measured[i] - force[i]];
         Series { role, label, lines: vec![closed(test).map(points).collect()], marks: Marks::Line }
     };
-    let series = vec![line(Role::Before, BEFORE, &curves.before), line(Role::Model, AFTER, &curves.after)];
-    plane("What is left, over velocity", VELOCITY, RESIDUAL, series)
+    let series = vec![line(Role::Before, words.before, &curves.before), line(Role::Model, words.after, &curves.after)];
+    plane(words.plot_left_velocity, words.axis_velocity, words.axis_residual, series)
 }
 
 /// Places along the curve; a cycle returns to its start.
@@ -124,12 +125,12 @@ fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
     (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))
 }
 
-fn forces(test: &TestOutcome, over: impl Fn(usize) -> f64) -> Vec<Series> {
+fn forces(test: &TestOutcome, words: &Words, over: impl Fn(usize) -> f64) -> Vec<Series> {
     let curves = &test.curves;
     [
-        (Role::Measured, MEASURED, &curves.measured),
-        (Role::Before, BEFORE, &curves.before),
-        (Role::Model, AFTER, &curves.after),
+        (Role::Measured, words.measured, &curves.measured),
+        (Role::Before, words.before, &curves.before),
+        (Role::Model, words.after, &curves.after),
     ]
     .into_iter()
     .map(|(role, label, force)| Series {
@@ -151,6 +152,7 @@ fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
 /// Tests, and what those of other pictures share.
 pub mod tests {
     use super::*;
+    use crate::words::EN;
     use dashpot_diagnosis::Curves;
 
     /// A sine test whose model lacks 20 N of friction before and 1 N after.
@@ -179,10 +181,10 @@ pub mod tests {
     #[test]
     fn every_test_has_both_dots_and_its_noise() {
         let tests = [outcome("a <1>", false), outcome("b", false), outcome("c", true)];
-        let text = errors(&tests);
+        let text = errors(&tests, &EN);
         assert_eq!(text.matches("<circle").count(), 2 + 2 * tests.len(), "legend and tests");
         assert!(text.contains("left out") && text.contains("a &lt;1&gt;"));
-        let all_fitted = errors(&tests[..2]);
+        let all_fitted = errors(&tests[..2], &EN);
         assert!(!all_fitted.contains("left out"));
     }
 
@@ -190,14 +192,14 @@ pub mod tests {
     fn a_test_without_an_answer_keeps_its_place_and_breaks_nothing() {
         let mut lost = outcome("b", true);
         lost.after_rmse_n = f64::NAN;
-        let text = errors(&[outcome("a", false), lost]);
+        let text = errors(&[outcome("a", false), lost], &EN);
         assert!(!text.contains("NaN") && text.contains(">b<"));
-        assert!(!errors(&[]).contains("NaN"));
+        assert!(!errors(&[], &EN).contains("NaN"));
     }
 
     #[test]
     fn stretches_of_one_test_are_numbered() {
         let tests = [outcome("long", false), outcome("long", false), outcome("short", false), outcome("long", true)];
-        assert_eq!(names(&tests), ["long (1 of 2)", "long (2 of 2)", "short", "long"]);
+        assert_eq!(names(&tests, &EN), ["long (1 of 2)", "long (2 of 2)", "short", "long"]);
     }
 }

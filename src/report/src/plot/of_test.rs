@@ -5,21 +5,12 @@
 
 use super::axes::{Axis, Marks, Plane, Series};
 use super::palette::Role;
-use crate::words::{EN, Words};
+use crate::words::Words;
 use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
 /// Whole cycles shown in a loop.
 pub const CYCLES_SHOWN: usize = 2;
-
-/// Names in the legends and titles of axes of reports that are written in English alone.
-pub const MEASURED: &str = EN.measured;
-/// Displacement axis.
-pub const DISPLACEMENT: &str = EN.axis_displacement;
-/// Velocity axis.
-pub const VELOCITY: &str = EN.axis_velocity;
-/// Force axis.
-pub const FORCE: &str = EN.axis_force;
 
 /// Force over velocity.
 pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
@@ -157,6 +148,7 @@ fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
 /// Tests, and what those of other pictures share.
 pub mod tests {
     use super::*;
+    use crate::words::EN;
     use dashpot_records::Record;
 
     /// A sine test of `cycles` cycles with 400 samples each; none marked when `marked` is false.

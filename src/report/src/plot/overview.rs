@@ -4,7 +4,7 @@ use super::axes::{LABEL, Mark, TICK, heading, text_width};
 use super::palette::{Role, heat};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::{Ticks, number};
-use crate::words::{EN, Words, fill};
+use crate::words::{Words, fill};
 use dashpot_identification::validation::{Errors, Validation};
 
 /// Longest test name written out, characters.
@@ -60,8 +60,13 @@ pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
 }
 
 /// The same of one of the two forces: the model's, or the one beside it.
-pub fn error_map_of(validation: &Validation, title: &str, of: impl Fn(&Errors) -> f64) -> Option<String> {
-    map(validation, [title, ""], &EN, |errors| (of(errors), None))
+pub fn error_map_of(
+    validation: &Validation,
+    title: &str,
+    words: &Words,
+    of: impl Fn(&Errors) -> f64,
+) -> Option<String> {
+    map(validation, [title, ""], words, |errors| (of(errors), None))
 }
 
 fn map(
@@ -144,6 +149,7 @@ pub fn shorten(name: &str) -> String {
 mod tests {
     use super::super::of_test::tests::{compared, record};
     use super::*;
+    use crate::words::EN;
     use dashpot_identification::validation::validate;
 
     #[test]

@@ -2,9 +2,8 @@
 //! last turned round.
 
 use super::axes::{Axis, Marks, Plane, Scale, Series};
-use super::before_after::{AFTER, BEFORE};
-use super::of_test::VELOCITY;
 use super::palette::Role;
+use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
 /// Bins of velocity, both directions together.
@@ -121,21 +120,21 @@ fn binned(
 }
 
 /// An axis of velocity in mm/s that gives the slow part room.
-pub fn velocity_axis(samples: &[Sample]) -> Axis {
+pub fn velocity_axis(samples: &[Sample], words: &Words) -> Axis {
     let top = samples.iter().map(|s| 1e3 * s.velocity.abs()).fold(1e-3, f64::max);
-    Axis { scale: Scale::Root, ..Axis::exactly(VELOCITY, -top, top) }
+    Axis { scale: Scale::Root, ..Axis::exactly(words.axis_velocity, -top, top) }
 }
 
-fn draw(title: &str, x: Axis, y: &str, means: &[(f64, [f64; 3])], noise: bool) -> String {
+fn draw([title, y]: [&str; 2], x: Axis, means: &[(f64, [f64; 3])], noise: bool, words: &Words) -> String {
     let line = |role, label, k: usize| Series {
         role,
         label,
         lines: vec![means.iter().map(|(place, of)| [*place, of[k]]).collect()],
         marks: Marks::Both,
     };
-    let mut series = vec![line(Role::Before, BEFORE, 0), line(Role::Model, AFTER, 1)];
+    let mut series = vec![line(Role::Before, words.before, 0), line(Role::Model, words.after, 1)];
     if noise {
-        series.insert(0, line(Role::Shadow, "noise alone", 2));
+        series.insert(0, line(Role::Shadow, words.noise_alone, 2));
     }
     let shown = if noise { 0..3 } else { 0..2 };
     let values = means.iter().flat_map(|(_, of)| of[shown.clone()].iter().copied()).chain([0.0]);
@@ -143,26 +142,26 @@ fn draw(title: &str, x: Axis, y: &str, means: &[(f64, [f64; 3])], noise: bool) -
 }
 
 /// Root mean square of what is left, over velocity.
-pub fn size_over_velocity(samples: &[Sample]) -> String {
-    let axis = velocity_axis(samples);
+pub fn size_over_velocity(samples: &[Sample], words: &Words) -> String {
+    let axis = velocity_axis(samples, words);
     let squares = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * v);
     let mut means = binned(samples, VELOCITY_BINS, &axis, |s| Some(1e3 * s.velocity), squares);
     means.iter_mut().for_each(|(_, of)| *of = of.map(f64::sqrt));
-    draw("Size of what is left, over velocity", axis, "rms of measured − computed, N", &means, true)
+    draw([words.plot_left_size, words.axis_residual_rms], axis, &means, true, words)
 }
 
 /// Mean of what is left over velocity, while the speed rises or while it falls.
-pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool) -> String {
-    let axis = velocity_axis(samples);
+pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) -> String {
+    let axis = velocity_axis(samples, words);
     let some: Vec<Sample> = samples.iter().filter(|s| s.speeding_up == speeding_up).copied().collect();
     let means = binned(&some, VELOCITY_BINS, &axis, |s| Some(1e3 * s.velocity), |s| [s.before, s.after, s.noise]);
-    let title = if speeding_up { "Mean of what is left, speeding up" } else { "Mean of what is left, slowing down" };
-    draw(title, axis, super::before_after::RESIDUAL, &means, false)
+    let title = if speeding_up { words.plot_left_up } else { words.plot_left_down };
+    draw([title, words.axis_residual], axis, &means, false, words)
 }
 
 /// Mean of what is left, counted positive where the damper resists more than computed, over the time since the velocity
 /// last changed its sign; `None` without cycles.
-pub fn mean_since_reversal(samples: &[Sample]) -> Option<String> {
+pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
     // Nearer to the reversal than the fastest tests sample, there is nothing to average.
@@ -170,18 +169,18 @@ pub fn mean_since_reversal(samples: &[Sample]) -> Option<String> {
     if low * 1.001 >= high {
         return None;
     }
-    let axis = Axis { scale: Scale::Logarithmic, ..Axis::exactly("time since reversal, ms", low, high) };
+    let axis = Axis { scale: Scale::Logarithmic, ..Axis::exactly(words.axis_since_reversal, low, high) };
     let bins = (((high / low).log10() * PER_DECADE).ceil() as usize).max(2);
     let sense = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * s.velocity.signum());
     let means = binned(samples, bins, &axis, |s| s.since_reversal.map(|t| 1e3 * t), sense);
-    let y = "resistance measured − computed, N";
-    Some(draw("Mean of what is left, after a reversal", axis, y, &means, false))
+    Some(draw([words.plot_left_reversal, words.axis_resistance], axis, &means, false, words))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::before_after::tests::outcome;
     use super::*;
+    use crate::words::EN;
 
     #[test]
     fn samples_know_when_the_motion_turned() {
@@ -216,8 +215,8 @@ mod tests {
         let mut road = outcome("road", false);
         road.curves.frequency = 0.0;
         let all = samples(&[road]);
-        assert!(mean_since_reversal(&all).is_none());
-        for text in [size_over_velocity(&all), mean_over_velocity(&all, true), size_over_velocity(&[])] {
+        assert!(mean_since_reversal(&all, &EN).is_none());
+        for text in [size_over_velocity(&all, &EN), mean_over_velocity(&all, true, &EN), size_over_velocity(&[], &EN)] {
             assert!(!text.contains("NaN") && !text.contains("inf"));
         }
     }

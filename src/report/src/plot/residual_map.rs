@@ -1,12 +1,11 @@
 //! Maps of what a model leaves over velocity and displacement, before and after, with one colour scale.
 
 use super::axes::{Axis, LABEL, Scale, TICK, TITLE};
-use super::before_after::{AFTER, BEFORE, RESIDUAL};
-use super::of_test::{DISPLACEMENT, VELOCITY};
 use super::palette::signed;
 use super::residual::{Sample, velocity_axis};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::number;
+use crate::words::Words;
 
 /// Cells along velocity and displacement.
 const CELLS: [usize; 2] = [36, 24];
@@ -16,31 +15,31 @@ const MAP: [f64; 2] = [396.0, 288.0];
 const WITHIN: f64 = 0.97;
 
 /// Both maps side by side; `None` without samples.
-pub fn maps(samples: &[Sample]) -> Option<String> {
+pub fn maps(samples: &[Sample], words: &Words) -> Option<String> {
     if samples.is_empty() {
         return None;
     }
-    let axes = [velocity_axis(samples), displacement_axis(samples)];
+    let axes = [velocity_axis(samples, words), displacement_axis(samples, words)];
     let (before, after) = (means(samples, &axes, |s| s.before), means(samples, &axes, |s| s.after));
     let mut sizes: Vec<f64> = before.iter().flatten().map(|v| v.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let end =
         round_up(sizes.get(((sizes.len() as f64 * WITHIN) as usize).min(sizes.len().saturating_sub(1))).copied()?);
-    let title = "Mean of what is left, over velocity and displacement";
+    let title = words.plot_left_map;
     let (left, top, between) = (66.0, 56.0, 70.0);
     let right = left + 2.0 * MAP[0] + between;
     let mut svg = Svg::new(right + 84.0, top + MAP[1] + 48.0, title);
     svg.text([left, 17.0], title, TextStyle { bold: true, ..TextStyle::plain(TITLE, Anchor::Start) });
-    for (k, (name, cells)) in [(BEFORE, &before), (AFTER, &after)].into_iter().enumerate() {
+    for (k, (name, cells)) in [(words.before, &before), (words.after, &after)].into_iter().enumerate() {
         map(&mut svg, [left + k as f64 * (MAP[0] + between), top], name, &axes, cells, end);
     }
-    bar(&mut svg, [right + 18.0, top], end);
+    bar(&mut svg, [right + 18.0, top], end, words);
     Some(svg.finish())
 }
 
-fn displacement_axis(samples: &[Sample]) -> Axis {
+fn displacement_axis(samples: &[Sample], words: &Words) -> Axis {
     let top = samples.iter().map(|s| 1e3 * s.displacement.abs()).fold(1e-3, f64::max);
-    Axis { scale: Scale::Root, ..Axis::exactly(DISPLACEMENT, -top, top) }
+    Axis { scale: Scale::Root, ..Axis::exactly(words.axis_displacement, -top, top) }
 }
 
 /// Mean of a quantity in every cell, row by row from the lowest displacement; `None` where no test goes.
@@ -98,13 +97,13 @@ fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[O
         let y = bottom - axes[1].place(*value) * MAP[1];
         svg.text([left - 7.0, y + 4.0], label, TextStyle::faint(TICK, Anchor::End));
     }
-    svg.text([0.5 * (left + right), bottom + 34.0], VELOCITY, TextStyle::plain(LABEL, Anchor::Middle));
+    svg.text([0.5 * (left + right), bottom + 34.0], &axes[0].label, TextStyle::plain(LABEL, Anchor::Middle));
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
-    svg.text([left - 42.0, 0.5 * (top + bottom)], DISPLACEMENT, turned);
+    svg.text([left - 42.0, 0.5 * (top + bottom)], &axes[1].label, turned);
 }
 
 /// The colour scale.
-fn bar(svg: &mut Svg, corner: [f64; 2], end: f64) {
+fn bar(svg: &mut Svg, corner: [f64; 2], end: f64, words: &Words) {
     const STEPS: usize = 48;
     let tall = MAP[1] / STEPS as f64;
     for k in 0..STEPS {
@@ -119,7 +118,7 @@ fn bar(svg: &mut Svg, corner: [f64; 2], end: f64) {
         svg.text([corner[0] + 19.0, y + 4.0], &label, TextStyle::faint(TICK, Anchor::Start));
     }
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
-    svg.text([corner[0] + 60.0, corner[1] + 0.5 * MAP[1]], RESIDUAL, turned);
+    svg.text([corner[0] + 60.0, corner[1] + 0.5 * MAP[1]], words.axis_residual, turned);
 }
 
 #[cfg(test)]
@@ -127,11 +126,12 @@ mod tests {
     use super::super::before_after::tests::outcome;
     use super::super::residual::samples;
     use super::*;
+    use crate::words::EN;
 
     #[test]
     fn both_maps_share_one_scale_and_the_smaller_rest_is_paler() {
         let all = samples(&[outcome("a", false)]);
-        let text = maps(&all).unwrap();
+        let text = maps(&all, &EN).unwrap();
         // 20 N before is the end of the scale; 1 N after is a twentieth of it.
         let count = |place: f64| text.matches(&signed(place)).count();
         assert!(count(1.0) > 10 && count(-1.0) > 10, "{} {}", count(1.0), count(-1.0));
@@ -146,6 +146,6 @@ mod tests {
 
     #[test]
     fn nothing_gives_no_map() {
-        assert!(maps(&[]).is_none());
+        assert!(maps(&[], &EN).is_none());
     }
 }

@@ -1,12 +1,14 @@
 //! All text of the reports, in the languages that they are written in.
 //!
 //! Every language is one value of [`Words`]: the compiler refuses a language that lacks a text. Sentences with figures carry
-//! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What a reader of records noticed, and
-//! the meaning of parameters, come from other crates and stay English.
+//! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What a diagnosis says is made by its crate in
+//! English and looked up in [`said`]. What a reader of records and a fit noticed, and the meaning of parameters, come from other crates and
+//! stay English.
 
 mod de;
 mod en;
 mod fr;
+mod said;
 mod zh;
 
 pub use de::DE;
@@ -309,15 +311,170 @@ words!(
     remarks,
     col_why,
     col_interval,
+    // Of figures and tables everywhere.
+    comma,
+    sentence_end,
+    range,
+    before,
+    after,
+    // Figures before and after.
+    axis_residual,
+    axis_residual_rms,
+    axis_resistance,
+    axis_since_reversal,
+    axis_error_rms,
+    plot_error_rms,
+    plot_left_velocity,
+    plot_left_size,
+    plot_left_up,
+    plot_left_down,
+    plot_left_reversal,
+    plot_left_map,
+    fitted_tests,
+    left_out,
+    stretch,
+    // Diagnosis: title and answer.
+    diagnosis_title,
+    errors_caption,
+    error_unseen,
+    error_fitted,
+    gap_is_closed,
+    nothing_stays,
+    nothing_added_rivals,
+    nothing_added_unknown,
+    worse_tests,
+    row_before,
+    col_fitted_rms,
+    col_their_noise,
+    col_left_out_rms,
+    mean_cycles_caption,
+    whole_deviation,
+    whole_records,
+    // The picture of a diagnosis.
+    name_and_sure,
+    picture_named,
+    picture_nothing,
+    picture_cannot_tell,
+    picture_unknown,
+    picture_below,
+    kind_left_out,
+    kind_fitted,
+    // Where they disagree.
+    where_section,
+    no_region,
+    left_map_caption,
+    left_size_caption,
+    left_reversal_caption,
+    speeding_up_caption,
+    slowing_down_caption,
+    all_there,
+    rebound,
+    compression,
+    speeding_up,
+    slowing_down,
+    both,
+    col_direction,
+    col_speed,
+    col_mean_n,
+    col_rms_n,
+    col_noise_n,
+    col_in_words,
+    regions_caption,
+    // What is missing.
+    findings_section,
+    suspects_section,
+    suspects_cannot_tell,
+    suspects_beside,
+    suspects_nearest,
+    rig_added,
+    changed_section,
+    shifts_section,
+    finding_heading,
+    finding_form,
+    finding_gap,
+    finding_of_rig,
+    finding_added,
+    finding_what,
+    finding_why,
+    rivals_caption,
+    col_parameter,
+    col_judged,
+    plausible,
+    not_plausible,
+    col_effect,
+    col_confidence,
+    col_explains,
+    col_reference,
+    col_this_damper,
+    changed_caption,
+    col_change,
+    shifts_caption,
+    // Loops.
+    loops_section,
+    loops_about,
+    loop_heading,
+    loop_errors,
+    loop_closed,
+    // Errors by amplitude and peak velocity, before and after.
+    map_before,
+    map_after,
+    map_before_caption,
+    map_after_caption,
+    mean_cycles_rule,
+    // Everything that was tried.
+    tried_section,
+    tried_about,
+    col_form,
+    col_probability,
+    col_error_left,
+    col_log_odds,
+    col_strange,
+    col_tests_better,
+    look,
+    // What to measure next.
+    limits_section,
+    next_tests_section,
+    cannot_show_section,
+    all_would_show,
+    col_cannot_show,
+    cannot_show_caption,
+    col_next_amplitude,
+    col_next_frequency,
+    col_next_mean,
+    col_side_force,
+    col_difference_rms,
+    col_what_to_do,
+    next_tests_caption,
+    // Parameters of the improved model.
+    source_refitted,
+    source_added,
+    // Many dampers.
+    groups_title,
+    groups_subtitle,
+    groups_section,
+    groups_caption,
+    col_group,
+    col_answer,
+    col_named,
+    col_before_n,
+    col_after_n,
+    col_group_noise,
+    no_change,
+    numbers_section,
+    numbers_caption,
+    col_quantity,
+    measurement_section,
+    aside_section,
+    aside,
 );
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
     /// Names of the figures that a text takes.
-    fn figures(text: &str) -> BTreeSet<&str> {
+    pub fn figures(text: &str) -> BTreeSet<&str> {
         text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect()
     }
 

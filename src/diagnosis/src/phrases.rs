@@ -1,0 +1,163 @@
+//! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
+
+use super::effects::{CARDS, EFFECTS, meaning};
+use super::sentence::Template;
+
+macro_rules! phrases {
+    ($($name:ident: $text:literal;)*) => {
+        $(pub(super) const $name: Template = Template($text);)*
+        /// Every text with places for values.
+        const TEMPLATES: &[Template] = &[$($name),*];
+    };
+}
+
+phrases! {
+    // Lists.
+    COMMA: ", ";
+    AND: " and ";
+    // The answer.
+    TIMES: "{times} times the error that noise and the form of curves leave";
+    NAME_AND_SURE: "{effect} ({percent} sure)";
+    MISSING: "missing: {names}; what is left falls from {before} to {after} times";
+    NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
+    TEST_AND_TIMES: "{test} ({times} times)";
+    STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
+    NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
+    CANNOT_SHOW: "; they cannot show {names}";
+    NOT_CONFIRMED: "; no test was left out to confirm it";
+    CANNOT_TELL: "something is missing: the model is off by {times}, and {why}{place}";
+    TOO_FEW_TESTS: "{effect} is the likeliest name, but too few tests speak for it to give it";
+    NOT_APART: "these records cannot tell {names} apart";
+    IN_PATH: "; it acts in the path \"{path}\" ({percent})";
+    UNKNOWN_EFFECT: "the model is off by {times}, and none of the known effects is likely enough to explain that{nearest}";
+    LOOKS_LIKE: "; it looks like {what}, which explains {percent}";
+    NEAREST: "; the nearest, {effect}, explains {percent}";
+    EXPLAINS: "explains {percent} of the disagreement";
+    EXPLAINS_STRANGELY: "explains {percent} of the disagreement, with numbers that dampers hardly show";
+    // What a disagreement without a name looks like.
+    LIKE_GUIDES: "friction that grows with the force, as a tilted cross-head or eye makes in the guides";
+    LIKE_LOAD_CELL: "a loop over force whatever the speed, as a load cell with hysteresis draws";
+    LIKE_RESONANCE: "a resonance in the path of the force, as of a frame or of oil in a hose";
+    // Regions.
+    REGION: "{direction}, {slow}–{fast} m/s{phase}, {place}: {missing} (rms {rms} N, noise {noise} N)";
+    REBOUND: "rebound";
+    COMPRESSION: "compression";
+    SPEEDING_UP: " while it speeds up";
+    SLOWING_DOWN: " while it slows down";
+    IN_ALL_TESTS: "in all tests that go there";
+    IN_TEST: "in test {test}";
+    MORE_TENSILE: "measured force is {mean} N ± {error} more tensile than computed";
+    MORE_COMPRESSIVE: "measured force is {mean} N ± {error} more compressive than computed";
+    OFF_BOTH_WAYS: "{rms} N rms off in both senses";
+    // Tests that would tell more.
+    RUN_SINE: "run a sine of {amplitude} mm at {frequency} Hz{about}{under}: {a} and {b} differ there by {difference} N rms";
+    ABOUT_MEAN: " about {mean} mm";
+    UNDER_SIDE_FORCE: " under {force} N side force";
+    SHOWS_BEST: "{effect} shows best in: {remedy}";
+    NO_TRACE: "at a usual strength it would leave no trace in these tests: {remedy}";
+    SUM_ALONE: "the tube widens in proportion to pressure like the oil column yields: a rig shows their sum, which oil_compressibility stands for";
+    // The test that shows an effect best.
+    SHOW_MORE: "more amplitudes and frequencies";
+    SHOW_SLOW: "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures";
+    SHOW_SPRING: "stroke the whole travel slowly, and once at 1 Hz, at two mean positions";
+    SHOW_MOUNT: "0.05 to 0.5 mm sines at 1 to 30 Hz";
+    SHOW_ZERO: "read the force at rest, with and without the damper hooked in";
+    SHOW_PRESLIDING: "strokes of 0.1 to 2 mm at 0.1 and 1 Hz: equal loops speak for it";
+    SHOW_SIDE_FORCE: "the same sine at 0, 500 and 1000 N side force";
+    SHOW_OIL: "one peak velocity at several strokes and frequencies, at two mean positions";
+    SHOW_AERATION: "one test after a night's rest and after 200 cycles";
+    SHOW_CAVITATION: "one peak velocity at several strokes, with the gas pressure raised";
+    SHOW_FADE: "a reference test repeated cold and hot, in shuffled order, with the temperature recorded";
+    SHOW_POSITION: "5 to 10 mm sines at five or more mean positions";
+    SHOW_BUMP_STOP: "push slowly into the stop, then at two speeds";
+    SHOW_REBOUND_STOP: "pull slowly into the stop, then at two speeds";
+    SHOW_FREE_PLAY: "small strokes with a preload that keeps the force from crossing zero, and without";
+    SHOW_FREQUENCY: "one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
+    SHOW_VALVE: "slow ramps of velocity through the knee, up and down";
+    SHOW_MASS: "run the rig without the damper";
+    SHOW_DELAY: "run a spring in place of the damper: its loop must close";
+    SHOW_DRIFT: "repeat a reference test at the start, middle and end";
+    // Why records cannot show an effect.
+    NEEDS_SERIES: "it is part of the series path: the model needs series_compliance first";
+    NEEDS_FIXED_CURVE: "a free FV curve takes a v² term up: it needs the curve fixed by a specification";
+    NEEDS_SIDE_FORCE: "the side force does not vary: run the same sine under two or more side forces, with the channel recorded";
+    NEEDS_TEMPERATURE: "no temperature channel varies, and the records' clocks show no heating: record the oil or tube temperature, or repeat one test cold and after hard work";
+    NEEDS_PLACES: "all tests pass the same places at the same speeds: run one small sine at five or more mean positions, or one peak velocity at several strokes";
+    ONLY_WITHIN_COMPRESSION: "only within the {reach} mm of compression that the tests reach: push slowly further to see a stop beyond";
+    ONLY_WITHIN_EXTENSION: "only within the {reach} mm of extension that the tests reach: pull slowly further to see a stop beyond";
+    NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
+    NEEDS_ZERO: "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper unhooked, before and after";
+    NEEDS_ONE_CLOCK: "every record starts its clock anew: keep one clock through the campaign and repeat a reference test";
+    // How the comparison was made.
+    WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";
+    AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{aside}";
+    WITHOUT_COUNTERPART: "; {count} tests have no counterpart there and were left aside: {tests}";
+}
+
+/// Paths of a tree that are no effects'.
+pub(super) const NOTHING: &str = "nothing";
+pub(super) const SOMETHING_ELSE: &str = "something else";
+
+/// Forms of effects.
+pub(super) const FORMS: &[&str] = &[
+    "full",
+    "slips from the first",
+    "bends before it slips",
+    "relaxes",
+    "friction in the rubber",
+    "relaxes over decades and meets a stop",
+    "friction in the rubber, and a stop",
+    "all of the force goes through it",
+    "relaxes, and all of the force goes through it",
+    "friction in the rubber, and all of the force goes through it",
+    "rebound chamber",
+    "both chambers",
+    "one chamber softer than the other",
+    "compression capped, gas pushes on",
+    "compression capped, dead return",
+    "rebound capped, force stays",
+    "rebound capped, dead return",
+    "compression capped, gas expands in the void",
+    "foot valve does not refill",
+    "measured temperature",
+    "oil warmer than measured",
+    "heated by its own work",
+    "isothermal",
+    "takes time to cool",
+    "both strokes",
+    "rebound",
+    "compression",
+    "groove",
+    "groove open in rebound",
+    "groove open in compression",
+    "bypass",
+    "filter",
+    "stroke",
+    "a valve with play",
+    "a valve with mass",
+    "opens and closes at different forces",
+    "rubber",
+    "hydraulic, gap",
+    "hydraulic, orifice",
+    "at the load cell",
+    "inside, like oil in a long passage",
+    "low-pass filter of the force channel",
+    "zero set anew during the campaign",
+    "settles as the rig warms up",
+];
+
+/// Every English text that is said of a diagnosis, each once: sentences with the places of their values, and what paths, families,
+/// effects and forms are called.
+pub fn texts() -> Vec<&'static str> {
+    let of_cards = CARDS.iter().flat_map(|card| [card.path, card.family]);
+    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
+    all.extend(
+        of_cards
+            .chain([NOTHING, SOMETHING_ELSE])
+            .chain(EFFECTS.iter().map(|e| meaning(e)))
+            .chain(FORMS.iter().copied()),
+    );
+    let mut known = std::collections::BTreeSet::new();
+    all.retain(|text| known.insert(*text));
+    all
+}
