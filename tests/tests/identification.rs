@@ -221,30 +221,3 @@ fn an_element_left_out_on_purpose_stays_out() {
         fit(&records.iter().collect::<Vec<_>>(), &unknown, |_| ()).unwrap_err().to_string().contains("gas_preload")
     );
 }
-
-/// A column that gives twice as much in compression, as that of a twin tube, before valves with friction beside them.
-#[test]
-fn an_oil_column_is_found_where_there_is_one_and_only_there() {
-    let mut damper = truth();
-    let records = campaign(&damper, 3, 0.01, |_| None);
-    let found = fitted(&records);
-    assert!(!found.params.is_on("oil_compressibility") && found.params.is_on("series_compliance"));
-    damper.enable("series_compliance", false).unwrap();
-    damper.enable("oil_compressibility", true).unwrap();
-    damper.set("oil_stiffness", 1.5e6).unwrap();
-    damper.set("oil_compression", 0.4).unwrap();
-    let records = campaign(&damper, 3, 0.01, |_| None);
-    let found = fitted(&records);
-    let path = found.choices.iter().find(|c| c.of == "series path").map(|c| c.chosen);
-    assert_eq!(path, Some("uneven oil column"), "{:?}", found.choices);
-    for (name, value) in [("oil_stiffness", 1.5e6), ("oil_compression", 0.4)] {
-        let known = found.estimates.iter().find(|e| e.name == name).unwrap();
-        assert!((known.value / value - 1.0).abs() < 0.05, "{name}: {known:?}");
-    }
-    // Who leaves it out has a model without it.
-    let without = ["series_compliance", "coulomb_friction", "gas_preload"].map(String::from).to_vec();
-    let all: Vec<&Record> = records.iter().collect();
-    let options = FitOptions { elements: Some(without), ..FitOptions::default() };
-    let plain = fit(&all, &options, |_| ()).unwrap();
-    assert!(!plain.params.is_on("oil_compressibility") && plain.misfit > 1.5 * found.misfit);
-}

@@ -5,8 +5,7 @@ use super::intervals::{Estimate, Standing, estimates};
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
 use super::variants::{
-    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, Oil, SPRING, Structure, Variant, choose, identified,
-    with_slow_points,
+    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, SPRING, Structure, Variant, choose, identified, with_slow_points,
 };
 use dashpot_core::Params;
 use dashpot_core::elements;
@@ -230,7 +229,6 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         friction: find_variant(&frictions, "Coulomb"),
         spring: find_variant(&springs, "linear"),
         series: allowed("series_compliance"),
-        oil: Oil::Stiff,
         gas: allowed("gas_preload"),
         side_force: varied_side_force && allowed("side_force_friction"),
         rig: OfTheRig::NONE,
@@ -266,9 +264,6 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
             choices.retain(|choice| choice.of == "measurement");
             (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         }
-        if allowed("oil_compressibility") {
-            (structure, from) = choose_series_path(structure, from, segments, &mut choices, progress);
-        }
     }
     progress(Stage { done: 0.85, text: "refining everything together" });
     let unknowns = structure.unknowns(&from, segments);
@@ -280,7 +275,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
             structure.friction.name
         ));
     }
-    if structure.gives() && !of_the_rig::tells_delay(segments) {
+    if structure.series && !of_the_rig::tells_delay(segments) {
         found.notes.push(
             "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the \
              channel was taken as on time; the same stroke at three times the frequency would tell them apart"
@@ -357,43 +352,6 @@ fn look_at_the_measurement(
         return (structure, from);
     }
     (Structure { rig: chosen.rig, ..structure }, chosen.params)
-}
-
-/// Error on left-out tests, in units of what noise and floor allow, up to which nothing is wanted beside the thesis's model. Lower, and dampers
-/// that a mount describes within their noise get an oil column, which makes a step in real time cost three times as much.
-const ALLOWED: f64 = 1.0;
-
-/// Whether an oil column gives, beside the mount or in its place. Last of all: a late force channel looks like one.
-fn choose_series_path(
-    structure: Structure,
-    from: Params,
-    segments: &[Segment],
-    choices: &mut Vec<Choice>,
-    progress: &impl Fn(Stage),
-) -> (Structure, Params) {
-    let kept = choices.iter().rev().find_map(|c| c.scores.iter().find(|s| s.name == c.chosen));
-    if kept.is_some_and(|score| score.held_out <= ALLOWED) {
-        return (structure, from);
-    }
-    progress(Stage { done: 0.84, text: "choosing the series path" });
-    let way = |name, series: bool, oil: Oil, from: &Params| Candidate {
-        name,
-        structure: Structure { series, oil, ..structure },
-        from: *from,
-    };
-    let mut list = vec![way(if structure.series { "mount" } else { "rigid" }, structure.series, Oil::Stiff, &from)];
-    // What the mount gave the column gives in its place.
-    let mut column = from;
-    if structure.series {
-        list.push(way("mount and oil column", true, Oil::Even, &from));
-        list.push(way("mount and uneven oil column", true, Oil::Uneven, &from));
-        let _ = column.set("oil_stiffness", from.scalar("series_stiffness"));
-    }
-    list.push(way("oil column", false, Oil::Even, &column));
-    list.push(way("uneven oil column", false, Oil::Uneven, &column));
-    let chosen = choose("series path", &list, segments, Keep::Simplest);
-    choices.push(chosen.choice);
-    (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.

@@ -153,24 +153,13 @@ pub const SPRING: &[Variant] = &[
 
 /// Elements that a fit can identify; all others are found by a diagnosis.
 pub fn identified() -> Vec<&'static str> {
-    let mut all = vec!["fv_curve", "series_compliance", "oil_compressibility", "gas_preload", "side_force_friction"];
+    let mut all = vec!["fv_curve", "series_compliance", "gas_preload", "side_force_friction"];
     for name in FRICTION.iter().chain(SPRING).flat_map(|v| v.elements) {
         if !all.contains(name) {
             all.push(name);
         }
     }
     all
-}
-
-/// How the oil column before the valves yields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Oil {
-    /// Not at all.
-    Stiff,
-    /// As much in rebound as in compression.
-    Even,
-    /// Otherwise in compression: in a twin tube the rod's area alone loads the column below the piston.
-    Uneven,
 }
 
 /// What is on in a fit.
@@ -180,10 +169,8 @@ pub struct Structure {
     pub friction: Variant,
     /// Spring parallel to the primary damper.
     pub spring: Variant,
-    /// The mount in series: stiffness, damping and internal mass.
+    /// Series compliance and internal mass.
     pub series: bool,
-    /// The oil column before the valves.
-    pub oil: Oil,
     /// Constant gas force.
     pub gas: bool,
     /// Friction growing with side force.
@@ -193,11 +180,6 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// Whether something in series gives.
-    pub fn gives(&self) -> bool {
-        self.series || self.oil != Oil::Stiff
-    }
-
     /// Base set and unknowns of this structure, starting from the values in `from`.
     pub fn unknowns(&self, from: &Params, segments: &[Segment]) -> Unknowns {
         let mut base = *from;
@@ -216,15 +198,6 @@ impl Structure {
                 Unknown::Linear("series_damping"),
                 Unknown::Log("internal_mass"),
             ]);
-        }
-        if self.oil != Oil::Stiff {
-            on(&mut base, "oil_compressibility");
-            list.push(Unknown::Log("oil_stiffness"));
-            let even = find("oil_compression").map_or(1.0, |row| row.parameter.default[0]);
-            match self.oil {
-                Oil::Uneven => list.push(Unknown::Log("oil_compression")),
-                _ => drop(base.set("oil_compression", even)),
-            }
         }
         if self.gas {
             on(&mut base, "gas_preload");
@@ -315,7 +288,7 @@ pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
 /// The outcome of one choice.
 #[derive(Debug, Clone, Serialize)]
 pub struct Choice {
-    /// What was chosen: "friction", "spring", "FV points", "measurement" or "series path".
+    /// What was chosen: "friction", "spring", "FV points" or "measurement".
     pub of: &'static str,
     /// The name of the variant that was kept.
     pub chosen: &'static str,

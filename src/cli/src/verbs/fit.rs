@@ -22,8 +22,7 @@ use std::path::{Path, PathBuf};
 /// Identify a damper from rig records
 ///
 /// FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the
-/// variants of friction and spring are chosen by tests left out of the fit; where they leave more than noise allows, an
-/// oil column before the valves is tried. A late force channel and a gain or zero
+/// variants of friction and spring are chosen by tests left out of the fit. A late force channel and a gain or zero
 /// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
 #[command(
