@@ -31,6 +31,21 @@ impl Random {
     }
 }
 
+/// FV curve, series compliance, dry friction, a linear spring and gas: the model that data is compared with.
+///
+/// # Panics
+/// Never: the names are the kernel's own.
+pub fn base() -> Params {
+    let mut params = Params::new();
+    params.disable_all();
+    for name in ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"] {
+        params.enable(name, true).unwrap();
+    }
+    params.set("spring_quadratic", 0.0).unwrap();
+    params.set("spring_linear", 800.0).unwrap();
+    params
+}
+
 /// A sine test.
 #[derive(Debug, Clone, Copy)]
 pub struct Sine {

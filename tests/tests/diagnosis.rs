@@ -3,7 +3,7 @@
 use dashpot_core::Params;
 use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
 use dashpot_records::Record;
-use dashpot_tests::kernel_campaign::{Sine, campaign};
+use dashpot_tests::kernel_campaign::{Sine, base, campaign};
 use std::f64::consts::TAU;
 
 /// Strokes and speeds, mean positions, side forces, slow tests.
@@ -26,18 +26,6 @@ fn tests() -> Vec<Sine> {
         tests.push(Sine { side_force: Some(0.0), ..Sine::new(0.01, frequency) });
     }
     tests
-}
-
-/// FV curve, series compliance, dry friction, a linear spring and gas: the model that the data is compared with.
-fn base() -> Params {
-    let mut params = Params::new();
-    params.disable_all();
-    for name in ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"] {
-        params.enable(name, true).unwrap();
-    }
-    params.set("spring_quadratic", 0.0).unwrap();
-    params.set("spring_linear", 800.0).unwrap();
-    params
 }
 
 fn diagnosed(truth: &Params, model: &Params, seed: u64) -> Diagnosis {

@@ -7,7 +7,7 @@ use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::words::Language;
 use dashpot_report::{Made, MadeFrom, parameters};
 use dashpot_simulation::whole_records::OfDiagnosis;
-use dashpot_tests::kernel_campaign::{Sine, campaign};
+use dashpot_tests::kernel_campaign::{Sine, base, campaign};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -20,17 +20,6 @@ const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n 
 /// Texts that a language writes as English does.
 const SAME: &[(&str, &[&str])] =
     &[("de", &["Name", "Parameter", "Amplitude, mm"]), ("fr", &["compression", "amplitude, mm", "direction"])];
-
-fn base() -> Params {
-    let mut params = Params::new();
-    params.disable_all();
-    for name in ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"] {
-        params.enable(name, true).unwrap();
-    }
-    params.set("spring_quadratic", 0.0).unwrap();
-    params.set("spring_linear", 800.0).unwrap();
-    params
-}
 
 fn tests() -> Vec<Sine> {
     let mut tests = Vec::new();

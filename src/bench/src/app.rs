@@ -5,7 +5,7 @@ use crate::session::recent::Recent;
 use crate::session::{Session, Waker, outputs};
 use crate::views::plots::{self, Which};
 use crate::views::{Corner, Side, View, answer, bar, closing, matrix, records, status, study, tests, tune};
-use crate::words::Language;
+use crate::words;
 use dashpot_output::Kind;
 use eframe::egui::{self, CentralPanel, ColorImage, Panel, Rect, Ui};
 use std::path::{Path, PathBuf};
@@ -45,7 +45,7 @@ impl App {
     pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
         let own = ctx.clone();
         let waker: Waker = Arc::new(move || own.request_repaint());
-        let view = View { language: Language::of_system(), ..View::default() };
+        let view = View { language: words::of_system(), ..View::default() };
         App { session: Session::new(recent, waker.clone()), view, dialogs, waker, pictures: channel() }
     }
 
@@ -97,7 +97,7 @@ impl App {
                 session.save(&first);
             }
             Ask::Export(host) => session.export(host, first),
-            Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.of_reports()),
+            Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.words()),
             Ask::Text(_, text) => {
                 let kind = Kind::of(text.as_bytes());
                 self.told(&first, outputs::write(&first, kind, text.as_bytes()));

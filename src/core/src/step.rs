@@ -412,11 +412,7 @@ impl Substep<'_> {
             known = pair(|k| known[k] + a * self.gains[j][k]);
         }
         let [known_x, known_v] = known;
-        // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
-        // of a hardening spring from where it will never be.
-        let inner_at = known_x + g * self.predicted;
-        let inner_at = if inner_at < point.x - REACH { point.x - REACH } else { inner_at };
-        let inner_at = if inner_at > point.x + REACH { point.x + REACH } else { inner_at };
+        let inner_at = within_reach(known_x + g * self.predicted, point.x);
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = self.elements.inner(&at);
@@ -465,12 +461,20 @@ impl Substep<'_> {
     }
 }
 
+/// A place no further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope of a
+/// hardening spring from where it will never be.
+#[inline(always)]
+fn within_reach(x: f64, driven: f64) -> f64 {
+    let (low, high) = (driven - REACH, driven + REACH);
+    let at = if x < low { low } else { x };
+    if at > high { high } else { at }
+}
+
 /// The springs on the mass at a place, straight beyond the reach of the series spring about the driven end: as if from the place
 /// given, with the force at x itself.
 #[inline(always)]
 fn springs(e: &Elements, x: f64, velocity: f64, driven: f64, side: (f64, f64)) -> (Response, f64, f64) {
-    let at = if x < driven - REACH { driven - REACH } else { x };
-    let at = if at > driven + REACH { driven + REACH } else { at };
+    let at = within_reach(x, driven);
     let inner = e.inner(&Motion { displacement: at, velocity, side_force: side.0, temperature: side.1 });
     (inner, inner.force + inner.by_x * (x - at), at)
 }
@@ -565,12 +569,7 @@ struct Drive<'a> {
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-fn move_mass<T: Tableau, const ONCE: bool>(
-    drive: &Drive,
-    substeps: u32,
-    mut mass: Mass,
-    follow: &mut impl Follow,
-) -> Mass {
+fn move_mass<T: Tableau, const ONCE: bool>(drive: &Drive, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
     if T::STAGES == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
@@ -581,18 +580,17 @@ fn move_mass<T: Tableau, const ONCE: bool>(
         // The common case, written out so that the places of the stages are constants.
         return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
     }
-    let part = 1.0 / substeps as f64;
-    let mut theta = 0.0;
-    for left in (0..substeps).rev() {
-        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, false>(follow);
-        theta += part;
-    }
-    mass
+    move_mass_in_substeps::<T, false>(drive, substeps, mass, follow)
 }
 
 /// As [`move_mass`] where springs bend ([`Elements::bends`]).
 #[inline(never)]
-fn move_mass_on_bent_springs<T: Tableau>(
+fn move_mass_on_bent_springs<T: Tableau>(drive: &Drive, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+    move_mass_in_substeps::<T, true>(drive, substeps, mass, follow)
+}
+
+#[inline(always)]
+fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
     drive: &Drive,
     substeps: u32,
     mut mass: Mass,
@@ -601,7 +599,7 @@ fn move_mass_on_bent_springs<T: Tableau>(
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, true>(follow);
+        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, BENT>(follow);
         theta += part;
     }
     mass
@@ -921,7 +919,8 @@ fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input,
     let (by_x_beside, by_v_beside) = (friction.by_x + preload.by_x, friction.by_v + preload.by_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
-    if !after.holds() || !AT_ONCE && !after.springs_hold(elements, &end, before.side) {
+    // A spring that answers at once does not bend.
+    if !(after.holds() && (AT_ONCE || after.springs_hold(elements, &end, before.side))) {
         return false;
     }
     state.displacement = end.x;

@@ -78,6 +78,7 @@ const PAIRS: usize = 8;
 /// from `first_seed` on.
 pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::hidden::KNOWN, dashpot_other_lab::hidden::UNKNOWN);
+    let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
     let mut seed = first_seed;
     let mut all = Vec::new();
     for round in 0..rounds as usize {
@@ -85,8 +86,7 @@ pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
             seed += 1;
             Case::new(Kind::ALL[(k + round) % Kind::ALL.len()], seed)
         };
-        let names = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name));
-        all.extend(names.enumerate().map(|(k, name)| ("single", next(k).hiding(name, 1.0))));
+        all.extend(hidden.iter().enumerate().map(|(k, name)| ("single", next(k).hiding(name, 1.0))));
         all.extend(unknown.iter().enumerate().map(|(k, u)| ("unknown", next(k).hiding(u.effect.name, 1.0))));
         all.extend((0..unknown.len()).map(|k| ("null_white", next(k))));
         let coloured = |mut case: Case| {
@@ -96,7 +96,6 @@ pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
             case
         };
         all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
-        let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
         all.extend((0..PAIRS).map(|k| {
             // Steps that share no divisor with each other lead through all effects, and never to one effect twice.
             let a = (5 * (k + PAIRS * round) + 1) % hidden.len();

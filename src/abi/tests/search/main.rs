@@ -2,7 +2,7 @@
 //! refusal is finite, a refusal leaves the state as it was, the force stays within what the elements can make.
 //!
 //! The seed of the long search is another one in every run; that of the short one stays for as long as the long one
-//! still finds cases (motions that steps do not determine, and one more: see the book, step.md). Both are printed;
+//! still finds cases (which ones: see the book, step.md). Both are printed;
 //! `DASHPOT_SEARCH_SEED=<n>` runs another, or the same again, and `DASHPOT_SEARCH_STEPS=<n>` as many steps. A failing
 //! case is made small and printed as code for `known.rs`.
 

@@ -1,4 +1,4 @@
-//! What is written: model files, what is known about records, reports, plots. All through the guards of
+//! What is written beside reports ([`super::papers`]): model files, what is known about records, plots, exports. All through the guards of
 //! the command's outputs: a file of another kind is never replaced, and nothing is ever half written.
 
 use crate::session::Session;

@@ -50,10 +50,14 @@ impl Paper {
     }
 }
 
-/// What a paper is made from: the records, and the model where it lies in a file as it stands.
-fn made(loaded: &Loaded, model: &Tuned) -> Made {
-    let file = model.path.as_deref().filter(|_| !model.is_unsaved());
-    Made::of(file.into_iter().chain(loaded.campaign.files.iter().map(PathBuf::as_path)))
+/// The model's file where it holds the model as it stands.
+fn file_of(model: &Tuned) -> Option<PathBuf> {
+    model.path.clone().filter(|_| !model.is_unsaved())
+}
+
+/// What a paper is made from. Reads every file once more, so beside the window.
+fn made(model: Option<&PathBuf>, loaded: &Loaded) -> Made {
+    Made::of(model.into_iter().chain(&loaded.campaign.files).map(PathBuf::as_path))
 }
 
 impl Session {
@@ -71,11 +75,12 @@ impl Session {
         else {
             return;
         };
-        let (name, made) = (model.name(), made(&loaded, model));
+        let (name, model_path) = (model.name(), file_of(model));
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> =
                 loaded.as_read().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
             let error = whole_records::of_fit(&fit, &records).map_err(|e| e.to_string())?;
+            let made = made(model_path.as_ref(), &loaded);
             let tables = dashpot_report::fit::workbook((&fit, &error), [&name, &loaded.named()], made, words);
             write(path, Kind::Workbook, |path| write_workbook(&tables, path))
         });
@@ -83,7 +88,7 @@ impl Session {
 
     fn write_validation(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
-        let (name, made) = (model.name(), made(&loaded, model));
+        let (name, model_path) = (model.name(), file_of(model));
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Work::Write, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
@@ -91,7 +96,7 @@ impl Session {
             let input = ReportInput {
                 words,
                 print: Print::Brief,
-                made,
+                made: made(model_path.as_ref(), &loaded),
                 model_file: name,
                 data: loaded.named(),
                 ..ReportInput::of(&file, &loaded.campaign, &compared, &validation).map_err(|e| told(&e))?
@@ -109,7 +114,7 @@ impl Session {
         else {
             return;
         };
-        let (model_file, made) = (model.name(), made(&loaded, model));
+        let (model_file, model_path) = (model.name(), file_of(model));
         let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
@@ -121,7 +126,7 @@ impl Session {
                 records: &records,
                 reading: reading::sentences(&loaded.campaign),
                 over_whole_records,
-                made,
+                made: made(model_path.as_ref(), &loaded),
                 words,
             };
             write(path, paper.kind(), |path| match paper.kind() {

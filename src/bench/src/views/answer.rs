@@ -6,7 +6,7 @@ use crate::session::papers::Paper;
 use crate::session::tasks::Diagnosed;
 use crate::units::digits;
 use crate::views::View;
-use crate::words::{Language, Words};
+use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::validation::{Errors, Validation};
 use dashpot_identification::{Fit, Standing};
@@ -74,7 +74,7 @@ fn wrapped(ui: &mut Ui, text: RichText) {
 }
 
 fn fit(ui: &mut Ui, found: &Fit, language: Language) {
-    let (w, said) = (language.words(), language.of_reports());
+    let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
     for choice in &found.choices {
         wrapped(ui, RichText::new(format!("{}: {} — {}", choice.of, choice.chosen, choice.why)));
@@ -126,7 +126,7 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
 }
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
-    let (w, said) = (language.words(), language.of_reports());
+    let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(headline(found, said)).strong());
     for finding in &found.findings {
         ui.add_space(4.0);

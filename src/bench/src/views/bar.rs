@@ -5,7 +5,7 @@ use crate::session::Session;
 use crate::session::exports::Host;
 use crate::session::papers::Paper;
 use crate::views::{Side, View, named_list};
-use crate::words::Language;
+use crate::words::{self, Language};
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
 
 const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
@@ -125,11 +125,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 ui.ctx().set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
             }
             let list = egui::ComboBox::from_id_salt("language")
-                .selected_text(view.language.name())
+                .selected_text(words::name(view.language))
                 .width(80.0)
                 .show_ui(ui, |ui| {
-                    for language in Language::ALL {
-                        ui.selectable_value(&mut view.language, language, language.name());
+                    for (_, language) in Language::ALL {
+                        ui.selectable_value(&mut view.language, language, words::name(language));
                     }
                 });
             named_list(list, w.language);

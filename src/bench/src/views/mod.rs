@@ -28,7 +28,7 @@ pub mod tune;
 
 use crate::dialogs::Ask;
 use crate::session::matrix::Across;
-use crate::words::{Language, Words};
+use crate::words::{self, Language, Words};
 use eframe::egui::{self, Color32};
 
 /// What the right-hand side shows.
@@ -95,7 +95,7 @@ pub struct View {
 impl View {
     /// All texts.
     pub fn words(&self) -> &'static Words {
-        self.language.words()
+        words::texts(self.language)
     }
 }
 

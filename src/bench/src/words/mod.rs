@@ -7,71 +7,37 @@ mod german;
 
 use dashpot_records::Channel;
 
-/// The languages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Language {
-    /// English.
-    #[default]
-    English,
-    /// German.
-    German,
-    /// French.
-    French,
-    /// Chinese.
-    Chinese,
+pub use dashpot_report::words::Language;
+
+/// The name of a language in itself.
+pub fn name(language: Language) -> &'static str {
+    match language {
+        Language::English => "English",
+        Language::German => "Deutsch",
+        Language::French => "Français",
+        Language::Chinese => "中文",
+    }
 }
 
-impl Language {
-    /// All, in the order in which they are offered.
-    pub const ALL: [Language; 4] = [Language::English, Language::German, Language::French, Language::Chinese];
-
-    /// Its own name of itself.
-    pub fn name(self) -> &'static str {
-        match self {
-            Language::English => "English",
-            Language::German => "Deutsch",
-            Language::French => "Français",
-            Language::Chinese => "中文",
-        }
+/// The window's texts in a language; [`Language::words`] has those of its reports.
+pub fn texts(language: Language) -> &'static Words {
+    match language {
+        Language::English => &english::WORDS,
+        Language::German => &german::WORDS,
+        Language::French => &french::WORDS,
+        Language::Chinese => &chinese::WORDS,
     }
+}
 
-    /// Its texts.
-    pub fn words(self) -> &'static Words {
-        match self {
-            Language::English => &english::WORDS,
-            Language::German => &german::WORDS,
-            Language::French => &french::WORDS,
-            Language::Chinese => &chinese::WORDS,
-        }
-    }
+/// The language that the system speaks, as its environment says; English where it says nothing known.
+pub fn of_system() -> Language {
+    let said =
+        ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(|name| std::env::var(name).ok().filter(|v| !v.is_empty()));
+    of_locale(&said.unwrap_or_default())
+}
 
-    /// The texts of its reports.
-    pub fn of_reports(self) -> &'static dashpot_report::words::Words {
-        use dashpot_report::words;
-        match self {
-            Language::English => &words::EN,
-            Language::German => &words::DE,
-            Language::French => &words::FR,
-            Language::Chinese => &words::ZH,
-        }
-    }
-
-    /// The language that the system speaks, as its environment says; English where it says nothing known.
-    pub fn of_system() -> Language {
-        let said = ["LC_ALL", "LC_MESSAGES", "LANG"]
-            .iter()
-            .find_map(|name| std::env::var(name).ok().filter(|v| !v.is_empty()));
-        Language::of_locale(&said.unwrap_or_default())
-    }
-
-    fn of_locale(locale: &str) -> Language {
-        match locale.get(..2).unwrap_or_default().to_ascii_lowercase().as_str() {
-            "de" => Language::German,
-            "fr" => Language::French,
-            "zh" => Language::Chinese,
-            _ => Language::English,
-        }
-    }
+fn of_locale(locale: &str) -> Language {
+    locale.get(..2).unwrap_or_default().parse().unwrap_or_default()
 }
 
 impl Words {
@@ -267,7 +233,7 @@ mod tests {
             ("C.UTF-8", Language::English),
             ("", Language::English),
         ] {
-            assert_eq!(Language::of_locale(locale), wanted, "{locale}");
+            assert_eq!(of_locale(locale), wanted, "{locale}");
         }
     }
 }

@@ -394,9 +394,9 @@ fn closing_with_nothing_to_lose_does_not_ask() {
 fn every_language_draws_every_view() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
-    for language in Language::ALL {
+    for (_, language) in Language::ALL {
         harness.state_mut().view.language = language;
-        let words = language.words();
+        let words = crate::words::texts(language);
         for side in [words.tune, words.answer, words.records, words.study] {
             harness.step();
             harness.step();
@@ -545,7 +545,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
     assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
-    let headlines = Language::ALL.map(|of| (of, dashpot_report::diagnosis::headline(found, of.of_reports())));
+    let headlines = Language::ALL.map(|(_, of)| (of, dashpot_report::diagnosis::headline(found, of.words())));
     // English comes last, for what follows.
     for (language, headline) in headlines.iter().rev() {
         harness.state_mut().view.language = *language;

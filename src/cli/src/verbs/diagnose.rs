@@ -296,6 +296,9 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     if let Some(path) = json {
         dashpot_output::json(path, &answers)?;
     }
+    if args.report.is_none() && args.excel.is_none() {
+        return Ok(());
+    }
     let page = answers.page(&args.model, args.text.date.made(files)?, args.text.words());
     if let Some(path) = &args.report {
         dashpot_output::write(path, page.render())?;

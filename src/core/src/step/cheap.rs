@@ -22,7 +22,6 @@
 //! standstill or inside a jump of the curve, and a spring of a table has another slope past its next point. There the step is
 //! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
 
-use super::REACH;
 use crate::elements::{Elements, Motion, Response};
 use crate::input::PathPoint;
 
@@ -89,13 +88,8 @@ impl Before {
     /// Where the springs on the mass are linearised in a step to `end`.
     #[inline(always)]
     pub fn springs_at(&self, end: &PathPoint) -> Motion {
-        let at = self.x + self.h * self.v;
-        // No further from the driven end than a series spring reaches: a mass flung by a jump would else take the slope
-        // of a hardening spring from where it will never be.
-        let (low, high) = (end.x - REACH, end.x + REACH);
-        let at = if at < low { low } else { at };
         Motion {
-            displacement: if at > high { high } else { at },
+            displacement: super::within_reach(self.x + self.h * self.v, end.x),
             velocity: self.v,
             side_force: self.side.0,
             temperature: self.side.1,
