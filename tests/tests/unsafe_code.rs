@@ -1,8 +1,9 @@
 //! Every block of unsafe code says why it is sound, where it stands. Clippy asks the same (`undocumented_unsafe_blocks` is denied in
-//! `Cargo.toml`); this test also runs where there is no clippy.
+//! `Cargo.toml`); this test also runs where there is no clippy. Where the tools are there, the C interface is run with every access watched.
 
 use dashpot_tests::library::root;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
@@ -74,4 +75,50 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// SAFETY: p is ours.\nlet b = unsafe { *p };").is_empty());
     assert_eq!(without_reason("// p is ours.\nlet b = unsafe { *p };"), [2]);
     assert!(without_reason("// unsafe { in words }").is_empty());
+}
+
+/// Runs the tests that call the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which alone has what watches memory;
+/// `None` where it lacks what this asks for.
+fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
+    let cargo = |args: &[&str]| {
+        let mut command = Command::new("cargo");
+        // The compiler that runs this test is asked for in these, and another one is wanted.
+        for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER"] {
+            command.env_remove(name);
+        }
+        command
+            .arg("+nightly")
+            .args(args)
+            .current_dir(root())
+            .env("CARGO_TARGET_DIR", root().join("target").join(folder));
+        // Unoptimised, the kernel compiles in a fifth of the time.
+        command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0");
+        command.env("RUSTFLAGS", flags).output()
+    };
+    if !cargo(asks_for).is_ok_and(|out| out.status.success()) {
+        return None;
+    }
+    let out = cargo(run).unwrap();
+    let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+    Some((out.status.success() && told.contains("4 passed"), told))
+}
+
+#[test]
+fn miri_finds_no_fault_in_the_interface() {
+    // Miri reads no assembler, of which the mathematics library has some.
+    let run = "miri test -p dashpot-core -p dashpot-abi --features libm/force-soft-floats --test memory";
+    match watched(&["miri", "--version"], &run.split(' ').collect::<Vec<_>>(), "", "miri") {
+        None => println!("skipped: no Miri (rustup toolchain install nightly --component miri,rust-src)"),
+        Some((holds, told)) => assert!(holds, "{told}"),
+    }
+}
+
+#[test]
+fn the_address_sanitizer_finds_no_fault_in_the_interface() {
+    let target = format!("{}-unknown-linux-gnu", std::env::consts::ARCH);
+    let run = ["test", "-p", "dashpot-abi", "--target", &target, "--test", "memory"];
+    match watched(&["--version"], &run, "-Zsanitizer=address", "asan") {
+        None => println!("skipped: no nightly Rust (rustup toolchain install nightly)"),
+        Some((holds, told)) => assert!(holds, "{told}"),
+    }
 }

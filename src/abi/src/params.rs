@@ -6,7 +6,7 @@
 use core::ffi::c_char;
 use core::mem::{align_of, offset_of, size_of};
 
-use dashpot_core::model_file::{self, Problem};
+use dashpot_core::model_file;
 use dashpot_core::parameter::{Shape, find, table};
 use dashpot_core::{Fault, Model, Params, elements};
 
@@ -285,15 +285,11 @@ pub unsafe extern "C" fn dashpot_params_read(
                 }
                 (0, None)
             }
-            Err(error) => (error.line, Some(error.problem)),
+            Err(error) => (error.line, Some(error)),
         };
-        let code = found.map_or(DASHPOT_OK, |problem| Refused::from(problem).0);
+        let code = found.map_or(DASHPOT_OK, |error| Refused::from(error.problem).0);
         if let Some(report) = report {
-            let name = match found {
-                Some(Problem::Parameter(fault)) => parameter_name(fault.parameter),
-                _ => None,
-            };
-            fill(report, code, line, name);
+            fill(report, code, line, found.and_then(|error| parameter_name(error.parameter)));
         }
         Ok(code)
     })())

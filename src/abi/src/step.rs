@@ -169,6 +169,10 @@ pub unsafe extern "C" fn dashpot_step_batch(
 ) -> i32 {
     status((|| {
         let dt = checked_step(dt)?;
+        // An array of no elements may be null, says the manual.
+        if count == 0 {
+            return Ok(DASHPOT_OK);
+        }
         aligned!(models, from, to_inputs, to, outputs);
         present(models)?;
         present(to)?;

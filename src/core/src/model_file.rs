@@ -15,7 +15,7 @@
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
-use crate::parameter::{COUNT, Params, Shape, table};
+use crate::parameter::{COUNT, Params, Row, Shape, table};
 
 /// Number that the key `format` must have.
 pub const FORMAT: f64 = 1.0;
@@ -25,6 +25,8 @@ pub const FORMAT: f64 = 1.0;
 pub struct ReadError {
     /// Line, from 1.
     pub line: u32,
+    /// Index of the parameter named there in the table, or [`NO_PARAMETER`].
+    pub parameter: u16,
     /// What is wrong there.
     pub problem: Problem,
 }
@@ -66,6 +68,9 @@ impl Problem {
     }
 }
 
+/// A name that is none of the table's.
+const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
+
 /// Most numbers in one list.
 const LONGEST: usize = 64;
 
@@ -86,7 +91,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     loop {
         reader.blank(true);
         let line = reader.line;
-        let at = |problem| ReadError { line, problem };
+        let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
         match reader.peek() {
             None | Some(b'[') => break,
             Some(_) => {}
@@ -117,53 +122,20 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                     Value::Word(word) => crate::elements::names()
                         .find(|name| name.as_bytes() == word)
                         .and_then(|name| read.enable(name, true).ok())
-                        .ok_or(ReadError { line, problem: Problem::UnknownElement }),
-                    Value::Number(_) => Err(ReadError { line, problem: Problem::Value }),
+                        .ok_or(ReadError { line, parameter: NO_PARAMETER, problem: Problem::UnknownElement }),
+                    Value::Number(_) => Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Value }),
                 })?;
             }
             _ => {
-                let row = table()
-                    .find(|row| row.parameter.name.as_bytes() == name)
-                    .ok_or(at(Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName })))?;
-                let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+                let row = table().find(|row| row.parameter.name.as_bytes() == name).ok_or(at(UNKNOWN))?;
+                let of_row = |error| ReadError { parameter: row.index as u16, ..error };
+                if seen.get(row.index) == Some(&true) {
+                    return Err(of_row(at(Problem::Repeated)));
+                }
                 if let Some(seen) = seen.get_mut(row.index) {
-                    if *seen {
-                        return Err(at(Problem::Repeated));
-                    }
                     *seen = true;
                 }
-                let set = match row.parameter.shape {
-                    Shape::List(_) => {
-                        let mut numbers = [0.0; LONGEST];
-                        let mut count = 0;
-                        if reader.peek() != Some(b'[') {
-                            return Err(fault(Reason::WrongShape));
-                        }
-                        reader.list(|value, line| {
-                            let Value::Number(number) = value else {
-                                return Err(ReadError { line, problem: Problem::Value });
-                            };
-                            let slot = numbers.get_mut(count).ok_or(ReadError { line, problem: Problem::TooLong })?;
-                            *slot = number;
-                            count += 1;
-                            Ok(())
-                        })?;
-                        read.set_list(row.parameter.name, numbers.get(..count).unwrap_or(&[]))
-                    }
-                    Shape::Choice(words) => {
-                        let Some(Value::Word(word)) = reader.value() else { return Err(at(Problem::Value)) };
-                        let place = words.iter().position(|w| w.as_bytes() == word).ok_or(fault(Reason::NotAChoice))?;
-                        read.set(row.parameter.name, place as f64)
-                    }
-                    Shape::Scalar => {
-                        if reader.peek() == Some(b'[') {
-                            return Err(fault(Reason::WrongShape));
-                        }
-                        let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Value)) };
-                        read.set(row.parameter.name, number)
-                    }
-                };
-                set.map_err(|f| fault(f.reason))?;
+                reader.parameter(row, &mut read).map_err(of_row)?;
             }
         }
         reader.blank(false);
@@ -172,10 +144,10 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
         }
     }
     if !has_format {
-        return Err(ReadError { line: 1, problem: Problem::Format });
+        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::Format });
     }
     if !has_elements {
-        return Err(ReadError { line: 1, problem: Problem::NoElements });
+        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::NoElements });
     }
     *params = read;
     Ok(())
@@ -192,6 +164,45 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
+    /// The value of a row of the table.
+    fn parameter(&mut self, row: Row, read: &mut Params) -> Result<(), ReadError> {
+        let line = self.line;
+        let at = |problem| ReadError { line, parameter: row.index as u16, problem };
+        let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+        let set = match row.parameter.shape {
+            Shape::List(_) => {
+                let mut numbers = [0.0; LONGEST];
+                let mut count = 0;
+                if self.peek() != Some(b'[') {
+                    return Err(fault(Reason::WrongShape));
+                }
+                self.list(|value, line| {
+                    let Value::Number(number) = value else {
+                        return Err(ReadError { line, ..at(Problem::Value) });
+                    };
+                    let slot = numbers.get_mut(count).ok_or(ReadError { line, ..at(Problem::TooLong) })?;
+                    *slot = number;
+                    count += 1;
+                    Ok(())
+                })?;
+                read.set_list(row.parameter.name, numbers.get(..count).unwrap_or(&[]))
+            }
+            Shape::Choice(words) => {
+                let Some(Value::Word(word)) = self.value() else { return Err(at(Problem::Value)) };
+                let place = words.iter().position(|w| w.as_bytes() == word).ok_or(fault(Reason::NotAChoice))?;
+                read.set(row.parameter.name, place as f64)
+            }
+            Shape::Scalar => {
+                if self.peek() == Some(b'[') {
+                    return Err(fault(Reason::WrongShape));
+                }
+                let Some(Value::Number(number)) = self.value() else { return Err(at(Problem::Value)) };
+                read.set(row.parameter.name, number)
+            }
+        };
+        set.map_err(|f| fault(f.reason))
+    }
+
     fn peek(&self) -> Option<u8> {
         self.rest.first().copied()
     }
@@ -251,7 +262,7 @@ impl<'a> Reader<'a> {
     }
 
     fn list(&mut self, mut each: impl FnMut(Value<'a>, u32) -> Result<(), ReadError>) -> Result<(), ReadError> {
-        let wrong = |line| ReadError { line, problem: Problem::Value };
+        let wrong = |line| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Value };
         if !self.take(b'[') {
             return Err(wrong(self.line));
         }
@@ -295,22 +306,23 @@ mod tests {
     fn errors_name_the_line_and_change_nothing() {
         let head = "format = 1\nelements = []\n";
         let cases = [
-            ("gas_force 5", 3, Problem::Syntax),
-            ("gas_force = 1,5", 3, Problem::Syntax),
-            ("gas_force = five", 3, Problem::Value),
-            ("gas_force = \"five\"", 3, Problem::Value),
-            ("gas_force = 5\ngas_force = 6", 4, Problem::Repeated),
-            ("fv_force = [1,\n2,\nx]", 5, Problem::Value),
-            ("elements = [\"x\"]", 3, Problem::Repeated),
+            ("gas_force 5", 3, None, Problem::Syntax),
+            ("gas_force = 1,5", 3, None, Problem::Syntax),
+            ("gas_force = five", 3, Some("gas_force"), Problem::Value),
+            ("gas_force = \"five\"", 3, Some("gas_force"), Problem::Value),
+            ("gas_force = 5\ngas_force = 6", 4, Some("gas_force"), Problem::Repeated),
+            ("fv_force = [1,\n2,\nx]", 5, Some("fv_force"), Problem::Value),
+            ("elements = [\"x\"]", 3, None, Problem::Repeated),
         ];
-        for (tail, line, problem) in cases {
+        for (tail, line, name, problem) in cases {
+            let parameter = name.and_then(crate::parameter::find).map_or(NO_PARAMETER, |row| row.index as u16);
             let mut params = Params::new();
             let text = std::format!("{head}{tail}");
-            assert_eq!(read(text.as_bytes(), &mut params), Err(ReadError { line, problem }), "{tail}");
+            assert_eq!(read(text.as_bytes(), &mut params), Err(ReadError { line, parameter, problem }), "{tail}");
             assert_eq!(params, Params::new());
         }
         let parameter = |text: &str| match read(std::format!("{head}{text}").as_bytes(), &mut Params::new()) {
-            Err(ReadError { line: 3, problem: Problem::Parameter(fault) }) => fault.reason,
+            Err(ReadError { line: 3, problem: Problem::Parameter(fault), .. }) => fault.reason,
             other => panic!("{text}: {other:?}"),
         };
         assert_eq!(parameter("gas_forse = 5"), Reason::UnknownName);

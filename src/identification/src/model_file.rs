@@ -219,7 +219,7 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     model_file::read(text.as_bytes(), &mut params).map_err(|e| {
         let (subject, mut words) = match e.problem {
             model_file::Problem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
-            _ => (String::new(), e.problem.text().to_owned()),
+            _ => (name_of(e.parameter).map_or(String::new(), |name| format!("{name}: ")), e.problem.text().to_owned()),
         };
         if let model_file::Problem::Parameter(fault) = e.problem {
             if fault.reason == dashpot_core::Reason::UnknownName {
