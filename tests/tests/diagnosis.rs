@@ -2,9 +2,11 @@
 
 use dashpot_core::Params;
 use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_identification::model_file;
 use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign};
 use std::f64::consts::TAU;
+use std::path::Path;
 
 /// Strokes and speeds, mean positions, side forces, slow tests.
 fn tests() -> Vec<Sine> {
@@ -120,4 +122,38 @@ fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
 #[test]
 fn a_mass_between_load_cell_and_damper_is_named() {
     names("moving_mass", &[("moving_mass", 2.0)]);
+}
+
+/// The force channel read `delay` later than it was, in steady motion.
+fn late(record: &Record, delay: f64) -> Record {
+    let (first, period) = (record.time[0], record.cycles.len() as f64 / record.frequency);
+    let dt = record.time[1] - first;
+    let at = |time: f64| {
+        let place = (time - first).rem_euclid(period) / dt;
+        let (k, share) = ((place as usize).min(record.force.len() - 2), place.fract());
+        record.force[k] + share * (record.force[k + 1] - record.force[k])
+    };
+    Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
+}
+
+/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file: whoever reads the same records with it meets the rig
+/// again otherwise, and takes it for something that the model lacks.
+#[test]
+fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
+    let model = base();
+    let mut records: Vec<Record> = campaign(&model, &tests(), 11, 0.01).iter().map(|r| late(r, 2e-3)).collect();
+    let refs: Vec<&Record> = records.iter().collect();
+    let held_out = choose_held_out(&refs, 0);
+    let found = diagnose(&refs, &held_out, &model, &Options::default(), &|_, _| ()).unwrap();
+    let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
+    assert_eq!(names, ["channel_delay"], "{}", told(&found));
+    let before = model_file::of_text(&model_file::flat(&model, |_| String::new()), Path::new("model.toml")).unwrap();
+    let text = model_file::write(&found.as_fit(&refs, &held_out, &before));
+    let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
+    let delay = improved.identification.measured().into_iter().find(|m| m.name == "delay").expect("a delay");
+    assert!((delay.value - 2e-3).abs() < 1e-4 && delay.low < delay.value && delay.value < delay.high, "{delay:?}");
+    let note = improved.identification.right(&mut records).expect("a note");
+    assert!(note.text.contains("taken out of the records"), "{note:?}");
+    let again = of(&records, &improved.params);
+    assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
 }

@@ -7,7 +7,7 @@ use dashpot_estimation::deviations::deviations;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_identification::{Estimate, Fit, Standing};
+use dashpot_identification::{Estimate, Fit, Measured, Standing};
 use dashpot_records::Record;
 
 /// Intervals of all scalars of the last explanation.
@@ -37,9 +37,35 @@ pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
         .collect()
 }
 
+/// What the last explanation finds the measurement to be off by, of what the reader of records can take out.
+pub(super) fn measured(found: &Search) -> Vec<Measured> {
+    let (last, end) = &found.found.last;
+    let deviations = deviations(last, end);
+    let numbers = last.numbers.iter().enumerate();
+    numbers
+        .filter_map(|(k, number)| {
+            let Free::Rig(artefact) = &number.free else { return None };
+            let (value, half) = (end.theta[k], 1.96 * deviations[k]);
+            Measured::of(*artefact, [value, value - half, value + half])
+        })
+        .collect()
+}
+
+/// What a fit took out of the records before they were diagnosed, and what the diagnosis found in them after that.
+fn of_both(fit: Vec<Measured>, diagnosis: &[Measured]) -> Vec<Measured> {
+    let mut all = fit;
+    for found in diagnosis {
+        match all.iter_mut().find(|m| m.name == found.name) {
+            Some(own) => *own = own.and(*found),
+            None => all.push(*found),
+        }
+    }
+    all
+}
+
 impl Diagnosis {
     /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: it keeps that one's
-    /// plain curve to compare with, and what its fit found of the measurement.
+    /// plain curve to compare with, and has what its fit and this diagnosis found of the measurement.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&&Record> = records
             .iter()
@@ -50,7 +76,7 @@ impl Diagnosis {
         let mut notes = vec![format!("diagnosis: {}", self.summary)];
         notes.extend(self.findings.iter().map(|f| {
             let place = if f.of_the_rig {
-                "of the rig: corrected in the comparison, not in this model"
+                "of the rig: corrected in the comparison, not in the damper of this model"
             } else {
                 "added to this model"
             };
@@ -60,11 +86,10 @@ impl Diagnosis {
             params: self.improved,
             estimates: self.estimates.clone(),
             choices: Vec::new(),
-            measured: if used.iter().any(|r| r.as_read.is_some()) {
-                model.identification.measured()
-            } else {
-                Vec::new()
-            },
+            measured: of_both(
+                if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
+                &self.measured,
+            ),
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

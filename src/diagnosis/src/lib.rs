@@ -294,6 +294,7 @@ impl Answer<'_> {
             improved: last.params(&end.theta),
             corrections: self.corrections(),
             estimates: improved::estimates(found),
+            measured: improved::measured(found),
         };
         for (held_out, tests, before, after) in
             [(false, self.fitted, &fitted_before, &fitted_after), (true, self.left, &left_before, &left_after)]

@@ -67,6 +67,9 @@ pub struct Diagnosis {
     /// What is known of the improved model's numbers.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,
+    /// What the improved model's file says of the measurement, so that its readers take it out of the same records again.
+    #[serde(skip)]
+    pub measured: Vec<dashpot_identification::Measured>,
     /// What the rig added, by name: taken out of the comparison only.
     pub corrections: BTreeMap<&'static str, f64>,
 }

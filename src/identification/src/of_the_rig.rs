@@ -163,6 +163,22 @@ impl Measured {
         numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
     }
 
+    /// One number, as a diagnosis found it; `None` for what the reader of records cannot take out.
+    pub fn of(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
+        let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
+        may.then(|| Measured::new(artefact, numbers))
+    }
+
+    /// What was taken out with what was found in the rest: of both together.
+    ///
+    /// The intervals are of separate records of the same thing, so that their squares add.
+    pub fn and(self, rest: Measured) -> Measured {
+        let value = self.value + rest.value;
+        let half = |m: &Measured| 0.5 * (m.high - m.low);
+        let half = half(&self).hypot(half(&rest));
+        Measured { value, low: value - half, high: value + half, ..self }
+    }
+
     /// Name in the vocabulary of the diagnosis.
     pub fn effect(&self) -> Option<&'static str> {
         LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == self.name).map(Artefact::name)
