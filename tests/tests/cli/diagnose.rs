@@ -396,3 +396,31 @@ fn groups_are_compared_with_one_reference() {
         refused(dir, &["diagnose", "plain.toml", "records", "--group", "a*"]).contains("once where the group stands")
     );
 }
+
+#[test]
+fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
+    let folder = copy();
+    let dir = folder.path();
+    let mut records: Vec<_> = std::fs::read_dir(dir.join("records")).unwrap().map(|e| e.unwrap().path()).collect();
+    records.sort();
+    for damper in ["a", "b", "c"] {
+        let to = dir.join("fleet").join(damper);
+        std::fs::create_dir_all(&to).unwrap();
+        for path in records.iter().filter(|p| p.is_file()).step_by(records.len() / 5) {
+            std::fs::copy(path, to.join(path.file_name().unwrap())).unwrap();
+        }
+    }
+    // One of them has no batch.
+    let few = ["--candidates", "channel_delay", "--max-effects", "0"];
+    std::fs::write(dir.join("fleet.csv"), "campaign;serial;batch\nfleet/a;17;spring\nfleet/b;18;\nfleet/c;19;autumn\n")
+        .unwrap();
+    let by_list = ["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:batch", "--report", "g.html"];
+    let told = done(dir, &[&by_list[..], &few].concat());
+    assert!(told.contains("Compared with autumn:") && told.contains("  spring: "), "{told}");
+    assert!(told.contains("1 tests belong to no group: fleet/b"), "{told}");
+    std::fs::write(dir.join("fleet.csv"), "campaign,serial\nfleet/a,17\nfleet/z,18\n").unwrap();
+    let told = refused(dir, &["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:serial"]);
+    assert!(told.contains("line 3") && told.contains("fleet/z"), "{told}");
+    let told = refused(dir, &["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:clicks"]);
+    assert!(told.contains("the columns are campaign, serial"), "{told}");
+}

@@ -65,7 +65,8 @@ pub struct Args {
     #[arg(long, value_name = "GOOD")]
     reference: Vec<PathBuf>,
     /// Many dampers or settings at once, each compared with the reference, or with the first where none is given. The word folders: every
-    /// folder in DATA is one. Or a pattern of the tests' names with {} where the group stands, such as '*_c{}_*'
+    /// folder in DATA is one. Or a pattern of the tests' names with {} where the group stands, such as '*_c{}_*'. Or a list (CSV with a heading,
+    /// tests or folders in its first column) and the column that tells the groups apart, such as tests.csv:clicks
     #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out", "next_tests"])]
     group: Option<String>,
     /// Chooses which tests are left out
@@ -261,7 +262,7 @@ fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> 
 
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
-    let groups::Split { mut groups, left_aside, mut files } = groups::split(&args.data, by)?;
+    let groups::Split { mut groups, left_aside, without_test, mut files } = groups::split(&args.data, by)?;
     files.insert(0, args.model.clone());
     let (mut reference, name) = if args.reference.is_empty() {
         if groups.len() < 2 {
@@ -290,7 +291,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     };
     let answered: anyhow::Result<Vec<groups::Answer>> = groups.into_iter().enumerate().map(one).collect();
     drop(progress);
-    let answers = Answers { reference: name, left_aside, as_the_fit_saw, groups: answered? };
+    let answers = Answers { reference: name, left_aside, without_test, as_the_fit_saw, groups: answered? };
     let json = args.json.as_deref();
     dashpot_output::say(json, &answers.told().join("\n"))?;
     if let Some(path) = json {

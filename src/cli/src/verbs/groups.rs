@@ -1,6 +1,7 @@
 //! Many dampers, or one at many settings, each against the same reference: `dashpot diagnose --group`.
 
 use super::data::DataArgs;
+use super::group_list::{self, GroupList};
 use anyhow::bail;
 use dashpot_diagnosis::{Change, Diagnosis, Finding};
 use dashpot_records::Record;
@@ -16,18 +17,21 @@ use std::path::{Path, PathBuf};
 /// The records of one damper or setting.
 #[derive(Debug)]
 pub struct Group {
-    /// Its name: that of the folder, or what the pattern found in the names of its tests.
+    /// Its name: that of the folder, what the pattern found in the names of its tests, or what the list has in its column.
     pub name: String,
     /// Its records.
     pub records: Vec<Record>,
 }
 
 /// Data split into groups.
+#[derive(Default)]
 pub struct Split {
     /// The groups.
     pub groups: Vec<Group>,
-    /// Tests that belong to none.
+    /// Tests, or folders, that belong to none.
     pub left_aside: Vec<String>,
+    /// Lines of a list that name none of the tests.
+    pub without_test: Vec<String>,
     /// Every file read.
     pub files: Vec<PathBuf>,
 }
@@ -35,17 +39,18 @@ pub struct Split {
 /// What stands for the name of the group in a pattern.
 const PLACE: &str = "{}";
 
-/// Splits the data: by the folders in it, or by a part of the tests' names.
+/// Splits the data: by the folders in it, by a part of the tests' names, or by a column of a list.
 ///
 /// # Errors
-/// A pattern without `{}`, data without folders, fewer than two groups, records that cannot be read.
+/// A pattern without `{}`, data without folders, a list without that column or without one of the tests, records that cannot be read.
 pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<Split> {
-    let mut split = match by {
-        "folders" => by_folders(data)?,
+    let mut split = match (by, group_list::named(by)) {
+        ("folders", _) => by_folders(data)?,
+        (_, Some((path, column))) => by_list(data, &GroupList::read(path, column)?)?,
         _ if by.matches(PLACE).count() == 1 => by_name(data, by)?,
         _ => bail!(
-            "--group takes the word folders, or a pattern of the tests' names with {PLACE} once where the group stands and * for \
-             anything, such as '*_c{PLACE}_*'; it is {by:?}"
+            "--group takes the word folders, a pattern of the tests' names with {PLACE} once where the group stands and * for \
+             anything, such as '*_c{PLACE}_*', or a list with a column, such as tests.csv:clicks; it is {by:?}"
         ),
     };
     // Pressures, clicks and serial numbers in the order of the number.
@@ -66,7 +71,7 @@ fn by_folders(data: &DataArgs) -> anyhow::Result<Split> {
     if folders.is_empty() {
         bail!("--group folders: there is no folder in {}; put the records of each damper into one", data.named());
     }
-    let mut split = Split { groups: Vec::new(), left_aside: Vec::new(), files: Vec::new() };
+    let mut split = Split::default();
     for folder in &folders {
         let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         let campaign = data.load_like(std::slice::from_ref(folder))?;
@@ -90,7 +95,39 @@ fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<Split> {
         bail!("--group {pattern:?} matches no test; the first is called {:?}", left.first().map_or("", String::as_str));
     }
     let groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
-    Ok(Split { groups, left_aside: left, files: campaign.files })
+    Ok(Split { groups, left_aside: left, files: campaign.files, ..Split::default() })
+}
+
+fn by_list(data: &DataArgs, list: &GroupList) -> anyhow::Result<Split> {
+    let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
+    let mut split = Split::default();
+    let folders = list.folders(&data.data)?;
+    for (folder, group) in &folders {
+        if group.is_empty() {
+            split.left_aside.push(folder.display().to_string());
+            continue;
+        }
+        let campaign = data.load_like(std::slice::from_ref(folder))?;
+        split.files.extend(campaign.files);
+        groups.entry((*group).to_owned()).or_default().extend(campaign.records);
+    }
+    if folders.is_empty() {
+        let campaign = data.load()?;
+        split.files = campaign.files;
+        split.without_test = list.without_test(&campaign.records.iter().collect::<Vec<_>>());
+        for record in campaign.records {
+            match list.group_of(&record) {
+                Some(name) => groups.entry(name.to_owned()).or_default().push(record),
+                None => split.left_aside.push(record.name),
+            }
+        }
+        if groups.is_empty() {
+            let first = split.left_aside.first().map_or("", String::as_str);
+            bail!("--group {}: the list gives no test of the data a group; the first is called {first:?}", list.said());
+        }
+    }
+    split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
+    Ok(split)
 }
 
 /// The shortest part of a name that stands where the pattern has `{}`, the first of equals.
@@ -122,6 +159,9 @@ pub struct Answers {
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,
+    /// Lines of the list of groups that name none of the tests.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub without_test: Vec<String>,
     /// What the model's fit found in its own records, and whether it was taken out of these.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<String>,
@@ -159,6 +199,9 @@ impl Answers {
                 self.left_aside.join(", ")
             ));
         }
+        if !self.without_test.is_empty() {
+            lines.push(format!("note: the list names what is not in the data: {}", self.without_test.join(", ")));
+        }
         lines
     }
 
@@ -173,9 +216,13 @@ impl Answers {
         if let Some(text) = &self.as_the_fit_saw {
             sections.push(Section::new("measurement", words.measurement_section, vec![Block::Warning(text.clone())]));
         }
-        if !self.left_aside.is_empty() {
-            let text = fill(words.aside, &[("tests", &self.left_aside.join(words.comma))]);
-            sections.push(Section::new("aside", words.aside_section, vec![Block::Warning(text)]));
+        let aside: Vec<Block> = [(words.aside, &self.left_aside), (words.without_test, &self.without_test)]
+            .into_iter()
+            .filter(|(_, list)| !list.is_empty())
+            .map(|(text, list)| Block::Warning(fill(text, &[("tests", &list.join(words.comma))])))
+            .collect();
+        if !aside.is_empty() {
+            sections.push(Section::new("aside", words.aside_section, aside));
         }
         let model = model.display().to_string();
         let subtitle = fill(words.groups_subtitle, &[("model", &model), ("reference", &self.reference)]);

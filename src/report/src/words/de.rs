@@ -367,4 +367,5 @@ pub const DE: Words = Words {
     measurement_section: "Die Messung selbst",
     aside_section: "Beiseitegelassen",
     aside: "Versuche, die zu keiner Gruppe gehören: {tests}.",
+    without_test: "Zeilen der Gruppenliste, zu denen es in den Daten nichts gibt: {tests}.",
 };

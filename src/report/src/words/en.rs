@@ -367,4 +367,5 @@ pub const EN: Words = Words {
     measurement_section: "The measurement itself",
     aside_section: "Left aside",
     aside: "Tests that belong to no group: {tests}.",
+    without_test: "Lines of the list of groups that name nothing in the data: {tests}.",
 };

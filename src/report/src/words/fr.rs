@@ -367,4 +367,5 @@ pub const FR: Words = Words {
     measurement_section: "La mesure elle-même",
     aside_section: "Laissés de côté",
     aside: "Essais qui n’appartiennent à aucun groupe : {tests}.",
+    without_test: "Lignes de la liste des groupes qui ne correspondent à rien dans les données : {tests}.",
 };

@@ -466,6 +466,7 @@ words!(
     measurement_section,
     aside_section,
     aside,
+    without_test,
 );
 
 #[cfg(test)]

@@ -367,4 +367,5 @@ pub const ZH: Words = Words {
     measurement_section: "测量本身",
     aside_section: "未分组",
     aside: "不属于任何组的试验：{tests}。",
+    without_test: "分组列表中在数据里找不到对应试验的行：{tests}。",
 };
