@@ -52,6 +52,7 @@ pub fn validate(py: Python<'_>, model: &Model, campaign: &Campaign, progress: Op
         let compared = compare(&model.file, &read, &say)?;
         let mut validation = dashpot_identification::validation::validate(&compared)?;
         validation.as_the_fit_saw = said;
+        validation.unusable.clone_from(&read.unusable);
         let json = serde_json::to_string(&validation)?;
         let forces = compared.into_iter().map(|c| [c.model, c.fv_only]).collect();
         Ok(Compared { json, forces, read })

@@ -6,8 +6,8 @@ use crate::model::Model;
 use crate::progress::Progress;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
-use dashpot_records::Record;
 use dashpot_records::hold_out::held_out;
+use dashpot_records::{Record, Unusable};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
 use pyo3::exceptions::PyIndexError;
@@ -21,6 +21,7 @@ pub struct Diagnosed {
     found: Diagnosis,
     over_whole_records: OfDiagnosis,
     as_the_fit_saw: Option<String>,
+    unusable: Vec<Unusable>,
     improved: String,
 }
 
@@ -32,6 +33,7 @@ struct DiagnosisJson<'a> {
     over_whole_records: OfDiagnosis,
     #[serde(skip_serializing_if = "Option::is_none")]
     as_the_fit_saw: Option<&'a str>,
+    unusable: &'a [Unusable],
 }
 
 #[pymethods]
@@ -42,6 +44,7 @@ impl Diagnosed {
             found: &self.found,
             over_whole_records: self.over_whole_records,
             as_the_fit_saw: self.as_the_fit_saw.as_deref(),
+            unusable: &self.unusable,
         };
         serde_json::to_string(&said).map_err(raise::<DiagnosisError>)
     }
@@ -85,6 +88,8 @@ pub fn diagnose(
     seed: u64,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Diagnosed> {
+    let unusable: Vec<Unusable> =
+        std::iter::once(campaign).chain(reference).flat_map(|c| c.read.unusable.iter().cloned()).collect();
     let (mut own, mut reference) =
         (campaign.read.records.clone(), reference.map_or_else(Vec::new, |r| r.read.records.clone()));
     let note = model.file.identification.right(own.iter_mut().chain(&mut reference));
@@ -101,7 +106,7 @@ pub fn diagnose(
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
         let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
-        Ok(Diagnosed { found, over_whole_records, as_the_fit_saw: note.map(|n| n.text), improved })
+        Ok(Diagnosed { found, over_whole_records, as_the_fit_saw: note.map(|n| n.text), unusable, improved })
     });
     progress.end()?;
     found.map_err(raise::<DiagnosisError>)

@@ -5,8 +5,8 @@ use crate::errors::{FitError, raise, say};
 use crate::progress::Progress;
 use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
-use dashpot_records::SignFinding;
 use dashpot_records::hold_out::kept;
+use dashpot_records::{SignFinding, Unusable};
 use dashpot_simulation::whole_records;
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -22,6 +22,7 @@ struct FitJson<'a> {
     misfit: f64,
     over_whole_records: Deviation,
     sign: &'a SignFinding,
+    unusable: &'a [Unusable],
 }
 
 /// Fits a model; returns the text of its model file and the figures as JSON.
@@ -66,6 +67,7 @@ pub fn fit(
         misfit: found.misfit,
         over_whole_records,
         sign: &campaign.read.sign,
+        unusable: &campaign.read.unusable,
     };
     Ok((model_file::write(&found), serde_json::to_string(&said).map_err(raise::<FitError>)?))
 }

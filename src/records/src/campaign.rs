@@ -18,6 +18,7 @@ use super::profile::{self, Profile};
 use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sign::{self, SignFinding};
+use super::unusable::{self, Sieve, Unusable};
 use super::{csv, glob, mat, mdf, rpc, slips, tdms, xlsx};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
@@ -31,9 +32,19 @@ pub struct Campaign {
     pub delay: Option<Delay>,
     /// What concerns the campaign as a whole.
     pub notes: Vec<Note>,
+    /// Files and tests that could not be used, with the reason of each; the notes name the first of them too.
+    pub unusable: Vec<Unusable>,
     /// Every file that was read, profiles too, in the order of reading.
     #[serde(skip)]
     pub files: Vec<PathBuf>,
+}
+
+impl Campaign {
+    /// Names what another campaign that this one is looked at beside had to leave out.
+    pub fn also_without(&mut self, others: Vec<Unusable>) {
+        self.notes.extend(unusable::notes(&others));
+        self.unusable.extend(others);
+    }
 }
 
 /// How far loading has come.
@@ -48,11 +59,12 @@ pub struct Progress {
 /// Loads files and folders as one campaign.
 ///
 /// A folder stands for all record files directly in it. What `campaign.toml` beside the records says holds where `options`
-/// say nothing. A file that is no record is named and left out, unless [`Options::strict`]. `progress` is called from
-/// several threads, once per finished step. The result does not depend on the number of threads.
+/// say nothing. A file that is no record, and a test that has a fault of its own, are named and left out, unless
+/// [`Options::strict`]. `progress` is called from several threads, once per finished step. The result does not depend on
+/// the number of threads.
 ///
 /// # Errors
-/// [`RecordError`] for the first file, in order, that cannot be read or trusted.
+/// [`RecordError`] where the records need an answer of the user, or nothing usable is left.
 pub fn load(
     paths: &[PathBuf],
     options: &Options,
@@ -75,10 +87,10 @@ pub fn load(
             tests
         })
         .collect();
-    let mut strays = Strays { strict: options.strict, left_out: Vec::new() };
+    let mut sieve = Sieve::new(options.strict);
     let mut tests: Vec<(&Options, Samples)> = Vec::new();
     for (file, read) in files.iter().zip(read) {
-        let read = strays.pass(read)?.unwrap_or_default();
+        let read = sieve.pass(read)?.unwrap_or_default();
         let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
         tests.extend(kept.map(|test| (&*file.options, test)));
     }
@@ -86,14 +98,14 @@ pub fn load(
         let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
         return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
     }
-    if tests.is_empty() && strays.left_out.is_empty() {
+    if tests.is_empty() && sieve.is_empty() {
         return Err(RecordError::ExcludesAll { count: excluded.count });
     }
     let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
     let mut pieces = Vec::new();
     for (options, sorted) in sorted {
-        pieces.extend(strays.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
+        pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
     let mended: Vec<Result<_, RecordError>> = pieces
         .into_par_iter()
@@ -104,66 +116,30 @@ pub fn load(
         })
         .collect();
     let mut motions =
-        mended.into_iter().map(|m| strays.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
-    strays.tell(motions.is_empty(), &mut notes)?;
+        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    sieve.refuse_most(motions.len())?;
     tell_gaps(&motions, &mut notes);
-    let (sign, delay) = sign::settle(&mut motions, options, &mut notes)?;
-    let mut records: Vec<Record> = motions
+    let mut of_the_sign = Vec::new();
+    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
+    let finished: Vec<Result<Record, RecordError>> = motions
         .into_par_iter()
         .map(|motion| {
             let record = cleaning::finish(motion)?;
             plausibility::refuse_absurd(&record)?;
             Ok(record)
         })
-        .collect::<Result<_, _>>()?;
+        .collect();
+    let mut records =
+        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    sieve.refuse_most(records.len())?;
+    let unusable = sieve.tell(&mut notes);
+    notes.append(&mut of_the_sign);
     unique_names(&mut records);
     slips::refuse(&records, options)?;
     plausibility::remark(&records, &mut notes)?;
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    Ok(Campaign { records, sign, delay, notes, files })
-}
-
-/// Files that are no records, met on the way.
-struct Strays {
-    strict: bool,
-    left_out: Vec<RecordError>,
-}
-
-impl Strays {
-    /// Nothing where a file is no record; other errors stay errors.
-    fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
-        match read {
-            Ok(value) => Ok(Some(value)),
-            Err(error) if error.is_stray() && !self.strict => {
-                self.left_out.push(error);
-                Ok(None)
-            }
-            Err(error) => Err(error),
-        }
-    }
-
-    fn tell(mut self, nothing_left: bool, notes: &mut Vec<Note>) -> Result<(), RecordError> {
-        if nothing_left && !self.left_out.is_empty() {
-            return Err(self.left_out.remove(0));
-        }
-        let long = |text: String| {
-            // The full list of headings understood is no news here.
-            let end = text.find(" Understood are").unwrap_or(text.len());
-            text[..end].to_owned()
-        };
-        /// Strays that are named one by one.
-        const NAMED: usize = 20;
-        let more = self.left_out.len().saturating_sub(NAMED);
-        notes.extend(self.left_out.into_iter().take(NAMED).map(|error| Note {
-            kind: "left_out",
-            text: format!("left out, as it is no record: {}", long(error.to_string())),
-        }));
-        if more > 0 {
-            notes.push(Note { kind: "left_out", text: format!("{more} more were left out, as they are no records") });
-        }
-        Ok(())
-    }
+    Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 
 /// Gaps concern what counts as a test, so the campaign says them, before anything else.

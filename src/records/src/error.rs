@@ -157,7 +157,7 @@ pub enum RecordError {
     #[error("{at}: has a header but no data rows")]
     NoData { at: Place },
 
-    #[error("{at}: has only {samples} usable samples; a test needs at least {needed}")]
+    #[error("{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again")]
     TooFew { at: Place, samples: usize, needed: usize },
 
     #[error("{at}: time does not advance, it is {time} s in every row; check that the right column is read as time")]
@@ -190,6 +190,17 @@ pub enum RecordError {
     Clipped { at: Place, line: usize, channel: Channel, value: f64, percent: f64, advice: &'static str },
 
     #[error(
+        "{at}: the damper does not move: {channel} shows nothing but noise, within {range:.4} {unit}. Measure the test again, or, if \
+         it is meant to stand, take it out"
+    )]
+    NoMotion { at: Place, channel: Channel, range: f64, unit: &'static str },
+
+    #[error(
+        "{at}: force is {value:.6} N in every row while the damper moves; check the load cell and its cable, and measure again"
+    )]
+    ConstantForce { at: Place, value: f64 },
+
+    #[error(
         "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off"
     )]
     MotionGap { at: Place, line: usize, channel: Channel },
@@ -220,22 +231,4 @@ pub enum RecordError {
 
     #[error("the damper would feed energy into the rig, so a sign is wrong: {cause}")]
     FeedsEnergy { cause: String, tests: Vec<String> },
-}
-
-impl RecordError {
-    /// Whether the file is no record at all, so that a campaign can do without it; a record that needs an answer from the
-    /// user is none of these.
-    pub(crate) fn is_stray(&self) -> bool {
-        matches!(
-            self,
-            RecordError::UnknownType { .. }
-                | RecordError::EmptyFile { .. }
-                | RecordError::Workbook { .. }
-                | RecordError::Rpc { .. }
-                | RecordError::Binary { .. }
-                | RecordError::Header { .. }
-                | RecordError::NoData { .. }
-                | RecordError::TooFew { .. }
-        )
-    }
 }

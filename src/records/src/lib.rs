@@ -35,6 +35,7 @@ mod table;
 pub mod taken_out;
 mod tdms;
 mod unit;
+mod unusable;
 mod xlsx;
 
 pub use campaign::{Campaign, ENDINGS, Progress, is_record_name, load};
@@ -48,3 +49,4 @@ pub use profile::Profile;
 pub use record::{Noise, NoiseSource, Note, Record};
 pub use sign::SignFinding;
 pub use unit::{Dimension, Unit};
+pub use unusable::Unusable;

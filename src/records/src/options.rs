@@ -70,7 +70,7 @@ pub struct Options {
     pub rig_mass_kg: f64,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
     pub exclude: Vec<String>,
-    /// Refuse a campaign that holds files that are no records, instead of leaving them out (`--strict`).
+    /// Refuse files that are no records and tests that have a fault of their own, instead of leaving them out (`--strict`).
     pub strict: bool,
 }
 

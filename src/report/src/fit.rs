@@ -9,10 +9,12 @@ use crate::words::{Words, fill};
 use crate::workbook::Workbook;
 use dashpot_identification::Fit;
 use dashpot_identification::validation::Deviation;
+use dashpot_records::Unusable;
 
-/// The tables of a fit, with its error over whole records and the names of the model and the data.
+/// The tables of a fit, with its error over whole records, what could not be used, and the names of the model and the data.
 pub fn workbook(
     (fit, error): (&Fit, &Deviation),
+    unusable: &[Unusable],
     [model, data]: [&str; 2],
     made: Made,
     words: &'static Words,
@@ -20,14 +22,14 @@ pub fn workbook(
     Workbook {
         title: words.fit_title.to_owned(),
         subtitle: fill(words.fit_subtitle, &[("model", model), ("data", data)]),
-        sections: sections(fit, error, words),
+        sections: sections(fit, error, unusable, words),
         made,
         words,
     }
 }
 
-/// Estimates, choices, what the records are off by, and the tests used.
-fn sections(fit: &Fit, over_whole_records: &Deviation, words: &Words) -> Vec<Section> {
+/// Estimates, choices, what the records are off by, the tests used, and remarks.
+fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
     let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
@@ -55,8 +57,9 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, words: &Words) -> Vec<Sec
     }
     let rows = fit.tests.iter().map(|name| vec![name.as_str().into()]).collect();
     sections.push(Section::new("tests", words.fit_tests, table(vec![Column::words(words.col_test)], rows)));
-    if !fit.notes.is_empty() {
-        let rows = fit.notes.iter().map(|note| vec![note.as_str().into()]).collect();
+    let notes = fit.notes.iter().chain(unusable.iter().map(|one| &one.why));
+    let rows: Vec<Vec<Cell>> = notes.map(|note| vec![note.as_str().into()]).collect();
+    if !rows.is_empty() {
         sections.push(Section::new("notes", words.remarks, table(vec![Column::words(words.col_note)], rows)));
     }
     sections

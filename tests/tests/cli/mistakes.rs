@@ -102,6 +102,85 @@ fn gaps_stubs_and_strays_are_named() {
     done(dir, &["validate", "m.toml", "data", "--json", "v.json"]);
 }
 
+/// Faults that one test can have, made of its sound rows.
+type Fault = (&'static str, fn(usize, [f64; 4]) -> Option<String>, &'static str);
+
+const FAULTS: [Fault; 8] = [
+    ("short", |i, r| (i < 12).then(|| row(r)), "has only 12 usable samples"),
+    ("still", |_, [t, ..]| Some(row([t, 0.0, 0.0, 0.0])), "the damper does not move"),
+    ("dead", |_, [t, x, v, _]| Some(row([t, x, v, -120.0])), "force is frozen at -120"),
+    ("holes", |i, r| Some(if i > 500 { row([r[0], r[1], r[2], f64::NAN]) } else { row(r) }), "force is missing"),
+    ("clipped", |_, [t, x, v, f]| Some(row([t, x, v, f.min(400.0)])), "force is clipped at 400"),
+    ("words", |i, r| Some(if i == 300 { row(r) + "x" } else { row(r) }), "is no number"),
+    ("metres", |_, [t, x, v, f]| Some(row([t, 1e3 * x, 1e3 * v, f])), "shows an amplitude of 15.0"),
+    ("clock", |_, [_, x, v, f]| Some(row([7.0, x, v, f])), "time does not advance"),
+];
+
+#[test]
+fn one_spoilt_test_is_named_and_left_out() {
+    let folder = campaign_folder();
+    let dir = folder.path();
+    done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
+    let victim = "a15mm_v0262mm_s.csv";
+    let (_, sound) = table(&dir.join("records").join(victim));
+    let all = std::fs::read_dir(dir.join("records"))
+        .unwrap()
+        .filter(|e| e.as_ref().unwrap().path().extension().is_some_and(|e| e == "csv"))
+        .count();
+    for (name, fault, wanted) in FAULTS {
+        rewrite(&dir.join("records"), &dir.join("data"), HEADER, row);
+        let rows = sound.iter().enumerate().filter_map(|(i, r)| fault(i, [r[0], r[1], r[2], r[3]]));
+        let text: String = std::iter::once(HEADER.to_owned()).chain(rows).map(|line| line + "\n").collect();
+        std::fs::write(dir.join("data").join(victim), text).unwrap();
+        let strict = refused(dir, &["validate", "m.toml", "data", "--strict"]);
+        assert!(strict.contains(wanted) && strict.contains(victim), "{name}: {strict}");
+        let ran = run(dir, &["validate", "m.toml", "data", "--json", "v.json", "--report", "v.html"]);
+        let said = format!("note: left out: data/{victim}");
+        assert!(ran.code == Some(0) && ran.err.contains(&said) && ran.err.contains(wanted), "{name}: {}", ran.err);
+        let found = json(&dir.join("v.json"));
+        assert_eq!(found["tests"].as_array().unwrap().len(), all - 1, "{name}");
+        let unusable = found["unusable"].as_array().unwrap();
+        let why = unusable[0]["why"].as_str().unwrap();
+        assert!(unusable.len() == 1 && unusable[0]["is_test"] == true, "{name}: {unusable:?}");
+        assert!(why.contains(wanted) && why.contains(victim), "{name}: {why}");
+        let report = std::fs::read_to_string(dir.join("v.html")).unwrap();
+        assert!(report.contains(&format!("left out: data/{victim}")), "{name}");
+    }
+    // The other verbs read by the same door; what the reference lacks is told as well.
+    let told = run(dir, &["fit", "data", "-o", "n.toml", "--model", "fv", "--json", "f.json"]);
+    assert!(told.err.contains("left out: data/a15"), "{}", told.err);
+    assert_eq!(json(&dir.join("f.json"))["unusable"][0]["is_test"], true);
+    let args = [
+        "diagnose",
+        "m.toml",
+        "records",
+        "--reference",
+        "data",
+        "--max-effects",
+        "1",
+        "--json",
+        "d.json",
+        "--report",
+        "d.html",
+    ];
+    assert!(run(dir, &args).err.contains("left out: data/a15"));
+    assert!(json(&dir.join("d.json"))["unusable"][0]["why"].as_str().unwrap().contains("data/a15"));
+    assert!(std::fs::read_to_string(dir.join("d.html")).unwrap().contains("left out: data/a15"));
+}
+
+#[test]
+fn what_most_tests_have_or_leaves_nothing_is_refused() {
+    let folder = campaign_folder();
+    let dir = folder.path();
+    // Half of the tests in metres that are millimetres: which half is right, only the user knows.
+    rewrite(&dir.join("records"), &dir.join("data"), HEADER, |[t, x, v, f]| row([t, 1e3 * x, 1e3 * v, f]));
+    std::fs::copy(dir.join("records/a50mm_v0052mm_s.csv"), dir.join("data/a50mm_v0052mm_s.csv")).unwrap();
+    let message = fit_refused(dir);
+    assert!(message.contains("--unit displacement=mm"), "{message}");
+    rewrite(&dir.join("records"), &dir.join("data"), HEADER, |[t, ..]| row([t, 0.0, 0.0, 0.0]));
+    assert!(fit_refused(dir).contains("does not move"));
+}
+
 #[test]
 fn a_few_tests_give_a_model_that_says_what_it_lacks() {
     let folder = campaign_folder();

@@ -331,6 +331,7 @@ impl Session {
         match outcome {
             Outcome::Read(loaded) => self.take_records(loaded),
             Outcome::Reference(loaded) => {
+                self.tell_unusable(&loaded);
                 self.reference = Some(Arc::new(loaded));
                 self.see_as_the_fit_saw();
                 self.generation += 1;
@@ -356,7 +357,17 @@ impl Session {
         }
     }
 
+    /// Says what was left out of records that were just read; the list of tests names each.
+    fn tell_unusable(&mut self, loaded: &Loaded) {
+        match &loaded.campaign.unusable[..] {
+            [] => {}
+            [one] => self.say(one.why.clone()),
+            [first, others @ ..] => self.say(format!("{}; {} more", first.why, others.len())),
+        }
+    }
+
     fn take_records(&mut self, loaded: Loaded) {
+        self.tell_unusable(&loaded);
         if let Some(first) = loaded.paths.first() {
             self.recent.add(first);
         }

@@ -14,6 +14,7 @@ use dashpot_report::words::Words;
 use dashpot_report::{Made, Print, ReportInput, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,8 +57,9 @@ fn file_of(model: &Tuned) -> Option<PathBuf> {
 }
 
 /// What a paper is made from. Reads every file once more, so beside the window.
-fn made(model: Option<&PathBuf>, loaded: &Loaded) -> Made {
-    Made::of(model.into_iter().chain(&loaded.campaign.files).map(PathBuf::as_path))
+fn made<'a>(model: Option<&PathBuf>, campaigns: impl IntoIterator<Item = &'a Arc<Loaded>>) -> Made {
+    let files: Vec<&PathBuf> = model.into_iter().chain(campaigns.into_iter().flat_map(|c| &c.campaign.files)).collect();
+    Made::of(files.into_iter().map(PathBuf::as_path))
 }
 
 impl Session {
@@ -80,8 +82,14 @@ impl Session {
             let records: Vec<&Record> =
                 loaded.as_read().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
             let error = whole_records::of_fit(&fit, &records).map_err(|e| e.to_string())?;
-            let made = made(model_path.as_ref(), &loaded);
-            let tables = dashpot_report::fit::workbook((&fit, &error), [&name, &loaded.named()], made, words);
+            let made = made(model_path.as_ref(), [&loaded]);
+            let tables = dashpot_report::fit::workbook(
+                (&fit, &error),
+                &loaded.campaign.unusable,
+                [&name, &loaded.named()],
+                made,
+                words,
+            );
             write(path, Kind::Workbook, |path| write_workbook(&tables, path))
         });
     }
@@ -92,11 +100,12 @@ impl Session {
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Work::Write, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
-            let validation = validate(&compared).map_err(|e| e.to_string())?;
+            let mut validation = validate(&compared).map_err(|e| e.to_string())?;
+            validation.unusable.clone_from(&loaded.campaign.unusable);
             let input = ReportInput {
                 words,
                 print: Print::Brief,
-                made: made(model_path.as_ref(), &loaded),
+                made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
                 ..ReportInput::of(&file, &loaded.campaign, &compared, &validation).map_err(|e| told(&e))?
@@ -109,13 +118,17 @@ impl Session {
     }
 
     fn write_diagnosis(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
-        let (Some(loaded), Some(Diagnosed { found, over_whole_records, .. }), Some(model)) =
+        let (Some(loaded), Some(Diagnosed { found, over_whole_records, reference, .. }), Some(model)) =
             (self.campaign.clone(), &self.answers.diagnosis, &self.model)
         else {
             return;
         };
         let (model_file, model_path) = (model.name(), file_of(model));
         let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
+        let mut said = reading::sentences(&loaded.campaign);
+        let reference = reference.clone();
+        let others = reference.iter().flat_map(|other| &other.campaign.unusable);
+        said.extend(others.map(|one| one.why.clone()));
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
             let report = DiagnosisReport {
@@ -124,9 +137,9 @@ impl Session {
                 parameters: parameters::of_diagnosis(&found, words),
                 found: &found,
                 records: &records,
-                reading: reading::sentences(&loaded.campaign),
+                reading: said,
                 over_whole_records,
-                made: made(model_path.as_ref(), &loaded),
+                made: made(model_path.as_ref(), std::iter::once(&loaded).chain(&reference)),
                 words,
             };
             write(path, paper.kind(), |path| match paper.kind() {

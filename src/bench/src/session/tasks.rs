@@ -41,6 +41,8 @@ pub struct Diagnosed {
     pub left_out: Vec<bool>,
     /// Errors of the models in it over every sample of the tests.
     pub over_whole_records: OfDiagnosis,
+    /// The campaign that it was compared with, where there was one: another may be open by the time that the report is written.
+    pub reference: Option<Arc<Loaded>>,
 }
 
 /// What came of it.

@@ -34,7 +34,9 @@ impl Session {
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Kind::Validate, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
-            validate(&compared).map(|v| Outcome::Validated(Box::new(v))).map_err(|e| e.to_string())
+            let mut found = validate(&compared).map_err(|e| e.to_string())?;
+            found.unusable.clone_from(&loaded.campaign.unusable);
+            Ok(Outcome::Validated(Box::new(found)))
         });
     }
 
@@ -45,12 +47,12 @@ impl Session {
         self.begin(Kind::Diagnose, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
             let left_out = choose_held_out(&records, 0);
-            let reference = reference.map_or_else(Vec::new, |r| r.campaign.records.clone());
-            let options = DiagnosisOptions { reference, ..DiagnosisOptions::default() };
+            let good = reference.as_ref().map_or_else(Vec::new, |r| r.campaign.records.clone());
+            let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, report).map_err(|e| e.to_string())?;
             let over_whole_records =
                 OfDiagnosis::of(&params, &found.base, &found.improved, &records).map_err(|e| e.to_string())?;
-            Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records }))
+            Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records, reference }))
         });
     }
 

@@ -71,7 +71,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         if let Some(k) = details.filter(|k| *k < records.len()) {
             detail(ui, session, view, k);
         }
-        for note in &loaded.campaign.notes {
+        let others = session.reference.clone();
+        let of_others = others.iter().flat_map(|o| &o.campaign.notes).filter(|n| n.kind == "left_out");
+        for note in loaded.campaign.notes.iter().chain(of_others) {
             ui.add(egui::Label::new(egui::RichText::new(format!("• {}", note.text)).weak()).wrap());
         }
     });

@@ -29,7 +29,7 @@ pub struct DataArgs {
     /// Files or tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     exclude: Vec<String>,
-    /// Refuse folders that hold files which are no records, instead of leaving them out
+    /// Refuse files that are no records and tests with a fault of their own (too short, no motion, clipped), instead of leaving them out
     #[arg(long)]
     strict: bool,
 }

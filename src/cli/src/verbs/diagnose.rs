@@ -9,7 +9,7 @@ use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, d
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::{Campaign, Record, hold_out};
+use dashpot_records::{Campaign, Record, Unusable, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
@@ -95,6 +95,8 @@ pub struct Diagnosed {
     pub over_whole_records: OfDiagnosis,
     /// What the model's fit found in its own records, and whether it was taken out of these.
     pub as_the_fit_saw: Option<String>,
+    /// Files and tests that could not be used, of the reference too.
+    pub unusable: Vec<Unusable>,
 }
 
 /// The findings as JSON, with the errors over whole records.
@@ -105,6 +107,7 @@ pub struct Json<'a> {
     over_whole_records: OfDiagnosis,
     #[serde(skip_serializing_if = "Option::is_none")]
     as_the_fit_saw: Option<&'a str>,
+    unusable: &'a [Unusable],
 }
 
 /// Diagnoses a model against a campaign.
@@ -119,7 +122,8 @@ pub fn examine(
     let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
     let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &records)?;
     let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
-    Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw })
+    let unusable = campaign.unusable.clone();
+    Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw, unusable })
 }
 
 impl Diagnosed {
@@ -129,6 +133,7 @@ impl Diagnosed {
             found: &self.found,
             over_whole_records: self.over_whole_records,
             as_the_fit_saw: self.as_the_fit_saw.as_deref(),
+            unusable: &self.unusable,
         }
     }
 
@@ -199,6 +204,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let mut reference = Vec::new();
     if !args.reference.is_empty() {
         let good = args.data.load_like(&args.reference)?;
+        campaign.also_without(good.unusable);
         files.extend(good.files);
         reference = good.records;
     }
@@ -262,7 +268,8 @@ fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> 
 
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
-    let groups::Split { mut groups, left_aside, without_test, mut files } = groups::split(&args.data, by)?;
+    let groups::Split { mut groups, left_aside, without_test, mut unusable, mut files } =
+        groups::split(&args.data, by)?;
     files.insert(0, args.model.clone());
     let (mut reference, name) = if args.reference.is_empty() {
         if groups.len() < 2 {
@@ -273,6 +280,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     } else {
         let name = args.reference.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
         let good = args.data.load_like(&args.reference)?;
+        unusable.extend(good.unusable);
         files.extend(good.files);
         (good.records, name)
     };
@@ -291,7 +299,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     };
     let answered: anyhow::Result<Vec<groups::Answer>> = groups.into_iter().enumerate().map(one).collect();
     drop(progress);
-    let answers = Answers { reference: name, left_aside, without_test, as_the_fit_saw, groups: answered? };
+    let answers = Answers { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups: answered? };
     let json = args.json.as_deref();
     dashpot_output::say(json, &answers.told().join("\n"))?;
     if let Some(path) = json {

@@ -11,7 +11,7 @@ use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, Standing, fit};
 use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
-use dashpot_records::{Campaign, Record, SignFinding};
+use dashpot_records::{Campaign, Record, SignFinding, Unusable};
 use dashpot_report::whole_records::in_words;
 use dashpot_report::words::EN;
 use dashpot_report::{Workbook, write_workbook};
@@ -99,6 +99,8 @@ struct LiteratureJson<'a> {
     tests: &'a [String],
     numbers: &'a Literature,
     sign: &'a SignFinding,
+    /// Files and tests that could not be used.
+    unusable: &'a [Unusable],
 }
 
 #[derive(Serialize)]
@@ -114,6 +116,8 @@ struct Json<'a> {
     /// Errors over every sample of the fitted tests, as `dashpot validate` measures them.
     over_whole_records: Deviation,
     sign: &'a SignFinding,
+    /// Files and tests that could not be used.
+    unusable: &'a [Unusable],
 }
 
 /// Fits and writes the model file.
@@ -190,7 +194,13 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     if let Some(path) = args.json.as_deref() {
         dashpot_output::json(
             path,
-            &LiteratureJson { model: &args.output, tests: &tests, numbers: &found, sign: &campaign.sign },
+            &LiteratureJson {
+                model: &args.output,
+                tests: &tests,
+                numbers: &found,
+                sign: &campaign.sign,
+                unusable: &campaign.unusable,
+            },
         )?;
     }
     Ok(())
@@ -267,6 +277,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 misfit: found.misfit,
                 over_whole_records,
                 sign: &campaign.sign,
+                unusable: &campaign.unusable,
             },
         )?;
     }
@@ -281,5 +292,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 fn tables(args: &Args, campaign: &Campaign, found: &Fit, error: &Deviation) -> anyhow::Result<Workbook<'static>> {
     let words = args.text.words();
     let made = args.text.date.made(campaign.files.iter().cloned())?;
-    Ok(dashpot_report::fit::workbook((found, error), [&name_of(&args.output), &args.data.named()], made, words))
+    Ok(dashpot_report::fit::workbook(
+        (found, error),
+        &campaign.unusable,
+        [&name_of(&args.output), &args.data.named()],
+        made,
+        words,
+    ))
 }

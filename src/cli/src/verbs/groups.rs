@@ -4,8 +4,8 @@ use super::data::DataArgs;
 use super::group_list::{self, GroupList};
 use anyhow::bail;
 use dashpot_diagnosis::{Change, Diagnosis, Finding};
-use dashpot_records::Record;
 use dashpot_records::glob::matches as glob_matches;
+use dashpot_records::{Record, Unusable};
 use dashpot_report::blocks::{Block, Column, Section, Table};
 use dashpot_report::numbers::{share, with_interval, with_unit};
 use dashpot_report::words::{EN, Words, fill};
@@ -32,6 +32,8 @@ pub struct Split {
     pub left_aside: Vec<String>,
     /// Lines of a list that name none of the tests.
     pub without_test: Vec<String>,
+    /// Files and tests that could not be used.
+    pub unusable: Vec<Unusable>,
     /// Every file read.
     pub files: Vec<PathBuf>,
 }
@@ -76,6 +78,7 @@ fn by_folders(data: &DataArgs) -> anyhow::Result<Split> {
         let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         let campaign = data.load_like(std::slice::from_ref(folder))?;
         split.files.extend(campaign.files);
+        split.unusable.extend(campaign.unusable);
         split.groups.push(Group { name, records: campaign.records });
     }
     Ok(split)
@@ -95,7 +98,7 @@ fn by_name(data: &DataArgs, pattern: &str) -> anyhow::Result<Split> {
         bail!("--group {pattern:?} matches no test; the first is called {:?}", left.first().map_or("", String::as_str));
     }
     let groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
-    Ok(Split { groups, left_aside: left, files: campaign.files, ..Split::default() })
+    Ok(Split { groups, left_aside: left, unusable: campaign.unusable, files: campaign.files, ..Split::default() })
 }
 
 fn by_list(data: &DataArgs, list: &GroupList) -> anyhow::Result<Split> {
@@ -109,11 +112,13 @@ fn by_list(data: &DataArgs, list: &GroupList) -> anyhow::Result<Split> {
         }
         let campaign = data.load_like(std::slice::from_ref(folder))?;
         split.files.extend(campaign.files);
+        split.unusable.extend(campaign.unusable);
         groups.entry((*group).to_owned()).or_default().extend(campaign.records);
     }
     if folders.is_empty() {
         let campaign = data.load()?;
         split.files = campaign.files;
+        split.unusable = campaign.unusable;
         split.without_test = list.without_test(&campaign.records.iter().collect::<Vec<_>>());
         for record in campaign.records {
             match list.group_of(&record) {
@@ -162,6 +167,8 @@ pub struct Answers {
     /// Lines of the list of groups that name none of the tests.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub without_test: Vec<String>,
+    /// Files and tests that could not be used, of the reference too.
+    pub unusable: Vec<Unusable>,
     /// What the model's fit found in its own records, and whether it was taken out of these.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<String>,
@@ -223,6 +230,10 @@ impl Answers {
             .collect();
         if !aside.is_empty() {
             sections.push(Section::new("aside", words.aside_section, aside));
+        }
+        if !self.unusable.is_empty() {
+            let why = self.unusable.iter().map(|one| one.why.clone()).collect();
+            sections.push(Section::new("unusable", words.remarks, vec![Block::List(why)]));
         }
         let model = model.display().to_string();
         let subtitle = fill(words.groups_subtitle, &[("model", &model), ("reference", &self.reference)]);

@@ -91,6 +91,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let compared = compare(&model, &campaign)?;
     let mut validation = validate(&compared)?;
     validation.as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
+    validation.unusable.clone_from(&campaign.unusable);
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&validation))?;
     let mut rivals = Vec::new();

@@ -7,6 +7,7 @@ use super::hysteresis::{Hysteresis, OfEach};
 use super::matrix::ErrorMatrix;
 use crate::limits::Certificate;
 use crate::peaks::AtPeak;
+use dashpot_records::Unusable;
 use serde::Serialize;
 
 /// Every figure of one test.
@@ -83,6 +84,8 @@ pub struct Validation {
     /// What the model's own fit found its records to be off by, and whether it was taken out of these; absent where it found nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<String>,
+    /// Files and tests of the campaign that could not be used, and are in no figure.
+    pub unusable: Vec<Unusable>,
 }
 
 /// Measures every test and groups the figures.
@@ -105,6 +108,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         against: Vec::new(),
         limits: None,
         as_the_fit_saw: None,
+        unusable: Vec::new(),
         tests,
     })
 }

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _native
 from ._result import Result, flat, frame, table
-from .results import Delay, Noise, Note, SignFinding
+from .results import Delay, Noise, Note, SignFinding, Unusable
 
 if TYPE_CHECKING:
     import numpy as np
@@ -109,6 +109,8 @@ class Campaign(Sequence[Record]):
         """How late the force comes, where that stands out."""
         self.notes: tuple[Note, ...] = tuple(Note.from_dict(n) for n in said["notes"])
         """What concerns the campaign as a whole."""
+        self.unusable: tuple[Unusable, ...] = tuple(Unusable.from_dict(u) for u in said["unusable"])
+        """Files and tests that could not be used, with the reason of each."""
         self._said = said
         self._records = tuple(
             Record(**{**_fields(r), "_native": native, "_index": k}) for k, r in enumerate(said["records"])
@@ -151,7 +153,7 @@ class Campaign(Sequence[Record]):
         :param gain: factor on the force, after its zero was taken off.
         :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
         :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
-        :param strict: refuse folders with files that are no records, instead of leaving those out.
+        :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
         :param progress: is told the share done and what is being done.
         :raises RecordError: for the first file that cannot be read or trusted.
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Branch", "Change", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
     "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]
 
@@ -110,6 +110,16 @@ class Measured(Result):
 
 
 @dataclass(frozen=True)
+class Unusable(Result):
+    """A file or test that was left out."""
+
+    why: str
+    """Why, in a sentence that names the file, and the test within it."""
+    is_test: bool
+    """Whether it is a test, with a fault of its own; else the file is no record at all."""
+
+
+@dataclass(frozen=True)
 class FitResult(Result):
     """What a fit found; the JSON of ``dashpot fit`` without the file name."""
 
@@ -122,6 +132,8 @@ class FitResult(Result):
     over_whole_records: Deviation
     """Over every sample of the fitted tests, as a validation measures, after what is ``measured`` was taken out of them."""
     sign: SignFinding
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used."""
 
     def _rows(self) -> list[dict[str, Any]]:
         return [p.to_dict() for p in self.parameters]
@@ -257,6 +269,8 @@ class Validation(Result):
     region_boundary_m_s: float
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
     """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used."""
     campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The records as they were compared; none in a result made from a dictionary."""
     _compared: _native.Compared | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
@@ -486,6 +500,8 @@ class Diagnosis(Result):
     over_whole_records: OverWholeRecords
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
     """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used."""
     improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The model with the named effects added; what is of the rig is not put into it."""
     _diagnosed: _native.Diagnosed | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)

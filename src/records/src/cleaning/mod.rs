@@ -12,6 +12,7 @@ mod gaps;
 mod missing;
 mod order;
 mod outliers;
+mod still;
 mod trim;
 
 use super::consistency;
@@ -93,7 +94,9 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, Reco
 /// knows of the sensors applied.
 pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     enough(&samples)?;
+    still::refuse(&samples)?;
     frozen::refuse(&samples)?;
+    still::refuse_constant_force(&samples)?;
     let without_force = clipped::deal(&mut samples)?;
     outliers::replace(&mut samples);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;

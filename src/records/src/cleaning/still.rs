@@ -1,0 +1,95 @@
+//! Tests in which nothing moves, or no force is measured: nothing can be learned of a damper from them.
+
+use super::super::channel::Channel;
+use super::super::error::RecordError;
+use super::super::noise::difference_noise;
+use super::super::samples::{Samples, range};
+
+/// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone: the smallest
+/// sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred thousand samples stays
+/// inside the range.
+const SPREAD: f64 = 1.1;
+const RANGE: f64 = 10.0;
+/// A resting sensor flickers between two or three values of its last digit.
+const FLICKER: usize = 3;
+
+/// Refuses a test that does not move.
+pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
+    let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
+    // A channel that stands while the other moves is another fault, with other advice.
+    if motion.iter().flatten().any(|(_, values)| !rests(values)) {
+        return Ok(());
+    }
+    let Some((channel, values)) = motion.into_iter().flatten().next() else { return Ok(()) };
+    let unit = if channel == Channel::Displacement { "mm" } else { "mm/s" };
+    Err(RecordError::NoMotion { at: samples.at.clone(), channel, range: 1e3 * range(values), unit })
+}
+
+/// Refuses a test that moves under a force which never changes by a digit.
+pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError> {
+    if range(&samples.force) > 0.0 {
+        return Ok(());
+    }
+    Err(RecordError::ConstantForce { at: samples.at.clone(), value: samples.force.first().copied().unwrap_or(0.0) })
+}
+
+/// Whether a channel shows nothing but its noise.
+fn rests(values: &[f64]) -> bool {
+    let mut seen: Vec<f64> = Vec::with_capacity(FLICKER);
+    if values.iter().all(|v| {
+        seen.contains(v)
+            || (seen.len() < FLICKER && {
+                seen.push(*v);
+                true
+            })
+    }) {
+        return true;
+    }
+    let noise = difference_noise(values);
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let spread = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt();
+    range(values) < RANGE * noise && spread < SPREAD * noise
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::{Random, SineTest};
+    use super::*;
+
+    #[test]
+    fn rest_is_told_from_the_smallest_motion() {
+        let test = SineTest::default();
+        refuse(&test.samples()).unwrap();
+        let mut random = Random::new(3);
+        let noise: Vec<f64> = (0..test.samples().len()).map(|_| 1e-5 * random.normal()).collect();
+        let with = |x: &dyn Fn(usize) -> f64, velocity: bool| {
+            let mut samples = test.samples();
+            let n = samples.len();
+            samples.displacement = Some((0..n).map(x).collect());
+            if !velocity {
+                samples.velocity = None;
+            }
+            refuse(&samples).map_err(|e| e.to_string())
+        };
+        for still in [&|_: usize| 0.01, &|i: usize| 0.01 + 1e-5 * (i * i % 3) as f64, &|i: usize| noise[i]]
+            as [&dyn Fn(usize) -> f64; 3]
+        {
+            let message = with(still, false).unwrap_err();
+            assert!(message.contains("test.csv: the damper does not move: displacement"), "{message}");
+            // A sensor that stands while the other moves is another fault.
+            with(still, true).unwrap();
+        }
+        // A stroke as small as the noise of its sensor is still a stroke.
+        with(&|i: usize| 1e-5 * (i as f64 * 0.06).sin() + noise[i], false).unwrap();
+    }
+
+    #[test]
+    fn a_force_that_never_changes_is_none() {
+        let mut samples = SineTest::default().samples();
+        refuse_constant_force(&samples).unwrap();
+        samples.force.fill(-120.0);
+        let message = refuse_constant_force(&samples).unwrap_err().to_string();
+        assert!(message.contains("force is -120.000000 N in every row"), "{message}");
+    }
+}
