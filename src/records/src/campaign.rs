@@ -334,6 +334,8 @@ fn extension(path: &Path) -> String {
 pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     match extension(file).as_str() {
+        // Many loggers call their measurement files so, and many rigs their texts.
+        "dat" if mdf::is_one(file) => mdf::read(file, &name, options),
         "csv" | "txt" | "tsv" | "asc" | "dat" => csv::read(file, &name, options),
         "xlsx" | "xlsm" => xlsx::read(file, &name, options),
         "mat" => mat::read(file, &name, options),

@@ -42,6 +42,18 @@ fn mdf_of_asammdf() {
 }
 
 #[test]
+fn mdf_3_of_asammdf() {
+    check("plain.mdf", 1.0);
+    check("counts.mdf", 12.0);
+    // Loggers call them .dat, as rigs do their texts.
+    let folder = tempfile::tempdir().unwrap();
+    let dat = folder.path().join("counts.dat");
+    std::fs::copy(Path::new(FOLDER).join("counts.mdf"), &dat).unwrap();
+    let read = load(&[dat], &Options::default(), &|_| ()).unwrap().records.remove(0);
+    assert_eq!(read.force, only("counts.mdf").force);
+}
+
+#[test]
 fn mat_of_version_73_of_h5py() {
     check("matlab73.mat", 1.0);
 }

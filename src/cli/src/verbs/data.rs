@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// How to read records.
 #[derive(Args, Debug, Clone)]
 pub struct DataArgs {
-    /// Record files (text, XLSX, MAT, MDF 4, TDMS, RPC III) or folders of them; what a campaign.toml beside them says is obeyed
+    /// Record files (text, XLSX, MAT, MDF, TDMS, RPC III) or folders of them; what a campaign.toml beside them says is obeyed
     #[arg(required = true, value_name = "DATA")]
     pub data: Vec<PathBuf>,
     /// Which direction the files count positive; worked out from the data if not given

@@ -60,6 +60,33 @@ impl Conversion {
         Ok(Self { rule, unit: mdf.text(block.link(1)) })
     }
 
+    /// The stored number is the physical one.
+    pub fn same(unit: String) -> Self {
+        Self { rule: Rule::Same, unit }
+    }
+
+    /// Offset and factor.
+    pub fn linear(numbers: &[f64], unit: String) -> Self {
+        Self { rule: Rule::Linear([numbers[0], numbers[1]]), unit }
+    }
+
+    /// Three numbers above the line, three below it, the squares first.
+    pub fn rational(numbers: &[f64], unit: String) -> Self {
+        let mut six = [0.0; 6];
+        six.copy_from_slice(&numbers[..6]);
+        Self { rule: Rule::Rational(six), unit }
+    }
+
+    /// Pairs of stored and physical value.
+    pub fn table(pairs: Vec<[f64; 2]>, straight: bool, unit: String) -> Self {
+        Self { rule: Rule::Table { pairs, straight }, unit }
+    }
+
+    /// No number at all.
+    pub fn none(unit: String) -> Self {
+        Self::table(Vec::new(), false, unit)
+    }
+
     /// The physical value; not a number where the rule gives none.
     pub fn physical(&self, raw: f64) -> f64 {
         let value = match &self.rule {

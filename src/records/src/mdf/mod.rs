@@ -1,10 +1,11 @@
-//! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed.
+//! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed; and of MDF 2 and 3.
 //!
 //! | file | what |
 //! |---|---|
 //! | [`blocks`] | blocks and links, each checked against the file |
 //! | [`data`] | the records of a data group, from plain, listed and compressed blocks |
 //! | [`conversion`] | from stored numbers to physical ones |
+//! | [`version3`] | the same of MDF 2 and 3, whose blocks are of another form |
 //! | this file | groups and channels, and which of them make a test |
 //!
 //! A group of channels with one time axis is a test; groups whose time axes are equal belong together, as loggers write one
@@ -13,6 +14,7 @@
 mod blocks;
 mod conversion;
 mod data;
+mod version3;
 
 use std::path::Path;
 
@@ -24,11 +26,18 @@ use blocks::{Block, Mdf};
 use conversion::Conversion;
 
 /// What a message calls these files.
-const KIND: &str = "an MDF 4 file";
+const KIND: &str = "an MDF file";
 /// Groups and channels of a group that a file may have: a rig has tens.
 const MOST: usize = 4096;
 /// Values that a file may hold beyond what its size explains, over all channels that are read.
 const VALUES: usize = 16 << 20;
+
+/// Whether a file begins as these do, whatever its name.
+pub(crate) fn is_one(file: &Path) -> bool {
+    let mut begin = [0; 8];
+    let read = std::fs::File::open(file).and_then(|mut file| std::io::Read::read_exact(&mut file, &mut begin));
+    read.is_ok() && &begin == b"MDF     "
+}
 
 /// Reads the tests of one file.
 pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
@@ -37,8 +46,9 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         return Err(RecordError::EmptyFile { file: file.into() });
     }
     let wrong = |cause: String| RecordError::Binary { file: file.into(), kind: KIND, cause };
-    let mdf = Mdf::new(&bytes).map_err(wrong)?;
-    let joined = joined(groups(&mdf).map_err(wrong)?);
+    let found =
+        if version3::is_one(&bytes) { version3::groups(&bytes) } else { Mdf::new(&bytes).and_then(|mdf| groups(&mdf)) };
+    let joined = joined(found.map_err(wrong)?);
     let headers: Vec<Vec<&str>> = joined.iter().map(|g| g.channels.iter().map(|c| c.name.as_str()).collect()).collect();
     let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
     if recorded.is_empty() {

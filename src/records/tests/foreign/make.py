@@ -46,6 +46,8 @@ counts = [
            conversion=from_dict({"a": 0.02, "b": 0.0})),
 ]
 mdf("plain.mf4", plain)
+mdf("plain.mdf", plain, version="3.30")
+mdf("counts.mdf", counts, version="3.00", together=False)
 mdf("deflated.mf4", plain, compression=1)
 mdf("transposed.mf4", counts, compression=2)
 mdf("apart.mf4", plain, together=False, compression=2)
