@@ -1,6 +1,7 @@
 #include "contents.h"
 #include "dashpot.h"
 #include "resources.h"
+#include "veil.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -187,6 +188,8 @@ struct contents *contents_read(const char *resources, char *why, size_t room)
         snprintf(name, sizeof name, contents->corners == 1 ? "model.toml" : "model_%s.toml",
                  c == 0 ? "L1" : c == 1 ? "R1" : c == 2 ? "L2" : "R2");
         text = EMBEDDED_CONTENTS ? copied(EMBEDDED_MODEL[c]) : resource(resources, name, why, room);
+        if (text)
+            unveil(text, contents->guid);
         size = text ? strlen(text) + 1 : 0;
         more = text ? realloc(contents->text, length + size) : NULL;
         if (more) {

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 /// Writes a functional mock-up unit; returns the platforms that it runs on.
 #[pyfunction]
-#[pyo3(signature = (models, path, name, fmi, four, motion_scale, force_scale, position_offset, sources, library))]
+#[pyo3(signature = (models, path, name, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters, library))]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_fmu(
     py: Python<'_>,
@@ -23,6 +23,7 @@ pub fn export_fmu(
     force_scale: Option<f64>,
     position_offset: f64,
     sources: bool,
+    hide_parameters: bool,
     library: Option<PathBuf>,
 ) -> PyResult<Vec<String>> {
     dashpot_output::check([path.as_path()]).map_err(raise::<OutputError>)?;
@@ -38,7 +39,11 @@ pub fn export_fmu(
         let from_source = library.as_deref();
         let mut remarks: Vec<String> = params.iter().flat_map(|p| chatter::remarks(p, Host::USUAL)).collect();
         remarks.dedup();
-        fmu::fmu(&corners, &Options { version, scales, name, from_source, sources, more: &[], remarks: &remarks })
+        let more = &[];
+        fmu::fmu(
+            &corners,
+            &Options { version, scales, name, from_source, sources, hide_parameters, more, remarks: &remarks },
+        )
     });
     let made = made.map_err(raise::<ExportError>)?;
     dashpot_output::write(&path, &made.bytes).map_err(raise::<OutputError>)?;

@@ -82,6 +82,27 @@ fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     }
 }
 
+/// A supplier hands out a damper without its numbers: the same forces, bit for bit, and no number in description or resources.
+fn runs_hidden(fmi: &str, four: bool) {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    // Numbers that stand nowhere else.
+    let model = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\"]\n\
+                 fv_velocity = [-1.0, -0.123457, 0.0, 0.123457, 1.0]\nfv_force = [-601.137, -251.731, 0.0, 401.373, 1301.917]\n\
+                 series_stiffness = 1730411.0\ngas_force = 141.771\n";
+    exported(at, model, fmi, four, &[]);
+    std::fs::rename(at.join("damper.fmu"), at.join("open.fmu")).expect("renamed");
+    exported(at, model, fmi, four, &["--hide-parameters"]);
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_hidden.py")).args([at.join("open.fmu"), at.join("damper.fmu")]);
+    print!("{}", succeed(host.args(["0.123457", "1301.917", "1730411", "141.771"])));
+}
+
+mod hidden {
+    use super::runs_hidden;
+    dashpot_tests::each_fmu!(runs_hidden);
+}
+
 /// A compiler that makes a library for another system is not taken for one of this computer.
 #[test]
 fn a_library_for_another_system_is_refused() {

@@ -5,6 +5,7 @@ mod kernel;
 mod page;
 mod sources;
 mod variables;
+mod veil;
 mod zip;
 
 pub use sources::Version;
@@ -48,6 +49,8 @@ pub struct Options<'a> {
     pub from_source: Option<&'a Path>,
     /// Whether the sources go inside.
     pub sources: bool,
+    /// Whether its parameters are hidden: none is a variable of the FMU, and the model in its resources lies under a veil.
+    pub hide_parameters: bool,
     /// Binaries for further platforms.
     pub more: &'a [Binary],
     /// What its page says of this damper, such as that it chatters in a host that holds the force over a step.
@@ -110,12 +113,18 @@ const RUNTIME_MARK: &[u8] = b"dashpot-fmu 1";
 /// Where a compiler is asked for and missing or refuses, or there is no runtime.
 pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
     let Options { version, scales, .. } = *options;
-    let variables = variables::variables(corners, scales);
-    let texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
+    let mut variables = variables::variables(corners, scales);
+    if options.hide_parameters {
+        variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
+    }
+    let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
     let describe =
         |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
     let contents = |guid: &str| sources::contents(corners.len(), &variables, scales, guid);
     let guid = guid(&[&contents(""), &texts.concat(), &describe("", &[]), env!("CARGO_PKG_VERSION")]);
+    if options.hide_parameters {
+        texts.iter_mut().for_each(|text| *text = veil::veiled(text, &guid));
+    }
     let contents = contents(&guid);
     let mut files: Vec<(String, Vec<u8>)> =
         sources::bundled().into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
@@ -163,7 +172,9 @@ pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
     let mut archive = zip::Zip::default();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes());
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
-    archive.add("documentation/index.html", page::page(&variables, options.remarks).as_bytes());
+    // What is said of chatter has stiffness and damping in it.
+    let remarks = if options.hide_parameters { &[] } else { options.remarks };
+    archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes());
     for (platform, suffix, content) in &binaries {
         archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content);
     }

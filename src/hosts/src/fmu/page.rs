@@ -33,10 +33,13 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
+/// What is said of the parameters of the elements, and where there is none among the variables.
+const TUNABLE: &str = "<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
+     that falls) is refused with a message, and the old one stays.</p>\n";
+const HIDDEN: &str = "<p>The identified numbers of this damper are not among its variables: it runs with those that it was exported with.</p>\n";
+
 /// What stands ahead of the rows of variables.
-const PARAMETERS: &str = "<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
-     that falls) is refused with a message, and the old one stays.</p>\n<table border=\"1\">\n\
-     <tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
+const HEADINGS: &str = "<table border=\"1\">\n<tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
 
 /// `documentation/index.html`; remarks are what must be known of this damper. What holds for several corners alike is said
 /// once.
@@ -47,7 +50,9 @@ pub fn page(variables: &[Variable], remarks: &[String]) -> String {
             let _ = writeln!(out, "<p><b>This damper.</b> {}</p>", escaped(remark));
         }
     }
-    out.push_str(PARAMETERS);
+    let is_open = variables.iter().any(|v| matches!(v.kind, Kind::Parameter | Kind::Choice));
+    out.push_str(if is_open { TUNABLE } else { HIDDEN });
+    out.push_str(HEADINGS);
     for v in variables.iter().filter(|v| !matches!(v.kind, Kind::State | Kind::Rate | Kind::Time | Kind::SpeedMargin)) {
         let start = v.start.map_or(String::new(), |s| s.to_string());
         let meaning = escaped(&v.meaning);

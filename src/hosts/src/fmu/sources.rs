@@ -28,6 +28,8 @@ pub fn bundled() -> Vec<(&'static str, &'static str)> {
         "contents.c" from "vi-crt-bridge/fmu",
         "resources.h" from "vi-crt-bridge/fmu",
         "resources.c" from "vi-crt-bridge/fmu",
+        "veil.h" from "vi-crt-bridge/fmu",
+        "veil.c" from "vi-crt-bridge/fmu",
         "instance.h" from "vi-crt-bridge/fmu",
         "instance.c" from "vi-crt-bridge/fmu",
         "inputs.c" from "vi-crt-bridge/fmu",

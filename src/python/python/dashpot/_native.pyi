@@ -124,6 +124,7 @@ def export_fmu(
     force_scale: float | None,
     position_offset: float,
     sources: bool,
+    hide_parameters: bool,
     library: str | None,
 ) -> list[str]: ...
 def set_threads(count: int) -> bool: ...

@@ -194,6 +194,7 @@ class Model:
         force_scale: float | None = None,
         position_offset: float = 0.0,
         sources: bool = True,
+        hide_parameters: bool = False,
         library: Path | None = None,
         name: str | None = None,
     ) -> list[str]:
@@ -206,6 +207,8 @@ class Model:
         :param force_scale: the host's force per N of tension; 1 for one damper, -1 for a vehicle.
         :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
         :param sources: whether the sources of kernel and FMU go inside.
+        :param hide_parameters: no number of the damper is a variable of the FMU or can be read off its files; a veil and no lock, see
+            ``dashpot export fmu --help``.
         :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
             Without it the runtimes that this package was built with are put inside.
         :param name: name of the model in the FMU.
@@ -217,7 +220,7 @@ class Model:
         vehicle = four or len(models) > 1
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
         return _native.export_fmu(
-            models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources,
+            models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters,
             None if library is None else os.fspath(library),
         )  # fmt: skip
 

@@ -45,6 +45,11 @@ pub struct Args {
     /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
+    /// Hide the identified numbers: no parameter is a variable of the FMU, so that no host shows or changes one, and the model in its
+    /// resources lies under a veil. That is no lock: whoever has the sources of dashpot can lift it, a host can save the state, which holds
+    /// them, and whoever runs the FMU can measure its forces and fit a model to them
+    #[arg(long)]
+    hide_parameters: bool,
     /// Compile the binary here, for this computer alone, with the model inside it (needs a C compiler: cc, or CC)
     #[arg(long)]
     from_source: bool,
@@ -99,6 +104,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             name: &name,
             from_source: library.as_deref(),
             sources: !args.no_sources,
+            hide_parameters: args.hide_parameters,
             more: &more,
             remarks: &remarks,
         },
