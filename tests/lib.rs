@@ -6,6 +6,7 @@ pub mod cli;
 pub mod dataset;
 pub mod fmu;
 pub mod header;
+pub mod hostile;
 pub mod kernel_campaign;
 pub mod library;
 pub mod measured;

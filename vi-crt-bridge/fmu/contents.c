@@ -90,8 +90,10 @@ static int read_line(struct contents *contents, const char *line)
     if (strcmp(word, "variable") || sscanf(line, "variable %31s %d %d %47s", kind, &corner, &index, name) != 4)
         return 0;
     known = kind_named(kind);
-    if (known < 0 || corner < -1 || corner >= contents->corners ||
-        ((known == STATE || known == RATE) && (corner < 0 || index < 0 || index >= MOST_STATES)))
+    /* Every place that is looked up by them later: a corner for all but what is of the whole FMU, a state, a number of a list. */
+    if (known < 0 || (known == TIME || known == BETWEEN_POINTS ? corner != -1 : corner < 0 || corner >= contents->corners) ||
+        ((known == STATE || known == RATE) && (index < 0 || index >= MOST_STATES)) ||
+        (known == PARAMETER && (index < -1 || index >= LONGEST_LIST)))
         return 0;
     v = &contents->variable[contents->variables];
     memset(v, 0, sizeof *v);

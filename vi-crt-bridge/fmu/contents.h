@@ -8,6 +8,7 @@
 
 #define MOST_CORNERS 4
 #define MOST_STATES 11 /* of a corner */
+#define LONGEST_LIST 256 /* numbers of a parameter */
 
 /* What a variable is. The names are those of the lines of contents.txt. */
 #define KINDS(X)                                                                                                       \

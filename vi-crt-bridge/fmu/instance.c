@@ -27,7 +27,7 @@ static void start_values(struct instance *instance)
     for (i = 0; i < contents->variables; i++) {
         const struct variable *v = &contents->variable[i];
         const dashpot_params *params = v->corner < 0 ? NULL : &instance->data->part[v->corner].corner.params;
-        double list[256] = {0};
+        double list[LONGEST_LIST] = {0};
         uint32_t count;
 
         value[i] = 0.0;
@@ -40,7 +40,7 @@ static void start_values(struct instance *instance)
         case PARAMETER:
             if (v->index < 0)
                 dashpot_params_get(params, v->name, &value[i]);
-            else if (dashpot_params_get_list(params, v->name, list, 256, &count) >= 0)
+            else if (dashpot_params_get_list(params, v->name, list, LONGEST_LIST, &count) >= 0)
                 value[i] = list[v->index];
             break;
         default: break;
@@ -74,7 +74,7 @@ static int prepare(struct instance *instance, int c, dashpot_params *params, das
 
     for (i = 0; i < contents->variables; i++) {
         const struct variable *v = &contents->variable[i];
-        double list[256];
+        double list[LONGEST_LIST];
 
         status = 0;
         if (v->corner != c || (v->kind != PARAMETER && v->kind != CHOICE))
@@ -82,7 +82,7 @@ static int prepare(struct instance *instance, int c, dashpot_params *params, das
         if (v->index < 0) {
             status = dashpot_params_set(params, v->name, value[i]);
         } else if (v->index == 0) {
-            for (k = 0; i + k < contents->variables && k < 256 && v[k].corner == c && v[k].kind == v->kind &&
+            for (k = 0; i + k < contents->variables && k < LONGEST_LIST && v[k].corner == c && v[k].kind == v->kind &&
                         !strcmp(v[k].name, v->name); k++)
                 list[k] = value[i + k];
             status = dashpot_params_set_list(params, v->name, list, k);
@@ -409,7 +409,19 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
 /* ---- serialised state ------------------------------------------------------------------------------------------ */
 
 static const char MAGIC[8] = "dashpot";
-#define HEAD (sizeof MAGIC + sizeof((struct contents *)0)->guid)
+#define SUM (sizeof MAGIC + sizeof((struct contents *)0)->guid)
+#define HEAD (SUM + sizeof(uint64_t))
+
+/* FNV-1a. A state that was damaged on its way is refused: it holds counts and choices that the kernel trusts. */
+static uint64_t sum_of(const unsigned char *bytes, size_t size)
+{
+    uint64_t sum = 0xcbf29ce484222325u;
+    size_t i;
+
+    for (i = 0; i < size; i++)
+        sum = (sum ^ bytes[i]) * 0x100000001b3u;
+    return sum;
+}
 
 size_t instance_bytes(const struct instance *instance)
 {
@@ -418,16 +430,25 @@ size_t instance_bytes(const struct instance *instance)
 
 void instance_serialize(const struct instance *instance, const struct data *data, unsigned char *bytes)
 {
+    uint64_t sum;
+
     memcpy(bytes, MAGIC, sizeof MAGIC);
     memcpy(bytes + sizeof MAGIC, instance->contents->guid, sizeof instance->contents->guid);
     memcpy(bytes + HEAD, data, instance_data_bytes(instance));
+    sum = sum_of(bytes + HEAD, instance_data_bytes(instance));
+    memcpy(bytes + SUM, &sum, sizeof sum);
 }
 
 int instance_deserialize(struct instance *instance, struct data *data, const unsigned char *bytes, size_t size)
 {
+    uint64_t sum;
+
     if (size != instance_bytes(instance) || memcmp(bytes, MAGIC, sizeof MAGIC) ||
         memcmp(bytes + sizeof MAGIC, instance->contents->guid, sizeof instance->contents->guid))
         return instance_complain(instance, "the bytes are no state of this FMU");
+    memcpy(&sum, bytes + SUM, sizeof sum);
+    if (sum != sum_of(bytes + HEAD, size - HEAD))
+        return instance_complain(instance, "the bytes are a damaged state");
     memcpy(data, bytes + HEAD, instance_data_bytes(instance));
     return 0;
 }

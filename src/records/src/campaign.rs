@@ -610,6 +610,17 @@ mod tests {
     }
 
     #[test]
+    fn a_profile_that_ignores_what_no_record_can_do_without_is_refused() {
+        let text = sine(1.0);
+        for channel in ["force", "time"] {
+            let profile = format!("format = \"dashpot campaign profile 1\"\nignore = [\"{channel}\"]\n");
+            let folder = folder(&[("a.csv", text.as_str()), ("campaign.toml", profile.as_str())]);
+            let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
+            assert!(message.contains("campaign.toml") && message.contains("cannot be left out"), "{message}");
+        }
+    }
+
+    #[test]
     fn gaps_are_said_first() {
         let mut text = String::from("time_s,displacement_m,force_N\n");
         let samples = SineTest::default().samples();

@@ -119,6 +119,9 @@ impl Options {
                 self.rig_mass_kg
             ));
         }
+        if let Some(channel) = [Channel::Time, Channel::Force].iter().find(|c| self.ignore.contains(c)) {
+            return Err(format!("{channel} cannot be left out of records; take it off ignore"));
+        }
         let zeros = [("force", self.force_zero_n), ("displacement", self.displacement_zero_m)];
         match zeros.into_iter().find(|(_, zero)| !zero.is_finite()) {
             Some((name, zero)) => Err(format!("a {name} zero of {zero} is no number")),

@@ -11,6 +11,7 @@ mod adams_windows;
 mod bridge_accuracy;
 mod c_example;
 mod cosim;
+mod damaged;
 mod fmu;
 mod fmu_matrix;
 mod fmu_partials;

@@ -34,8 +34,11 @@ const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 /// model's signs are then not those of a damper, and the routine must not guess.
 pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Result<Patched> {
     let lines = dataset::lines(adm);
-    let string =
-        1 + lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1).max().unwrap_or(0);
+    let strings = lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1);
+    let last = strings.max().unwrap_or(0);
+    // As many as there can be dampers, and room to count.
+    let string = last.checked_add(1).filter(|first| first.checked_add(dampers.len() as u64).is_some());
+    let string = string.with_context(|| format!("STRING/{last} leaves no number for another STRING; renumber it"))?;
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
     let ending = dataset::ending(lines[0].1);
     // One STRING for each model file.
@@ -280,6 +283,7 @@ mod tests {
             (with("-100, 0, 100", "100, 0, -100"), name, "do not increase"),
             (with("500, 0, -900", "500, zero, -900"), name, "no number"),
             (with("\nEND\n", "\n"), name, "no END"),
+            (with("STRING/103", "STRING/18446744073709551615"), name, "leaves no number"),
             (with(",0,9)\n!", ",0,9)+150\n!"), name, "adds 150"),
             (with(",0,9)\n!", ",0,9)-2*abs(vr(75,76))\n!"), name, "adds -200"),
             (with("500, 0, -900", "500, -30, -900"), name, "at rest is -30"),

@@ -81,7 +81,13 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     // Property files are ASCII or Latin-1; a byte that is no UTF-8 stands in a comment or a name.
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
-    if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }
+    let read = if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }?;
+    // Finite in the units of the file, and beyond every number in SI.
+    let numbers = read.curve.velocities.iter().chain(&read.curve.forces).chain([&read.gas_force]);
+    if let Some(number) = numbers.into_iter().find(|n| !n.is_finite()) {
+        anyhow::bail!("a velocity or force of it becomes {number} in SI; look at its numbers and units");
+    }
+    Ok(read)
 }
 
 /// One row of a table; `line` is told where it is none.
@@ -119,6 +125,14 @@ mod tests {
             gas_force: 0.0,
             notes: Vec::new(),
         }
+    }
+
+    #[test]
+    fn a_number_that_no_unit_can_hold_is_refused() {
+        let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
+        let error = read(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.contains("becomes inf in SI"), "{error}");
+        assert!(read(text.replace("1e307", "1e304").as_bytes()).is_ok());
     }
 
     #[test]

@@ -1,0 +1,151 @@
+//! Damage to files: the same every time, and of the kinds that break readers.
+//!
+//! The readers of records are damaged by it too: `src/records/tests/hostile.rs` includes this file.
+
+/// Random numbers (xorshift64*; Vigna 2016).
+pub struct Random(pub u64);
+
+impl Random {
+    /// A number from 0 to below `n`.
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % n.max(1)
+    }
+}
+
+/// How many damaged files a test reads: as many as are usual, or so many times more as the variable DASHPOT_HOSTILE says, for hours.
+///
+/// # Panics
+/// Where the variable is no number.
+pub fn rounds(usual: usize) -> usize {
+    usual * std::env::var("DASHPOT_HOSTILE").map_or(1, |times| times.parse().expect("DASHPOT_HOSTILE is a number"))
+}
+
+/// Words that break readers: limits of number types, cells far out, quotes, terminal escapes, other scripts.
+const POISON: [&[u8]; 32] = [
+    b"4294967295",
+    b"18446744073709551615",
+    b"-1",
+    b"1e308",
+    b"-1e308",
+    b"1e-320",
+    b"nan",
+    b"inf",
+    b"\"",
+    b"'",
+    b"\0",
+    b"\n",
+    b",",
+    b";",
+    b"\t",
+    b"\x1b[31m",
+    b"XFD1048576",
+    b"\xff\xfe",
+    b"\xf0\x9f\x92\xa9",
+    b"99:99:99",
+    b"<row r=\"0\">",
+    b"&#0;",
+    b"[",
+    b"]",
+    b"{",
+    b"}",
+    b"(",
+    b"=",
+    b"#",
+    b"9223372036854775808",
+    b"0",
+    b"[[[[[[[[[[[[[[[[",
+];
+
+/// Damages a file in one to three places: bytes changed, the end cut off, poison put in or over, parts repeated or taken out.
+pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
+    for _ in 0..=random.below(3) {
+        let at = random.below(bytes.len());
+        match random.below(6) {
+            0 if !bytes.is_empty() => bytes[at] = random.below(256) as u8,
+            1 => bytes.truncate(at),
+            2 => {
+                let word = POISON[random.below(POISON.len())];
+                bytes.splice(at..at, word.iter().copied());
+            }
+            3 => {
+                let word = POISON[random.below(POISON.len())];
+                let end = (at + word.len()).min(bytes.len());
+                bytes.splice(at..end, word.iter().copied());
+            }
+            4 => {
+                let end = (at + random.below(200)).min(bytes.len());
+                let part = bytes[at..end].to_vec();
+                let to = random.below(bytes.len());
+                bytes.splice(to..to, part);
+            }
+            _ => {
+                let end = (at + random.below(60)).min(bytes.len());
+                bytes.drain(at..end);
+            }
+        }
+    }
+}
+
+/// Damages a text in one to three places by its words and lines: numbers become others that no reader expects, words change
+/// places, lines are repeated, taken out or swapped. What comes out still looks like such a file, and reaches further into a
+/// reader than damaged bytes do.
+pub fn mutate_text(random: &mut Random, text: &mut String) {
+    const NUMBERS: [&str; 18] = [
+        "0",
+        "-0.0",
+        "1",
+        "-1",
+        "2",
+        "1e308",
+        "-1e308",
+        "1e-320",
+        "nan",
+        "inf",
+        "-inf",
+        "4294967296",
+        "9223372036854775807",
+        "18446744073709551615",
+        "0x10",
+        "1_000",
+        "1,5",
+        "",
+    ];
+    for _ in 0..=random.below(3) {
+        if random.below(3) == 0 {
+            let mut lines: Vec<&str> = text.split('\n').collect();
+            let (a, b) = (random.below(lines.len()), random.below(lines.len()));
+            match random.below(3) {
+                0 => lines.swap(a, b),
+                1 => lines.insert(b, lines[a]),
+                _ => drop(lines.remove(a)),
+            }
+            *text = lines.join("\n");
+            continue;
+        }
+        let words = words(text);
+        if words.is_empty() {
+            return;
+        }
+        let (a, b) = (words[random.below(words.len())].clone(), words[random.below(words.len())].clone());
+        let other = text[b].to_owned();
+        let is_number = text[a.clone()].parse::<f64>().is_ok();
+        let new = if is_number && random.below(4) > 0 { NUMBERS[random.below(NUMBERS.len())] } else { &other };
+        text.replace_range(a, new);
+    }
+}
+
+/// Where the words and numbers of a text stand.
+fn words(text: &str) -> Vec<std::ops::Range<usize>> {
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_' | '-' | '+');
+    let mut words: Vec<std::ops::Range<usize>> = Vec::new();
+    for (at, c) in text.char_indices().filter(|(_, c)| is_part(*c)) {
+        match words.last_mut() {
+            Some(word) if word.end == at => word.end += c.len_utf8(),
+            _ => words.push(at..at + c.len_utf8()),
+        }
+    }
+    words
+}
