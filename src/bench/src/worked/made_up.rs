@@ -24,7 +24,12 @@ const SAMPLES: usize = 200;
 
 /// Writes so many sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing speed.
 pub fn campaign(folder: &Path, count: usize) {
-    let model = Model::new(&truth()).unwrap();
+    campaign_of(&truth(), folder, count);
+}
+
+/// The same tests of another damper.
+pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
+    let model = Model::new(damper).unwrap();
     for k in 0..count {
         let amplitude = [0.040, 0.020, 0.008][k % 3];
         let speed = 0.05 * 1.25f64.powi((k / 3 % 14) as i32) * (1.0 + 1e-3 * (k / 42) as f64);

@@ -4,6 +4,7 @@
 //! time, for a program may abort where a test has to unwind.
 
 mod made_up;
+mod reference;
 mod unusable;
 
 use crate::app::App;
