@@ -1,9 +1,12 @@
-"""Packs a folder as .tar.gz or .zip so that the same files give the same bytes: sorted, one owner, the time in SOURCE_DATE_EPOCH.
+"""Packs a folder as .tar.gz, .zip or .whl so that the same files give the same bytes: sorted, one owner, the time in SOURCE_DATE_EPOCH.
 
     archive.py tar|zip FOLDER NAME ARCHIVE       NAME is the folder inside the archive
+    archive.py wheel FOLDER ARCHIVE              the list of a wheel's files with their checksums is written anew
 """
 
+import base64
 import gzip
+import hashlib
 import os
 import sys
 import tarfile
@@ -53,23 +56,47 @@ def tar(folder, name, archive, moment):
                     out.addfile(info, content)
 
 
-def zipped(folder, name, archive, moment):
+def write_zip(files, archive, moment):
+    """Each file is its name in the archive, its content and its mode."""
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
-        for inside, path in entries(folder):
-            info = zipfile.ZipInfo(f"{name}/{inside}", time.gmtime(moment)[:6])
+        for inside, content, permissions in files:
+            info = zipfile.ZipInfo(inside, time.gmtime(moment)[:6])
             # As made on Unix, so that the mode counts where it is unpacked there.
-            info.create_system, info.external_attr = 3, (0o100000 | mode(path)) << 16
+            info.create_system, info.external_attr = 3, (0o100000 | permissions) << 16
             info.compress_type = zipfile.ZIP_DEFLATED
-            out.writestr(info, path.read_bytes(), compresslevel=9)
+            out.writestr(info, content, compresslevel=9)
+
+
+def zipped(folder, name, archive, moment):
+    write_zip(((f"{name}/{inside}", path.read_bytes(), mode(path)) for inside, path in entries(folder)), archive, moment)
+
+
+def wheel(folder, archive, moment):
+    files = [(inside, path.read_bytes(), mode(path)) for inside, path in entries(folder)]
+    metadata = [inside for inside, _, _ in files if inside.endswith(".dist-info/METADATA")]
+    if len(metadata) != 1:
+        sys.exit(f"archive.py: {folder} holds {len(metadata)} files *.dist-info/METADATA, and a wheel has one")
+    record = metadata[0].removesuffix("METADATA") + "RECORD"
+    # The standard of wheels asks for what describes them at the end of the archive.
+    files = sorted((file for file in files if file[0] != record), key=lambda file: ".dist-info/" in file[0])
+
+    def row(inside, content):
+        if any(sign in inside for sign in ',"\n'):
+            sys.exit(f"archive.py: {inside} cannot stand in a list parted by commas")
+        checksum = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
+        return f"{inside},sha256={checksum},{len(content)}\n"
+
+    rows = "".join(row(inside, content) for inside, content, _ in files) + f"{record},,\n"
+    write_zip([*files, (record, rows.encode(), TEXT)], archive, moment)
 
 
 def main():
-    if len(sys.argv) != 5 or sys.argv[1] not in ("tar", "zip"):
+    kind, folder, *rest = sys.argv[1:] if len(sys.argv) > 2 else ("", "")
+    if (kind, len(rest)) not in (("tar", 2), ("zip", 2), ("wheel", 1)):
         sys.exit(__doc__)
-    kind, folder, name, archive = sys.argv[1:]
     if not entries(folder):
         sys.exit(f"archive.py: {folder} holds no file")
-    (tar if kind == "tar" else zipped)(folder, name, archive, int(os.environ["SOURCE_DATE_EPOCH"]))
+    {"tar": tar, "zip": zipped, "wheel": wheel}[kind](folder, *rest, int(os.environ["SOURCE_DATE_EPOCH"]))
 
 
 main()

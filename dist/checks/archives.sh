@@ -2,7 +2,7 @@
 names() { # archive
     case $1 in
         *.tar.gz) tar -tzf "$1" ;;
-        *.zip) unzip -Z1 "$1" ;;
+        *.zip | *.whl) unzip -Z1 "$1" ;;
         *.deb) dpkg-deb -c "$1" | awk '{print $6}' ;;
     esac
 }
@@ -12,7 +12,7 @@ no_paths() { # archive
     folder=$(mktemp -d "$here/paths.XXXXXX")
     case $1 in
         *.tar.gz) tar -xzf "$1" -C "$folder" ;;
-        *.zip) unzip -q "$1" -d "$folder" ;;
+        *.zip | *.whl) unzip -q "$1" -d "$folder" ;;
         *.deb) dpkg-deb -x "$1" "$folder" ;;
     esac
     # A path of this machine would differ on another and give other bytes.
@@ -30,10 +30,13 @@ linux_files=(bin/dashpot$ lib/libdashpot.so$ lib/libdashpot.a$ lib/pkgconfig/das
     share/doc/dashpot/THIRD-PARTY.txt$ share/doc/dashpot/dashpot.cdx.json$ share/doc/dashpot/LICENSE-MIT$ share/dashpot/examples/damper.c$)
 windows_files=(/dashpot.exe$ sdk/bin/dashpot.dll$ sdk/lib/dashpot.lib$ sdk/lib/libdashpot.dll.a$ sdk/include/dashpot.h$ adams/dashpot_adams.dll$
     fmu/dashpot_damper.dll$ /README.txt$ licences/THIRD-PARTY.txt$ licences/dashpot.cdx.json$ "Try-dashpot.cmd$" examples/damper.c$)
-for archive in "$packages"/*.tar.gz "$packages"/*.deb "$packages"/*.zip; do
+wheel_files=(^dashpot/__init__.py$ ^dashpot/py.typed$ ^dashpot/_native.pyi$ "^dashpot/_native\.[a-z0-9.]*\(so\|pyd\)$" dist-info/METADATA$ dist-info/RECORD$
+    dist-info/licenses/THIRD-PARTY.txt$ dist-info/licenses/LICENSE-MIT$ dist-info/sboms/dashpot.cdx.json$)
+for archive in "$packages"/*.tar.gz "$packages"/*.deb "$packages"/*.zip "$packages"/*.whl; do
     [ -e "$archive" ] || { skip "${archive##*/}" "not built"; continue; }
     case $archive in
         *.zip) check "${archive##*/} is complete" complete "$archive" "${windows_files[@]}" ;;
+        *.whl) check "${archive##*/} is complete" complete "$archive" "${wheel_files[@]}" ;;
         *) check "${archive##*/} is complete" complete "$archive" "${linux_files[@]}" ;;
     esac
     check "${archive##*/} holds no path of this machine" no_paths "$archive"

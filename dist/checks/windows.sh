@@ -10,17 +10,9 @@ mkdir -p "$place"
 unzip -q "packages/$windows_name.zip" -d "$place"
 prefix=$place/$windows_name
 cd "$prefix"
-export WINEPREFIX=$here/wine WINEDEBUG=-all DASHPOT_NO_PAUSE=1 LANG=C.UTF-8 LC_ALL=C.UTF-8
-# Wine 8 lacks this library of Windows, from which Rust's hash tables take their seed. For the check only; it is in no package.
-cat >"$here/primitives.c" <<'C'
-__declspec(dllexport) int ProcessPrng(unsigned char *bytes, unsigned long long count)
-{
-    while (count--) bytes[count] = (unsigned char)(37 * count + 11);
-    return 1;
-}
-C
-x86_64-w64-mingw32-gcc -shared -o "$prefix/bcryptprimitives.dll" "$here/primitives.c"
-wineboot -i >/dev/null 2>&1
+export DASHPOT_NO_PAUSE=1 LANG=C.UTF-8 LC_ALL=C.UTF-8
+. "$here/checks/wine.sh"
+start_wine "$prefix"
 dashpot() { wine dashpot.exe "$@"; }
 
 say_version() { dashpot --version | tr -d '\r' | grep -Eq "^dashpot $version \(interface version [0-9]+\)$"; }

@@ -11,6 +11,9 @@ linux_target=x86_64-unknown-linux-gnu
 windows_target=x86_64-pc-windows-gnu
 linux_name=dashpot-$version-linux-x86_64
 windows_name=dashpot-$version-windows-x86_64
+# One wheel for every Python from 3.10 on, as pyproject.toml promises.
+linux_wheel=dashpot-$version-cp310-abi3-manylinux_${glibc/./_}_x86_64.whl
+windows_wheel=dashpot-$version-cp310-abi3-win_amd64.whl
 
 # The time of the commit stands for the time of building in every archive.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)

@@ -18,5 +18,8 @@ fi
 if [ -d "$staged/windows" ]; then
     python3 dist/archive.py zip "$staged/windows" "$windows_name" "$packages/$windows_name.zip"
 fi
+for folder in "$staged"/wheels/*; do
+    if [ -d "$folder" ]; then python3 dist/archive.py wheel "$folder" "$packages/${folder##*/}.whl"; fi
+done
 (cd "$packages" && find . -maxdepth 1 -type f ! -name SHA256SUMS -printf '%P\n' | sort | xargs -r sha256sum >SHA256SUMS)
 for file in "$packages"/*; do say "$(du -h --apparent-size "$file" | cut -f1) $file"; done

@@ -62,6 +62,47 @@ fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
     );
 }
 
+/// What an installer does with a wheel: every file is in its list with the checksum, and nothing else is.
+const INSTALLS: &str = r#"
+import base64, csv, hashlib, io, sys, zipfile
+wheel = zipfile.ZipFile(sys.argv[1])
+rows = list(csv.reader(io.StringIO(wheel.read("name-1.dist-info/RECORD").decode())))
+assert [row[0] for row in rows] == wheel.namelist() and len(rows) == 5, rows
+for name, checksum, size in rows[:-1]:
+    content = wheel.read(name)
+    assert checksum == "sha256=" + base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("="), name
+    assert int(size) == len(content), name
+assert rows[-1] == ["name-1.dist-info/RECORD", "", ""], rows
+assert [name.startswith("name-1.dist-info/") for name in wheel.namelist()] == [False, False, True, True, True]
+"#;
+
+#[test]
+fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
+    if !has("python3") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let tree = folder.path().join("tree");
+    std::fs::create_dir_all(tree.join("name-1.dist-info")).unwrap();
+    std::fs::create_dir_all(tree.join("zname")).unwrap();
+    let files = ["zname/__init__.py", "zname/Größe.txt", "name-1.dist-info/METADATA", "name-1.dist-info/WHEEL"];
+    for name in files {
+        std::fs::write(tree.join(name), name).unwrap();
+    }
+    let pack = |name: &str| {
+        let wheel = folder.path().join(name);
+        let mut python = Command::new("python3");
+        python.arg(root().join("dist/archive.py")).arg("wheel").arg(&tree).arg(&wheel);
+        succeed(python.env("SOURCE_DATE_EPOCH", "1700000000"));
+        wheel
+    };
+    let first = pack("first");
+    succeed(Command::new("python3").args(["-c", INSTALLS]).arg(&first));
+    // A list that the tree had before is not believed.
+    std::fs::write(tree.join("name-1.dist-info/RECORD"), "of an earlier wheel\n").unwrap();
+    assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
+}
+
 /// A crate under a licence that nobody has looked at stops the build of a package; better to know before.
 #[test]
 fn every_licence_may_be_shipped() {
@@ -83,12 +124,20 @@ fn every_licence_may_be_shipped() {
 
 #[test]
 fn the_scripts_are_scripts() {
-    let mut scripts = vec![root().join("dist/build"), root().join("dist/check")];
+    let mut scripts =
+        ["build", "check", "archive.py", "licences.py"].map(|name| root().join("dist").join(name)).to_vec();
     for folder in ["dist/steps", "dist/checks"] {
         scripts.extend(std::fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path()));
     }
     assert!(scripts.len() > 8);
     for script in scripts {
-        succeed(Command::new("bash").arg("-n").arg(script));
+        if script.extension().is_some_and(|name| name == "py") {
+            if has("python3") {
+                let parse = "import ast, sys; ast.parse(open(sys.argv[1], encoding='utf-8').read())";
+                succeed(Command::new("python3").args(["-c", parse]).arg(script));
+            }
+        } else {
+            succeed(Command::new("bash").arg("-n").arg(script));
+        }
     }
 }
