@@ -28,6 +28,9 @@ check "checksums" bash -c "cd '$packages' && sha256sum --check --strict SHA256SU
 linux_files=(bin/dashpot$ lib/libdashpot.so$ lib/libdashpot.a$ lib/pkgconfig/dashpot.pc$ lib/cmake/dashpot/dashpotConfig.cmake$ include/dashpot.h$
     lib/dashpot/dashpot_adams.so$ lib/dashpot/dashpot_damper.so$ share/man/man1/dashpot-fit.1$ share/bash-completion/completions/dashpot$
     share/doc/dashpot/THIRD-PARTY.txt$ share/doc/dashpot/dashpot.cdx.json$ share/doc/dashpot/LICENSE-MIT$ share/dashpot/examples/damper.c$)
+# The same without what is for hosts on x86-64.
+arm_files=()
+for name in "${linux_files[@]}"; do [[ $name == lib/dashpot/dashpot_* ]] || arm_files+=("$name"); done
 windows_files=(/dashpot.exe$ sdk/bin/dashpot.dll$ sdk/lib/dashpot.lib$ sdk/lib/libdashpot.dll.a$ sdk/include/dashpot.h$ adams/dashpot_adams.dll$
     fmu/dashpot_damper.dll$ /README.txt$ licences/THIRD-PARTY.txt$ licences/dashpot.cdx.json$ "Try-dashpot.cmd$" examples/damper.c$)
 wheel_files=(^dashpot/__init__.py$ ^dashpot/py.typed$ ^dashpot/_native.pyi$ "^dashpot/_native\.[a-z0-9.]*\(so\|pyd\)$" dist-info/METADATA$ dist-info/RECORD$
@@ -37,6 +40,7 @@ for archive in "$packages"/*.tar.gz "$packages"/*.deb "$packages"/*.zip "$packag
     case $archive in
         *.zip) check "${archive##*/} is complete" complete "$archive" "${windows_files[@]}" ;;
         *.whl) check "${archive##*/} is complete" complete "$archive" "${wheel_files[@]}" ;;
+        *aarch64*) check "${archive##*/} is complete" complete "$archive" "${arm_files[@]}" ;;
         *) check "${archive##*/} is complete" complete "$archive" "${linux_files[@]}" ;;
     esac
     check "${archive##*/} holds no path of this machine" no_paths "$archive"

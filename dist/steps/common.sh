@@ -8,8 +8,10 @@ cargo_home=${CARGO_HOME:-$HOME/.cargo}
 # The newest glibc whose symbols a program may ask for: RHEL 8, which Adams and VI-CarRealTime support.
 glibc=2.28
 linux_target=x86_64-unknown-linux-gnu
+arm_target=aarch64-unknown-linux-gnu
 windows_target=x86_64-pc-windows-gnu
 linux_name=dashpot-$version-linux-x86_64
+arm_name=dashpot-$version-linux-aarch64
 windows_name=dashpot-$version-windows-x86_64
 # One wheel for every Python from 3.10 on, as pyproject.toml promises.
 linux_wheel=dashpot-$version-cp310-abi3-manylinux_${glibc/./_}_x86_64.whl
@@ -30,6 +32,23 @@ fail() {
 }
 say() { echo "dist: $1"; }
 case $root in *[[:space:]]*) fail "dist/build: cargo's flags cannot name a folder with spaces; clone into another one than $root" ;; esac
+
+# What a Linux program asks of the system it starts on: refused here rather than there.
+asks_for_no_more() { # folder, file, the system's loader
+    local newest needed library
+    newest=$(objdump -T "$1/$2" | sed -n 's/.*GLIBC_\([0-9.]*\).*/\1/p' | sort -Vu | tail -1)
+    needed=$(objdump -p "$1/$2" | sed -n 's/^ *NEEDED *//p' | tr '\n' ' ')
+    say "$2 asks for glibc ${newest:-of any version}, libraries: ${needed:-none}"
+    if [ "$(printf '%s\n' "${newest:-0}" "$glibc" | sort -V | tail -1)" != "$glibc" ]; then
+        fail "dist/build: $2 needs glibc $newest, and $glibc is promised"
+    fi
+    for library in $needed; do
+        case $library in
+            libc.so.6 | libm.so.6 | libpthread.so.0 | libdl.so.2 | librt.so.1 | "$3") ;;
+            *) fail "dist/build: $2 needs $library, which not every Linux has" ;;
+        esac
+    done
+}
 
 missing=()
 # command:package

@@ -41,18 +41,6 @@ put 644 "$work/said/licences" "$documents/THIRD-PARTY.txt"
 "$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-bench dashpot-dll >"$work/said/bill"
 put 644 "$work/said/bill" "$documents/dashpot.cdx.json"
 
-# What a program asks of the system it starts on: refused here rather than there.
 for file in bin/dashpot bin/dashpot-window lib/libdashpot.so lib/dashpot/dashpot_adams.so lib/dashpot/dashpot_damper.so; do
-    newest=$(objdump -T "$tree/$file" | sed -n 's/.*GLIBC_\([0-9.]*\).*/\1/p' | sort -Vu | tail -1)
-    needed=$(objdump -p "$tree/$file" | sed -n 's/^ *NEEDED *//p' | tr '\n' ' ')
-    say "$file asks for glibc ${newest:-of any version}, libraries: ${needed:-none}"
-    if [ "$(printf '%s\n' "${newest:-0}" $glibc | sort -V | tail -1)" != $glibc ]; then
-        fail "dist/build: $file needs glibc $newest, and $glibc is promised"
-    fi
-    for library in $needed; do
-        case $library in
-            libc.so.6 | libm.so.6 | libpthread.so.0 | libdl.so.2 | librt.so.1 | ld-linux-x86-64.so.2) ;;
-            *) fail "dist/build: $file needs $library, which not every Linux has" ;;
-        esac
-    done
+    asks_for_no_more "$tree" "$file" ld-linux-x86-64.so.2
 done

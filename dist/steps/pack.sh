@@ -15,6 +15,9 @@ if [ -d "$staged/linux" ]; then
     chmod -R u=rwX,go=rX "$debian"
     dpkg-deb --root-owner-group -Zxz --build "$debian" "$packages/dashpot_${version}_amd64.deb" >/dev/null
 fi
+if [ -d "$staged/aarch64" ]; then
+    python3 dist/archive.py tar "$staged/aarch64" "$arm_name" "$packages/$arm_name.tar.gz"
+fi
 if [ -d "$staged/windows" ]; then
     python3 dist/archive.py zip "$staged/windows" "$windows_name" "$packages/$windows_name.zip"
 fi
