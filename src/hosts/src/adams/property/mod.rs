@@ -82,13 +82,16 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let read = if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }?;
-    // Finite in the units of the file, and beyond every number in SI.
+    // Finite in the units of the file, and beyond every number in SI or in the units of the next file.
     let numbers = read.curve.velocities.iter().chain(&read.curve.forces).chain([&read.gas_force]);
-    if let Some(number) = numbers.into_iter().find(|n| !n.is_finite()) {
-        anyhow::bail!("a velocity or force of it becomes {number} in SI; look at its numbers and units");
+    if let Some(number) = numbers.into_iter().find(|n| !(n.abs() <= MOST)) {
+        anyhow::bail!("a velocity or force of it becomes {number:e} in SI (m/s, N); look at its numbers and units");
     }
     Ok(read)
 }
+
+/// Largest velocity or force in SI: what people write to prolong a curve stays far below. Without it, a number can grow beyond all in mm/s.
+const MOST: f64 = 1e12;
 
 /// One row of a table; `line` is told where it is none.
 fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
