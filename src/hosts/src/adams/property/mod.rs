@@ -135,7 +135,9 @@ mod tests {
         let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains("becomes inf in SI"), "{error}");
-        assert!(read(text.replace("1e307", "1e304").as_bytes()).is_ok());
+        // Finite here, and beyond all numbers in the millimetres of the next file.
+        assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
+        assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
     }
 
     #[test]
