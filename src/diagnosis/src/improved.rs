@@ -3,17 +3,15 @@
 use super::name_of;
 use super::outcome::Diagnosis;
 use super::search::{Search, physical};
-use dashpot_estimation::deviations::deviations;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
 use dashpot_records::Record;
 
-/// Intervals of all scalars of the last explanation.
-pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
+/// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
+pub(super) fn estimates(found: &Search, deviations: &[f64]) -> Vec<Estimate> {
     let (last, end) = &found.found.last;
-    let deviations = deviations(last, end);
     last.numbers
         .iter()
         .enumerate()
@@ -38,9 +36,8 @@ pub(super) fn estimates(found: &Search) -> Vec<Estimate> {
 }
 
 /// What the last explanation finds the measurement to be off by, of what the reader of records can take out.
-pub(super) fn measured(found: &Search) -> Vec<Measured> {
+pub(super) fn measured(found: &Search, deviations: &[f64]) -> Vec<Measured> {
     let (last, end) = &found.found.last;
-    let deviations = deviations(last, end);
     let numbers = last.numbers.iter().enumerate();
     numbers
         .filter_map(|(k, number)| {

@@ -264,6 +264,7 @@ impl Answer<'_> {
         } else {
             gap_closed(self.left, &left_before, &left_after)
         };
+        let after = deviations(last, end);
         let names: Vec<&str> = found.found.added.iter().map(|a| a.candidate.effect).collect();
         let first_round = &found.rounds[0];
         let could_not_test = untestable::list(self.situation, &first_round.invisible, &names);
@@ -293,8 +294,8 @@ impl Answer<'_> {
             base: base.params(&first.theta),
             improved: last.params(&end.theta),
             corrections: self.corrections(),
-            estimates: improved::estimates(found),
-            measured: improved::measured(found),
+            estimates: improved::estimates(found, &after),
+            measured: improved::measured(found, &after),
         };
         for (held_out, tests, before, after) in
             [(false, self.fitted, &fitted_before, &fitted_after), (true, self.left, &left_before, &left_after)]

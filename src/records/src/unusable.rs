@@ -116,7 +116,7 @@ impl Sieve {
 
 /// A note for each of the first, and one for the others.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Notes that name one each.
+    /// Notes that name one each: more of them would hide the other notes; all stand in `unusable`.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();

@@ -7,7 +7,7 @@ use dashpot_records::glob::matches as glob_matches;
 use std::path::{Path, PathBuf};
 
 /// A line of the list: what it is about, and the group.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 struct Entry {
     line: usize,
     of: String,
@@ -73,7 +73,8 @@ impl GroupList {
         Ok(GroupList { path: path.to_owned(), column: column.to_owned(), entries })
     }
 
-    /// The folders that the list names, each with its group (empty where it has none); no folder where it names tests. Looked for beside the list, in the data and as they stand.
+    /// The folders that the list names, each with its group (empty where it has none); no folder where it names tests. Looked for beside the
+    /// list, in the data and as they stand.
     ///
     /// # Errors
     /// A list that names folders and something else.

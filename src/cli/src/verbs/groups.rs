@@ -63,13 +63,19 @@ pub fn split(data: &DataArgs, by: &str) -> anyhow::Result<Split> {
     Ok(split)
 }
 
-fn by_folders(data: &DataArgs) -> anyhow::Result<Split> {
+/// The folders in the data, in the order of their names.
+fn folders_in(data: &DataArgs) -> anyhow::Result<Vec<PathBuf>> {
     let mut folders: Vec<PathBuf> = Vec::new();
     for path in &data.data {
         let within = std::fs::read_dir(path).map_err(|e| anyhow::anyhow!("{}: {e}", path.display()))?;
         folders.extend(within.filter_map(|entry| entry.ok().map(|e| e.path())).filter(|p| p.is_dir()));
     }
     folders.sort();
+    Ok(folders)
+}
+
+fn by_folders(data: &DataArgs) -> anyhow::Result<Split> {
+    let folders = folders_in(data)?;
     if folders.is_empty() {
         bail!("--group folders: there is no folder in {}; put the records of each damper into one", data.named());
     }
@@ -115,7 +121,13 @@ fn by_list(data: &DataArgs, list: &GroupList) -> anyhow::Result<Split> {
         split.unusable.extend(campaign.unusable);
         groups.entry((*group).to_owned()).or_default().extend(campaign.records);
     }
-    if folders.is_empty() {
+    if !folders.is_empty() {
+        // The list may lie elsewhere and name them by another way.
+        let place = |p: &Path| p.canonicalize().unwrap_or_else(|_| p.to_owned());
+        let listed: Vec<PathBuf> = folders.iter().map(|(folder, _)| place(folder)).collect();
+        let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));
+        split.left_aside.extend(others.map(|p| p.display().to_string()));
+    } else {
         let campaign = data.load()?;
         split.files = campaign.files;
         split.unusable = campaign.unusable;

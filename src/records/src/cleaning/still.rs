@@ -35,14 +35,7 @@ pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError
 
 /// Whether a channel shows nothing but its noise.
 fn rests(values: &[f64]) -> bool {
-    let mut seen: Vec<f64> = Vec::with_capacity(FLICKER);
-    if values.iter().all(|v| {
-        seen.contains(v)
-            || (seen.len() < FLICKER && {
-                seen.push(*v);
-                true
-            })
-    }) {
+    if flickers(values) {
         return true;
     }
     let noise = difference_noise(values);
@@ -50,6 +43,21 @@ fn rests(values: &[f64]) -> bool {
     let mean = values.iter().sum::<f64>() / n;
     let spread = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt();
     range(values) < RANGE * noise && spread < SPREAD * noise
+}
+
+/// Whether a channel has no more values than a resting sensor.
+fn flickers(values: &[f64]) -> bool {
+    let mut seen: Vec<f64> = Vec::with_capacity(FLICKER);
+    for value in values {
+        if seen.contains(value) {
+            continue;
+        }
+        if seen.len() == FLICKER {
+            return false;
+        }
+        seen.push(*value);
+    }
+    true
 }
 
 #[cfg(test)]
