@@ -223,7 +223,7 @@ fn check(all: &Dataset, label: &str, name: &str, given: &[Argument], others: &[u
 
 /// What stands behind a key.
 pub fn value<'a>(given: &'a [Argument], key: &str) -> &'a str {
-    let found = given.iter().find_map(|a| matches!(a, Argument::Value(k, _) if k == key).then_some(a));
+    let found = given.iter().find(|a| matches!(a, Argument::Value(k, _) if k == key));
     let Some(Argument::Value(_, value)) = found else { panic!("no {key}") };
     value
 }

@@ -23,6 +23,30 @@ pub fn rounds(usual: usize) -> usize {
     usual * std::env::var("DASHPOT_HOSTILE").map_or(1, |times| times.parse().expect("DASHPOT_HOSTILE is a number"))
 }
 
+/// Leaves a sound file to the fuzzer (`tests/fuzz`) where the variable DASHPOT_SEEDS names a folder for such. One target reads all small tables and
+/// goes by the first byte.
+///
+/// # Panics
+/// Where that folder cannot be written.
+pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
+    const TABLES: [&str; 6] = ["campaign.toml", "limits.csv", "peaks.csv", "matrix.csv", "motion.csv", "car.toml"];
+    let Some(folder) = std::env::var_os("DASHPOT_SEEDS") else { return };
+    let kind = TABLES.iter().position(|table| *table == name);
+    let target = match name.rsplit('.').next().unwrap_or_default() {
+        _ if kind.is_some() => "settings",
+        "toml" => "model",
+        "dpr" | "adm" => "adams",
+        "mf4" | "mdf" => "mdf",
+        "rsp" => "rpc",
+        "csv" | "txt" | "dat" => "text",
+        other => other,
+    };
+    let folder = std::path::Path::new(&folder).join(target);
+    std::fs::create_dir_all(&folder).unwrap();
+    let whole = [kind.map(|kind| vec![kind as u8]).unwrap_or_default(), bytes.to_vec()].concat();
+    std::fs::write(folder.join(format!("{place}-{name}")), whole).unwrap();
+}
+
 /// Words that break readers: limits of number types, cells far out, quotes, terminal escapes, other scripts.
 const POISON: [&[u8]; 32] = [
     b"4294967295",

@@ -46,8 +46,10 @@ fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
     let usual = target_folder(&out).unwrap_or_else(|| project.join("target")).join("runtimes");
+    // Cargo runs this again at every build while a path that it watches is absent, and compiles all that stands on it; an empty folder is enough.
+    let _ = fs::create_dir_all(&usual);
     let folder = env::var_os("DASHPOT_RUNTIMES").map_or(usual, |path| project.join(path));
-    println!("cargo::rerun-if-changed={}", folder.join("sources.txt").display());
+    println!("cargo::rerun-if-changed={}", folder.display());
     for part in ["include", "vi-crt-bridge/bridge", "vi-crt-bridge/fmu", "adams-usersub/src"] {
         println!("cargo::rerun-if-changed={}", project.join(part).display());
     }

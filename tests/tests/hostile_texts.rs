@@ -14,7 +14,7 @@ use dashpot_identification::{limits, model_file::prepared};
 use dashpot_records::{Options, Record, load, profile, read_motion, read_peaks};
 use dashpot_rig::Matrix;
 use dashpot_simulation::vehicle::Car;
-use dashpot_tests::hostile::{Random, mutate, mutate_text, rounds};
+use dashpot_tests::hostile::{Random, keep_for_fuzzer, mutate, mutate_text, rounds};
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -33,7 +33,8 @@ fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<
     let file = folder.path().join(name);
     let mut random = Random(11);
     let (mut read, mut refused) = (0, 0);
-    for seed in seeds {
+    for (place, seed) in seeds.iter().enumerate() {
+        keep_for_fuzzer(name, place, seed.as_bytes());
         let sound = reader(&file, seed.as_bytes());
         assert_eq!(sound, Ok(()), "the seed of {name} itself is sound:\n{seed}");
         for round in 0..rounds(ROUNDS) {

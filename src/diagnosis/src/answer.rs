@@ -50,7 +50,7 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
         };
         let names: Vec<Sentence> = found.found.added.iter().zip(confidence).map(name).collect();
         let left = 1.0 - explained(before, after);
-        let suspects = last.map_or(Vec::new(), |round| suspects(round));
+        let suspects = last.map_or(Vec::new(), suspects);
         if left > UNEXPLAINED {
             notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left)));
         }

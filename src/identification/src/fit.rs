@@ -442,8 +442,8 @@ fn misfit_as_read(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> f
     let (mut sum, mut count) = (0.0, 0usize);
     for s in segments {
         let f = unknowns.forces(&run, theta, s);
-        for i in s.from..s.force.len() {
-            sum += ((f[i] - s.force[i]) / s.scale).powi(2);
+        for (f, measured) in f.iter().zip(&s.force).skip(s.from) {
+            sum += ((f - measured) / s.scale).powi(2);
             count += 1;
         }
     }

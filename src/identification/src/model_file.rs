@@ -362,8 +362,8 @@ pub fn write(fit: &Fit) -> String {
     out += &flat(&fit.params, comment);
     let list =
         |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
-    let _ = write!(out, "\n[identification]\ntests = {}\n", list(&fit.tests));
-    let _ = write!(out, "fingerprints = {}\n", list(&fit.fingerprints));
+    let _ = writeln!(out, "\n[identification]\ntests = {}", list(&fit.tests));
+    let _ = writeln!(out, "fingerprints = {}", list(&fit.fingerprints));
     let mut not: Vec<String> = fit
         .estimates
         .iter()
@@ -371,7 +371,7 @@ pub fn write(fit: &Fit) -> String {
         .map(|e| e.index.map_or(e.name.to_owned(), |i| format!("{}[{i}]", e.name)))
         .collect();
     not.dedup();
-    let _ = write!(out, "not_identified = {}\n", list(&not));
+    let _ = writeln!(out, "not_identified = {}", list(&not));
     let mut notes: Vec<String> = fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
     notes.extend(fit.notes.iter().cloned());
     let _ = write!(out, "notes = {}\n", list(&notes));

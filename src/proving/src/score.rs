@@ -176,7 +176,7 @@ pub fn confusion(all: &[Outcome]) -> String {
     let mut out = String::new();
     for (truth, answers) in counts {
         let mut list: Vec<_> = answers.into_iter().collect();
-        list.sort_by(|a, b| b.1.cmp(&a.1));
+        list.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
         let words: Vec<String> = list.iter().map(|(a, n)| format!("{a} {n}")).collect();
         let _ = writeln!(out, "{truth:>32}: {}", words.join(", "));
     }

@@ -106,7 +106,7 @@ impl Ground {
             return Ok(0.0);
         }
         // The trace grows steadily with strength: regula falsi on logarithms, inside what is known.
-        let (mut low, mut high): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+        let (mut low, mut high) = (None::<(f64, f64)>, None::<(f64, f64)>);
         let mut strength: f64 = 0.3;
         let mut best = (f64::INFINITY, strength, 0.0);
         for _ in 0..TRIES {

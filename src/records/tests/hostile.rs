@@ -6,7 +6,7 @@
 #[path = "../../../tests/hostile.rs"]
 mod damage;
 
-use damage::{Random, mutate, rounds};
+use damage::{Random, keep_for_fuzzer, mutate, rounds};
 use dashpot_records::{Options, Unit, load};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -206,6 +206,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
     let folder = tempfile::tempdir().unwrap();
     let folder: &PathBuf = &folder.path().to_path_buf();
     for (name, seed) in seeds() {
+        keep_for_fuzzer(name, 0, &seed);
         if name != "d.csv" {
             assert_eq!(answer(folder, name, &seed), Ok(if name == "c.dat" { 2 } else { 1 }), "{name} itself is sound");
         }

@@ -310,7 +310,8 @@ impl ManoeuvreInput<'_> {
 
     fn chassis(&self) -> Section {
         let words = self.words;
-        let of: [(&str, &str, &str, fn(&Sample) -> f64); 4] = [
+        type Of = fn(&Sample) -> f64;
+        let of: [(&str, &str, &str, Of); 4] = [
             ("heave", words.plot_heave, words.axis_heave, |s| 1e3 * s.body.position[0]),
             ("acceleration", words.plot_heave_acceleration, words.axis_heave_acceleration, |s| {
                 s.body.heave_acceleration

@@ -67,6 +67,8 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
 }
 
 fn escaped(text: &str) -> String {
+    // XML holds no control characters, however they are written.
+    let text = text.replace(char::is_control, " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -209,7 +209,7 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
     if quantity == Quantity::Force {
         match velocity_m_s {
             None => return Err("a force needs the speed at which it is limited, in velocity_m_s".into()),
-            Some(v) if v == 0.0 => {
+            Some(0.0) => {
                 return Err("there is no peak force at velocity 0; limit friction or gas_force instead".into());
             }
             Some(v) if v < 0.0 && low.is_some_and(|low| low > 0.0) => {

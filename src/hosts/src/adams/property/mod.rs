@@ -90,6 +90,12 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     Ok(read)
 }
 
+/// A note as it may stand in a comment: in one line, without what neither form of file may hold. A note names parts of a file that somebody
+/// else wrote.
+fn as_comment(note: &str) -> String {
+    note.chars().map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { ' ' } else { c }).collect()
+}
+
 /// Largest velocity or force in SI: what people write to prolong a curve stays far below. Without it, a number can grow beyond all in mm/s.
 const MOST: f64 = 1e12;
 
@@ -152,6 +158,16 @@ mod tests {
             }
             assert_eq!((&back.curve.forces, back.gas_force, back.straight), (&out.curve.forces, gas_force, false));
             assert_eq!(back.notes, Vec::<String>::new(), "{form:?}: our own file says nothing that we do not read");
+        }
+    }
+
+    #[test]
+    fn notes_of_any_kind_leave_the_file_readable() {
+        let notes = ["a\0b", "c ---> d -", "{rows}{gas_force}", "e\n[CURVE]\n1 2", "\u{ffff}"].map(str::to_owned);
+        let noted = Properties { notes: notes.to_vec(), ..example() };
+        for form in [Form::TeimOrbit, Form::Xml] {
+            let back = read(write(&noted, form).as_bytes()).unwrap();
+            assert_eq!(back.curve.forces, read(write(&example(), form).as_bytes()).unwrap().curve.forces, "{form:?}");
         }
     }
 }

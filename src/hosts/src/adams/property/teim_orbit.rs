@@ -9,7 +9,7 @@ pub fn write(properties: &Properties) -> String {
     let ruler = |name: &str| format!("${}{name}\n", "-".repeat(78 - name.len()));
     let mut out = String::new();
     for note in &properties.notes {
-        let _ = writeln!(out, "$ {note}");
+        let _ = writeln!(out, "$ {}", super::as_comment(note));
     }
     out += &ruler("MDI_HEADER");
     out += "[MDI_HEADER]\n FILE_TYPE     =  'dpr'\n FILE_VERSION  =  4.0\n FILE_FORMAT   =  'ASCII'\n";

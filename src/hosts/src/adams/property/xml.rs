@@ -12,16 +12,24 @@ pub fn write(properties: &Properties) -> String {
     for (v, f) in properties.curve.velocities.iter().zip(&properties.curve.forces) {
         let _ = writeln!(rows, "        {:?} {f:?}", 1e3 * v);
     }
-    // Two hyphens end a comment.
-    let notes: String =
-        properties.notes.iter().map(|note| format!("  <!-- {} -->\n", note.replace("--", "- -"))).collect();
+    let notes: String = properties.notes.iter().map(|note| format!("  <!-- {} -->\n", apart(note))).collect();
     let gas = properties.gas_force;
     include_str!("../templates/damper.xml")
-        .replace("{notes}", &notes)
         .replace("{version}", env!("CARGO_PKG_VERSION"))
         .replace("{rows}", rows.trim_end())
         .replace("{gas_method}", if gas == 0.0 { "none" } else { "constant" })
         .replace("{gas_force}", &format!("{gas:?}"))
+        // Last: a note may hold anything.
+        .replace("{notes}", &notes)
+}
+
+/// A note in whose comment no two hyphens stand together, since they would end it.
+fn apart(note: &str) -> String {
+    let mut out = super::as_comment(note);
+    while out.contains("--") {
+        out = out.replace("--", "- -");
+    }
+    out
 }
 
 /// Reads a property file.
