@@ -69,7 +69,7 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
     // Slow: p V stays, fast: p V^γ stays.
     for (frequency, e) in [(1e-4, 1.0), (30.0, index)] {
         let points = run(&model, &sine(0.05, frequency), 1.0 / frequency / 400.0, 400);
-        let cold = (1.0 - 0.05 / length as f64).powf(e - 1.0);
+        let cold = (1.0 - 0.05 / length).powf(e - 1.0);
         for (x, force) in points {
             let ratio = 1.0 + x / length;
             let pressure = if e == 1.0 { 1.0 / ratio } else { cold * ratio.powf(-e) };
@@ -116,7 +116,7 @@ fn moving_mass_is_a_mass() {
                 square += (force - exact) * (force - exact);
                 n += 1.0;
             }
-            let off = (square / n as f64).sqrt() / (mass * w);
+            let off = (square / n).sqrt() / (mass * w);
             assert!(off < 0.06, "{frequency} Hz, {dt} s: {off}");
         }
     }

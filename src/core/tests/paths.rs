@@ -350,7 +350,7 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
     for temperature in [-30.0, 20.0, 90.0] {
         let at = Input { temperature, ..Input::motion(0.0, 0.5) };
         let output = step(&given, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1;
-        assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0) as f64).exp()).abs() < 1e-9);
+        assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0)).exp()).abs() < 1e-9);
         assert_eq!(output.oil_temperature, temperature);
     }
     // Of a force that is laminar by half, half fades.

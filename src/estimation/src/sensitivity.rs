@@ -520,7 +520,9 @@ mod tests {
     fn derivatives_agree_with_differences_whatever_is_on() {
         let together: &[&str] =
             &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
-        let mut cases: Vec<(Vec<&str>, Vec<(&str, f64)>)> = dashpot_core::elements::names()
+        /// Elements that are on, and numbers that differ from the usual.
+        type With = (Vec<&'static str>, Vec<(&'static str, f64)>);
+        let mut cases: Vec<With> = dashpot_core::elements::names()
             .filter(|name| !Params::new().is_on(name) && *name != "coulomb_friction")
             .map(|name| (vec![name], Vec::new()))
             .collect();

@@ -374,7 +374,7 @@ pub fn write(fit: &Fit) -> String {
     let _ = writeln!(out, "not_identified = {}", list(&not));
     let mut notes: Vec<String> = fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
     notes.extend(fit.notes.iter().cloned());
-    let _ = write!(out, "notes = {}\n", list(&notes));
+    let _ = writeln!(out, "notes = {}", list(&notes));
     out += "\n[identification.intervals]  # 95 %\n";
     let mut names: Vec<&str> = fit.estimates.iter().map(|e| e.name).collect();
     names.dedup();

@@ -92,6 +92,8 @@ fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     bail!("{} is a symbolic link that leads in a circle", path.display())
 }
 
+// Windows tells neither pipes nor disks by their metadata.
+#[cfg_attr(not(unix), allow(dead_code))]
 enum Stream {
     Pipe,
     Device,

@@ -23,10 +23,8 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
         // Chinese systems write GB 18030 where others write Latin-1; only the headings can tell.
         let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
-        if !wrong {
-            if let Ok(tests) = parse(&Place::file(file), name, &text, options) {
-                return Ok(tests);
-            }
+        if !wrong && let Ok(tests) = parse(&Place::file(file), name, &text, options) {
+            return Ok(tests);
         }
     }
     read

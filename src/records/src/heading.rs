@@ -451,10 +451,10 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
 /// Splits `name [unit]` or `name (unit)`.
 fn bracketed(text: &str) -> Option<(&str, &str)> {
     for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
-        if let Some(start) = text.rfind(open) {
-            if let Some(length) = text[start..].find(close) {
-                return Some((&text[..start], text[start + open.len_utf8()..start + length].trim()));
-            }
+        if let Some(start) = text.rfind(open)
+            && let Some(length) = text[start..].find(close)
+        {
+            return Some((&text[..start], text[start + open.len_utf8()..start + length].trim()));
         }
     }
     None

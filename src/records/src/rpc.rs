@@ -97,10 +97,10 @@ impl<'a> Header<'a> {
         if !["BINARY_IEEE_LITTLE_END", "BINARY_IEEE_BIG_END", "BINARY"].contains(&format) {
             return Err(format!("its numbers are written as {format}; read are BINARY_IEEE_LITTLE_END and _BIG_END"));
         }
-        if let Ok(kind) = text("FILE_TYPE") {
-            if kind != "TIME_HISTORY" {
-                return Err(format!("it holds {kind}, no time history"));
-            }
+        if let Ok(kind) = text("FILE_TYPE")
+            && kind != "TIME_HISTORY"
+        {
+            return Err(format!("it holds {kind}, no time history"));
         }
         let short = match text("DATA_TYPE").unwrap_or("SHORT_INTEGER") {
             "SHORT_INTEGER" => true,

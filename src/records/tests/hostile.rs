@@ -186,7 +186,7 @@ fn seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("a.csv", text(",", "time_s,displacement_mm,force_N")),
         ("b.txt", text("   ", "Zeit [s]   Weg [mm]   Kraft [N]")),
         ("c.dat", [mts.clone(), mts].concat()),
-        ("d.csv", text(";", "test;t_s;x_mm;F_N").iter().copied().collect()),
+        ("d.csv", text(";", "test;t_s;x_mm;F_N")),
         ("e.xlsx", zip(&workbook())),
         ("f.mat", mat(&variables(), false)),
         ("g.mat", mat(&variables(), true)),

@@ -217,7 +217,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     say(&reading::sign_in_words(&campaign.sign))?;
     say(&diagnosed.told().join("\n"))?;
     if let Some(path) = out {
-        dashpot_output::write(path, &diagnosed.model(&model, &campaign))?;
+        dashpot_output::write(path, diagnosed.model(&model, &campaign))?;
         if !dashpot_output::is_stdout(path) {
             say(&format!("model: {}", path.display()))?;
         }

@@ -125,7 +125,7 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     let progress = Progress::new("fitting");
     let found = fit(records, options, |stage| progress.say(stage.done, stage.text))?;
     drop(progress);
-    dashpot_output::write(output, &model_file::write(&found))?;
+    dashpot_output::write(output, model_file::write(&found))?;
     Ok(found)
 }
 
@@ -183,7 +183,7 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     let found = Literature::fit(name, &observation::of_records(&records))?;
     drop(progress);
     let tests: Vec<String> = records.iter().map(|r| r.name.clone()).collect();
-    dashpot_output::write(&args.output, &file::write(&found, &tests))?;
+    dashpot_output::write(&args.output, file::write(&found, &tests))?;
     let say = |text: &str| dashpot_output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
     tell_of_records(campaign, &say)?;
     say(&format!(

@@ -41,5 +41,5 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let matrix = Matrix::thesis(&options)?;
     dashpot_output::check([args.output.as_path()])?;
-    dashpot_output::write(&args.output, &matrix.to_csv())
+    dashpot_output::write(&args.output, matrix.to_csv())
 }

@@ -54,7 +54,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     progress.set(0.2);
     let answers = motion.drive(&model)?;
     drop(progress);
-    dashpot_output::write(&args.output, &csv(&answers))?;
+    dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
     if let Some(remark) = beyond(&model, &answers) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;

@@ -478,7 +478,7 @@ mod tests {
             stays.push(piece);
             names.push(match dice.below(3) {
                 0 => name,
-                1 => format!("{}.dal_ride_damper.force", format!("susp_{k}")),
+                1 => format!("susp_{k}.dal_ride_damper.force"),
                 _ => format!("SFORCE/{id}"),
             });
         }

@@ -53,7 +53,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
     let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
     say(&diagnosed.told().join("\n"))?;
-    dashpot_output::write(&in_folder("improved.toml"), &diagnosed.model(&model, &campaign))?;
+    dashpot_output::write(&in_folder("improved.toml"), diagnosed.model(&model, &campaign))?;
     dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;
     let report_path = in_folder("diagnosis.html");
     let made = DateArgs::default().made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?;
