@@ -62,7 +62,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     for seed in 1..=SEEDS {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
         let chosen: Vec<_> = found.choices.iter().map(|c| c.chosen).collect();
-        assert_eq!(chosen, ["simplified Stribeck", "quadratic", "without slow tests", "as recorded"]);
+        assert_eq!(chosen, ["simplified Stribeck", "quadratic", "quadratic", "without slow tests", "as recorded"]);
         for e in found.estimates.iter().filter(|e| e.standing == Standing::Identified) {
             let (low, high) = (e.low.unwrap(), e.high.unwrap());
             let value = match e.index {
@@ -220,4 +220,57 @@ fn an_element_left_out_on_purpose_stays_out() {
     assert!(
         fit(&records.iter().collect::<Vec<_>>(), &unknown, |_| ()).unwrap_err().to_string().contains("gas_preload")
     );
+}
+
+/// Name of the variant that a fit has chosen of something.
+fn chosen(found: &Fit, of: &str) -> &'static str {
+    found.choices.iter().find(|choice| choice.of == of).map_or("", |choice| choice.chosen)
+}
+
+#[test]
+fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
+    // A spring of a table takes a stop up, and what it leaves hides every friction from the choice.
+    for (side, at) in [("bump_stop", 0.038), ("rebound_stop", 0.033)] {
+        let mut truth = truth();
+        truth.enable(side, true).unwrap();
+        for (name, value) in [("clearance", at), ("stiffness", 4e4), ("damping", 0.0)] {
+            truth.set(&format!("{side}_{name}"), value).unwrap();
+        }
+        let records = campaign(&truth, 11, 0.01, |_| None);
+        let found = fitted(&records);
+        assert!(found.params.is_on(side), "{side}: {:?}", found.choices);
+        assert!((found.params.scalar(&format!("{side}_clearance")) - at).abs() < 0.002, "{side}");
+        assert_eq!(
+            chosen(&found, "friction"),
+            chosen(&fitted(&campaign(&self::truth(), 11, 0.01, |_| None)), "friction")
+        );
+        assert!(found.misfit < 0.8, "{side}: {}", found.misfit);
+        // Who does not allow it gets the table, and a worse fit.
+        let every = [
+            "fv_curve",
+            "series_compliance",
+            "gas_preload",
+            "coulomb_friction",
+            "stribeck_friction",
+            "parallel_spring",
+        ];
+        let options = FitOptions { elements: Some(every.map(String::from).to_vec()), ..FitOptions::default() };
+        let without = fit(&records.iter().collect::<Vec<_>>(), &options, |_| ()).unwrap();
+        assert!(!without.params.is_on(side) && without.misfit > 1.2 * found.misfit, "{side}: {}", without.misfit);
+    }
+}
+
+#[test]
+fn a_stop_by_the_law_of_others_is_found_too_and_a_damper_without_one_gets_none() {
+    use dashpot_other_lab::{Case, Kind, Plan, Protocol};
+    let read = |case: &Case| dashpot_proving::laboratory::read(&case.run().unwrap()).unwrap();
+    let protocol = Protocol { plan: Plan::Sines, ..Protocol::default() };
+    let plain = Case { protocol, ..Case::new(Kind::ThesisLike, 11) };
+    for stop in ["bump_stop", "rebound_stop"] {
+        // Foam that buckles and relaxes.
+        let found = fitted(&read(&plain.clone().hiding(&format!("{stop}:foam"), 1.0)));
+        assert!(found.params.is_on(stop), "{stop}: {:?}", found.choices);
+    }
+    let found = fitted(&read(&plain));
+    assert!(!found.params.is_on("bump_stop") && !found.params.is_on("rebound_stop"), "{:?}", found.choices);
 }

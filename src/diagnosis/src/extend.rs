@@ -1,10 +1,10 @@
 //! An explanation with one more effect: switched on, its numbers free, at one of its starts.
 
-use super::spring_end::straighten;
 use super::vocabulary::{Candidate, DrawnOn, Fresh, Start};
 use dashpot_core::Params;
 use dashpot_core::parameter::find;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Number, number};
+use dashpot_estimation::spring_end::straighten;
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
 
 /// The explanation at `theta` with a candidate added at one of its starts.

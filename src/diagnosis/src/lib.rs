@@ -6,7 +6,7 @@
 //! | [`effects`] | one card an effect: where it acts, what shows it |
 //! | [`vocabulary`] | the forms of each effect, with their numbers and starts |
 //! | [`screening`], [`race`] | every form of every effect refitted from several starts, in heats |
-//! | [`edges`], [`unbent`], [`spring_end`], [`extend`], [`nearby`] | what those refits need |
+//! | [`edges`], [`unbent`], [`extend`], [`nearby`] | what those refits need |
 //! | [`finer_curve`] | more points on the FV curve, where that is all that is missing |
 //! | [`evidence`], [`decisions`] | how strongly the records speak for an explanation, and every number that decides |
 //! | [`round`] | one look at what is left |
@@ -42,7 +42,6 @@ mod screening;
 mod search;
 mod sentence;
 mod situation;
-mod spring_end;
 mod tree;
 mod unbent;
 mod untestable;

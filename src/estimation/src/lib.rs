@@ -15,6 +15,7 @@
 //! | [`least_squares`], [`refit`] | bounded, robust least squares |
 //! | [`solve`] | bounded, robust least squares for any residuals |
 //! | [`deviations`] | how far the records leave numbers open |
+//! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
@@ -34,4 +35,5 @@ pub mod segment;
 pub mod sensitivity;
 pub mod smooth_curve;
 pub mod solve;
+pub mod spring_end;
 pub mod unknowns;

@@ -5,7 +5,8 @@ use super::intervals::{Estimate, Standing, estimates};
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
 use super::variants::{
-    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, SPRING, Structure, Variant, choose, identified, with_slow_points,
+    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
+    physical_springs, with_slow_points,
 };
 use dashpot_core::Params;
 use dashpot_core::elements;
@@ -218,7 +219,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let allowed = |name: &str| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
     let variants =
         |all: &[Variant]| -> Vec<_> { all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect() };
-    let (frictions, springs) = (variants(FRICTION), variants(SPRING));
+    let (frictions, springs, physical) = (variants(FRICTION), variants(SPRING), variants(PHYSICAL_SPRING));
     let refs: Vec<&Segment> = segments.iter().collect();
     let varied_side_force = {
         let side = || segments.iter().flat_map(|s| s.input.iter().map(|i| i.side_force.abs()));
@@ -255,7 +256,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         // Nothing can be left out to judge by: the simplest that still has friction.
         structure.spring = find_variant(&springs, "none");
     } else {
-        let variants = (&frictions[..], &springs[..]);
+        let variants = (&frictions[..], &springs[..], &physical[..]);
         (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         let before = structure;
         (structure, from) = look_at_the_measurement(structure, from, segments, options.late, &mut choices, progress);
@@ -294,32 +295,63 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     found
 }
 
-/// Chooses friction, spring and FV points one after the other, each with the ones before it.
+/// The choice of a spring, and of what a curved one is.
+const SPRINGS: &str = "spring";
+const CURVED: &str = "curved spring";
+/// Passes through friction and spring. Each is judged with the other as it stands, and the wrong spring hides every friction behind what
+/// it leaves: so the friction is chosen again once the spring has changed, and the spring once the friction has. It settles after one
+/// or two passes; the bound is there for records in which each undoes the other.
+const PASSES: usize = 3;
+
+/// Chooses friction, spring and FV points, each with the others as they stand.
 fn choose_structure(
     mut structure: Structure,
-    (frictions, springs): (&[Variant], &[Variant]),
+    (frictions, springs, physical): (&[Variant], &[Variant], &[Variant]),
     mut from: Params,
     segments: &[Segment],
     choices: &mut Vec<Choice>,
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
-    progress(Stage { done: 0.3, text: "choosing the friction" });
-    let with = |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, from: *from };
-    let mut list: Vec<_> =
-        frictions.iter().map(|v| with(Structure { friction: *v, ..structure }, v.name, &from)).collect();
-    if structure.series {
-        let rigid = |v: &Variant| with(Structure { friction: *v, series: false, ..structure }, v.rigid, &from);
-        list.extend(frictions.iter().map(rigid));
-    }
+    let with =
+        |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, starts: vec![*from] };
+    // The last word on each is the one that is told.
     let mut take = |of: &'static str, list: &[Candidate]| {
         let chosen = choose(of, list, segments, Keep::Simplest);
-        choices.extend((list.len() > 1).then_some(chosen.choice));
+        // What a curved spring is was asked of the spring before.
+        choices.retain(|choice| of != SPRINGS || choice.of != CURVED);
+        match choices.iter_mut().find(|choice| choice.of == of) {
+            Some(old) => *old = chosen.choice,
+            None => choices.extend((list.len() > 1).then_some(chosen.choice)),
+        }
         (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
     };
-    (structure, from) = take("friction", &list);
-    progress(Stage { done: 0.55, text: "choosing the spring" });
-    let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
-    (structure, from) = take("spring", &list);
+    let may_yield = structure.series;
+    for pass in 0..PASSES {
+        progress(Stage { done: 0.3, text: "choosing the friction" });
+        let before = structure;
+        let way = |v: &Variant, series| Structure { friction: *v, series, ..before };
+        let mut list: Vec<_> = frictions.iter().map(|v| with(way(v, may_yield), v.name, &from)).collect();
+        if may_yield {
+            list.extend(frictions.iter().map(|v| with(way(v, false), v.rigid, &from)));
+        }
+        (structure, from) = take("friction", &list);
+        if pass > 0 && (structure.friction, structure.series) == (before.friction, before.series) {
+            break;
+        }
+        progress(Stage { done: 0.55, text: "choosing the spring" });
+        let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
+        (structure, from) = take(SPRINGS, &list);
+        // What is straight or nothing hides no stop and no gas column.
+        if structure.spring.is_curved() {
+            progress(Stage { done: 0.7, text: "looking for a stop or a gas column behind the spring" });
+            let mut list = vec![with(structure, structure.spring.name, &from)];
+            list.extend(physical_springs(structure, &from, physical, segments));
+            (structure, from) = take(CURVED, &list);
+        }
+        if structure.spring == before.spring {
+            break;
+        }
+    }
     let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
     if let Some(denser) = with_slow_points(&from, slow_peak) {
         progress(Stage { done: 0.8, text: "choosing the FV points" });
@@ -340,9 +372,13 @@ fn look_at_the_measurement(
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: "looking at the measurement" });
-    let mut list = vec![Candidate { name: "as recorded", structure, from }];
+    let mut list = vec![Candidate { name: "as recorded", structure, starts: vec![from] }];
     let ways = OfTheRig::ways(segments, late).into_iter();
-    list.extend(ways.map(|(name, rig)| Candidate { name, structure: Structure { rig, ..structure }, from }));
+    list.extend(ways.map(|(name, rig)| Candidate {
+        name,
+        structure: Structure { rig, ..structure },
+        starts: vec![from],
+    }));
     if list.len() == 1 {
         return (structure, from);
     }

@@ -7,6 +7,7 @@ use dashpot_core::parameter::find;
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
 use dashpot_estimation::priors::unusual;
 use dashpot_estimation::segment::Segment;
+use dashpot_estimation::spring_end::excess;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -151,10 +152,98 @@ pub const SPRING: &[Variant] = &[
     },
 ];
 
+/// Physical laws that a curved spring may stand for. A table or a power that has taken up a stop or a gas column draws it through a
+/// few points; the law itself has fewer numbers, goes on beyond the records as the part does, and has a name.
+pub const PHYSICAL_SPRING: &[Variant] = &[
+    Variant {
+        name: "linear, gas column",
+        rigid: "linear, gas column, rigid in series",
+        elements: &["parallel_spring", "gas_spring"],
+        unknowns: &["spring_linear", "gas_stiffness", "log:gas_length", "log:gas_thermal_time"],
+        choices: &[],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "linear, bump stop",
+        rigid: "linear, bump stop, rigid in series",
+        elements: &["parallel_spring", "bump_stop"],
+        unknowns: &["spring_linear", "bump_stop_clearance", "log:bump_stop_stiffness", "log:bump_stop_progression"],
+        choices: &[("bump_stop_damping", 0.0)],
+        runs_in_real_time: true,
+    },
+    Variant {
+        name: "linear, rebound stop",
+        rigid: "linear, rebound stop, rigid in series",
+        elements: &["parallel_spring", "rebound_stop"],
+        unknowns: &[
+            "spring_linear",
+            "rebound_stop_clearance",
+            "log:rebound_stop_stiffness",
+            "log:rebound_stop_progression",
+        ],
+        choices: &[("rebound_stop_damping", 0.0)],
+        runs_in_real_time: true,
+    },
+];
+
+/// Shares of the reach of the tests at which a stop is first looked for: it lies somewhere between the middle of the stroke and its end,
+/// and a start beyond it on either side finds the way.
+const CLEARANCES: [f64; 3] = [0.5, 0.7, 0.85];
+/// Lengths, m, of a gas column that is looked for: a short one stiffens within the stroke.
+const COLUMNS: [f64; 2] = [0.1, 0.3];
+/// First stiffness of a stop, N/m, that no table has drawn.
+const STOP: f64 = 1e4;
+
+impl Variant {
+    /// Whether it is a spring that a stop or a gas column may have bent.
+    pub fn is_curved(&self) -> bool {
+        self.unknowns.iter().any(|name| ["spring_quadratic", "spring_cubic", "spring_quartic", "lookup"].contains(name))
+    }
+
+    /// Where a fit of this physical spring begins, from a model with a table or a power in its place.
+    fn starts(&self, from: &Params, segments: &[Segment]) -> Vec<Params> {
+        let x = || segments.iter().flat_map(|s| s.input.iter().filter_map(|i| i.displacement));
+        let stops = [("bump_stop", -1.0), ("rebound_stop", 1.0)].into_iter();
+        let Some((stop, side)) = stops.filter(|(name, _)| self.elements.contains(name)).last() else {
+            let set = |length: &f64| {
+                let mut start = *from;
+                start.set("gas_length", *length).is_ok().then_some(start)
+            };
+            return COLUMNS.iter().filter_map(set).collect();
+        };
+        let reach = x().map(|x| side * x).fold(0.0, f64::max);
+        let drawn = excess(from, side);
+        let set = |share: &f64| {
+            let mut start = *from;
+            let clearance = share * reach;
+            let stiffness = if drawn > 0.0 { 0.5 * drawn / (reach - clearance) } else { STOP };
+            start.set(&format!("{stop}_clearance"), clearance).ok()?;
+            start.set(&format!("{stop}_stiffness"), stiffness).ok()?;
+            Some(start)
+        };
+        CLEARANCES.iter().filter_map(set).collect()
+    }
+}
+
+/// Ways to fit with each of the physical springs that may be used, where the tests go out of the middle.
+pub fn physical_springs(
+    structure: Structure,
+    from: &Params,
+    springs: &[Variant],
+    segments: &[Segment],
+) -> Vec<Candidate> {
+    let with = |v: &Variant| Candidate {
+        name: v.name,
+        structure: Structure { spring: *v, ..structure },
+        starts: v.starts(from, segments),
+    };
+    springs.iter().map(with).filter(|candidate| !candidate.starts.is_empty()).collect()
+}
+
 /// Elements that a fit can identify; all others are found by a diagnosis.
 pub fn identified() -> Vec<&'static str> {
     let mut all = vec!["fv_curve", "series_compliance", "gas_preload", "side_force_friction"];
-    for name in FRICTION.iter().chain(SPRING).flat_map(|v| v.elements) {
+    for name in FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|v| v.elements) {
         if !all.contains(name) {
             all.push(name);
         }
@@ -315,8 +404,8 @@ pub struct Candidate {
     pub name: &'static str,
     /// What is on.
     pub structure: Structure,
-    /// Where the fit starts.
-    pub from: Params,
+    /// Where the fit starts: the best of these ends is kept.
+    pub starts: Vec<Params>,
 }
 
 /// The same with the series path of a usual damper; `None` where it has none.
@@ -374,17 +463,16 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
         .par_iter()
         .map(|candidate| {
             // From where the last choice ended, and from a damper as it is usual: another friction may need another series path.
-            let usual = as_usual(&candidate.from);
             let matters = candidate.structure.series && (of == "friction" || keep == Keep::First);
-            let again = usual.as_ref().filter(|_| matters);
-            let fits = [Some(&candidate.from), again].into_iter().flatten().map(|from| {
+            let usual = candidate.starts.first().filter(|_| matters).and_then(as_usual);
+            let fits = candidate.starts.iter().chain(&usual).map(|from| {
                 let unknowns = candidate.structure.unknowns(from, segments);
                 let found = solve(&all, &unknowns, &unknowns.start(), Effort::ROUGH);
                 (found.cost, found.theta, unknowns)
             });
             let best = fits.min_by(|a, b| a.0.total_cmp(&b.0));
             let (_, theta, unknowns) = best.unwrap_or_else(|| {
-                let unknowns = candidate.structure.unknowns(&candidate.from, segments);
+                let unknowns = candidate.structure.unknowns(&Params::new(), segments);
                 (f64::INFINITY, unknowns.start(), unknowns)
             });
             let errors = left_out_errors(&all, &unknowns, &theta);

@@ -57,6 +57,8 @@ pub struct Truth {
     pub noise_seed: u64,
     /// What is hidden.
     pub hidden: Vec<HiddenEffect>,
+    /// What the damper has by itself, by the names under which it can be hidden too.
+    pub own: Vec<String>,
     /// What the damper is like.
     pub scale: Scale,
     /// How it was measured.
@@ -181,6 +183,7 @@ impl Case {
                 seed: self.seed,
                 noise_seed: self.noise_seed,
                 hidden: truth,
+                own: plant.own.iter().map(|name| (*name).to_owned()).collect(),
                 scale: plant.scale,
                 protocol: p.clone(),
                 held_out,

@@ -23,11 +23,14 @@ impl Given {
         let list = |key: &str| case[key].as_array().cloned().unwrap_or_default();
         let hidden: Vec<String> =
             list("hidden").iter().filter_map(|h| Some(h[0].as_str()?.split(':').next()?.to_owned())).collect();
+        let own = list("own");
         let against_reference = case["against_reference"].as_bool().unwrap_or(false);
         let one = |(name, rule): (&Value, &Value)| {
             let name = name[0].as_str()?;
             let rule = [rule[0].as_f64()?, rule[1].as_f64()?];
-            Some(Given { rule, right: hidden.iter().any(|h| h == name), against_reference })
+            // Without a reference the question is what the model lacks, not what is new: what the damper has by itself is a right answer.
+            let right = hidden.iter().any(|h| h == name) || !against_reference && own.iter().any(|o| o == name);
+            Some(Given { rule, right, against_reference })
         };
         list("named").iter().zip(&list("rule")).filter_map(one).collect()
     }
@@ -143,6 +146,19 @@ mod tests {
             assert!((got - wanted).abs() < 0.05, "{:?}", found.weights);
         }
         assert_eq!(fit(&[]), None);
+    }
+
+    #[test]
+    fn what_the_damper_has_by_itself_is_a_right_answer_where_no_reference_tells_it_from_what_is_new() {
+        let case = |against: bool| {
+            serde_json::json!({
+                "hidden": [["bushing:fractional", 1.0]], "own": ["aeration"], "against_reference": against,
+                "named": [["aeration", 0.6], ["bushing", 0.6], ["free_play", 0.6]], "rule": [[0.9, 0.8], [0.9, 0.8], [0.9, 0.8]],
+            })
+        };
+        let right = |against| Given::of(&case(against)).iter().map(|g| g.right).collect::<Vec<_>>();
+        assert_eq!(right(false), [true, true, false]);
+        assert_eq!(right(true), [false, true, false]);
     }
 
     #[test]

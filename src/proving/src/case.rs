@@ -42,6 +42,8 @@ pub struct Measured {
     pub strengths: Vec<f64>,
     /// What is hidden.
     pub truth: Truth,
+    /// What the damper has by itself though nobody hid it; not known of the own rig's, which has none of it.
+    pub own: Vec<String>,
 }
 
 impl Case {
@@ -124,8 +126,16 @@ impl Case {
         if self.straight_curve {
             let _ = base.set("fv_interpolation", 1.0);
         }
-        let mut found =
-            Measured { records: noisy, clean, held_out, base, taken_out: Vec::new(), strengths, truth: hidden.truth };
+        let mut found = Measured {
+            records: noisy,
+            clean,
+            held_out,
+            base,
+            taken_out: Vec::new(),
+            strengths,
+            truth: hidden.truth,
+            own: Vec::new(),
+        };
         found.take_out(&measured);
         Ok(found)
     }

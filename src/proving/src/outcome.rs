@@ -27,6 +27,8 @@ pub struct Outcome {
     /// Whether the fit has found all that is hidden, as an element of the model that was diagnosed or in the measurement: then no name is
     /// to be given.
     pub in_the_model: bool,
+    /// What the damper has by itself though nobody hid it.
+    pub own: Vec<String>,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
     /// For an answer without a name: the suspects.
@@ -54,6 +56,12 @@ impl Outcome {
     /// The first hidden effect, without its form.
     pub fn truth(&self) -> Option<&str> {
         self.hidden.first().map(|(name, _)| plain(name))
+    }
+
+    /// Whether a name is true of the damper: of what is hidden in it, or, without a reference to tell the two apart, of what it has by
+    /// itself.
+    pub fn is_true(&self, name: &str) -> bool {
+        self.is_hidden(name) || !self.against_reference && self.own.iter().any(|own| own == name)
     }
 
     /// Whether any name given is hidden.
@@ -108,6 +116,7 @@ pub fn judged(
             let name = plain(name);
             measured.base.is_on(name) || measured.taken_out.contains(&name)
         }) && !hidden.is_empty(),
+        own: measured.own.clone(),
         against_reference: !options.reference.is_empty(),
         suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),
         clean_before,

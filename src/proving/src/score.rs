@@ -78,6 +78,12 @@ pub fn table(all: &[Outcome]) -> String {
             "false alarm, {block}: {}",
             share(some.iter().filter(|o| !o.named.is_empty()).count(), some.len())
         );
+        let names = || some.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name)));
+        let _ = writeln!(
+            out,
+            "  of these names, true of the damper though not hidden in it: {}",
+            share(names().filter(|is| *is).count(), names().count())
+        );
         let _ = writeln!(
             out,
             "  nothing_missing said: {}",
@@ -139,7 +145,7 @@ pub fn table(all: &[Outcome]) -> String {
 
 /// Expected calibration error and precision of the confident.
 fn calibration(all: &[Outcome]) -> String {
-    let given: Vec<(f64, bool)> = all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_hidden(n)))).collect();
+    let given: Vec<(f64, bool)> = all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_true(n)))).collect();
     let mut error = 0.0;
     for bin in 0..10 {
         let (low, high) = (f64::from(bin) / 10.0, f64::from(bin + 1) / 10.0 + if bin == 9 { 1.0 } else { 0.0 });

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Start, candidate, held, linear, log};
 use crate::situation::Situation;
-use crate::spring_end::excess;
+use dashpot_estimation::spring_end::excess;
 
 /// Adds them.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {

@@ -1,6 +1,6 @@
 //! A damper as the thesis describes it, with smooth laws: one oil column, one force-velocity law a direction.
 
-use super::{Beside, Kind, Mount, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 struct Lumped {
@@ -60,5 +60,6 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         oil: Box::new(Lumped { rebound, compression, column }),
         slight,
         scale,
+        own: OF_ALL.to_vec(),
     }
 }

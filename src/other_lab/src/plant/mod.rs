@@ -115,7 +115,13 @@ pub struct Plant {
     pub slight: Slight,
     /// What it is like.
     pub scale: Scale,
+    /// Effects, by the names under which they can be hidden, that are large in it though nobody has hidden anything: a model without them
+    /// lacks them, and who names them without knowing a good damper of the kind is right. What is in [`Slight`] is too little for that.
+    pub own: Vec<&'static str>,
 }
+
+/// What every damper here has: friction that turns over within a distance, and a mount that hardens.
+const OF_ALL: [&str; 2] = ["presliding_friction", "bushing"];
 
 impl Plant {
     /// The damper of a seed.
@@ -133,4 +139,19 @@ impl Plant {
 fn forces(d: &mut Draw) -> (f64, f64) {
     let rebound = d.scale(450.0, 1900.0);
     (rebound, rebound / d.between(1.3, 3.5))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_damper_has_friction_and_a_mount_and_the_physical_ones_soft_oil() {
+        for seed in 1..20 {
+            let has = |kind, name| Plant::new(kind, seed).own.contains(&name);
+            assert!(Kind::ALL.iter().all(|kind| has(*kind, "presliding_friction") && has(*kind, "bushing")));
+            assert!(has(Kind::Monotube, "oil_compressibility") && has(Kind::TwinTube, "oil_compressibility"));
+            assert!(!has(Kind::ThesisLike, "oil_compressibility"));
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! A monotube: piston between two chambers of oil with dissolved air, gas behind a floating piston.
 
-use super::{Beside, Kind, Mount, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
@@ -20,6 +20,12 @@ impl Fluid {
     pub fn compliance(&self, p: f64) -> f64 {
         let p = 0.5 * (p + (p * p + VAPOUR * VAPOUR).sqrt());
         self.oil + self.air / (1.3 * p * p)
+    }
+
+    /// What is large of it at the pressure of the gas: the oil's own compliance, and the air's where that is more.
+    pub fn own(&self, p: f64) -> Vec<&'static str> {
+        let air = self.air / (1.3 * p * p) > self.oil;
+        ["oil_compressibility"].into_iter().chain(air.then_some("aeration")).collect()
     }
 
     pub fn new(d: &mut Draw) -> Fluid {
@@ -105,6 +111,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     };
     let mount = Mount::new(d, (8e5, 5e6), (500.0, 2500.0));
     let seal = Seal::new(d, (20.0, 60.0));
+    let own = OF_ALL.into_iter().chain(oil.fluid.own(pressure)).collect();
     let gas_n = pressure * BAR * rod;
     let scale = Scale { rebound_n, compression_n, series_n_m: mount.stiffness, friction_n: seal.sliding, gas_n };
     let slight = Slight {
@@ -122,5 +129,18 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         oil: Box::new(oil),
         slight,
         scale,
+        own,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn air_is_large_beside_the_oil_only_at_low_pressure() {
+        let fluid = Fluid { oil: 1e-4, air: 1e-3 };
+        assert_eq!(fluid.own(2.0), ["oil_compressibility", "aeration"]);
+        assert_eq!(fluid.own(5.0), ["oil_compressibility"]);
     }
 }

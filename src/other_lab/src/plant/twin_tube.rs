@@ -2,7 +2,7 @@
 //! (Segel & Lang, Veh. Syst. Dyn. 10, 1981; Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998).
 
 use super::monotube::{BAR, Fluid, GAS};
-use super::{Beside, Kind, Mount, Oil, Plant, Scale, Seal, Slight, forces};
+use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, forces};
 use crate::draw::Draw;
 use crate::plant::flow::{Valves, check_valve};
 
@@ -106,6 +106,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     };
     let mount = Mount::new(d, (5e5, 2.5e6), (400.0, 2000.0));
     let seal = Seal::new(d, (20.0, 70.0));
+    let own = OF_ALL.into_iter().chain(oil.fluid.own(gas[0])).collect();
     let gas_n = gas[0] * BAR * rod;
     let scale = Scale { rebound_n, compression_n, series_n_m: mount.stiffness, friction_n: seal.sliding, gas_n };
     let slight = Slight {
@@ -123,5 +124,6 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         oil: Box::new(oil),
         slight,
         scale,
+        own,
     }
 }

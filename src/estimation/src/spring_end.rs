@@ -1,8 +1,8 @@
 //! A lookup spring that has taken up a stop: its end, beyond what its middle goes on to.
 
+use crate::hypothesis::{Free, Hypothesis};
+use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
-use dashpot_estimation::hypothesis::{Free, Hypothesis};
-use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
 
 /// Share of the reach of the spring that counts as its middle.
 const MIDDLE: f64 = 0.5;
@@ -47,7 +47,8 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vocabulary::base_numbers;
+    use crate::hypothesis::number;
+    use crate::unknowns::Unknowns;
 
     #[test]
     fn what_goes_beyond_the_middle_is_found_on_its_side_and_taken_out() {
@@ -55,7 +56,9 @@ mod tests {
         base.set_list("spring_displacement", &[-0.05, -0.04, -0.02, 0.0, 0.02, 0.04, 0.05]).unwrap();
         base.set_list("spring_force", &[-150.0, -60.0, -20.0, 0.0, 20.0, 40.0, 50.0]).unwrap();
         assert!((excess(&base, -1.0) - 100.0).abs() < 1e-9 && excess(&base, 1.0) < 1e-9);
-        let mut to = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let rises = Unknowns::rises(&base, CurveName::Spring).into_iter();
+        let numbers = rises.map(|rise| number(&base, rise)).collect();
+        let mut to = Hypothesis { base, numbers, heating: None };
         straighten(&mut to, -1.0);
         let straight = to.params(&to.start());
         for (x, force) in straight.list("spring_displacement").iter().zip(straight.list("spring_force")) {
