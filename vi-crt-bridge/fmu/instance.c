@@ -252,6 +252,8 @@ int instance_enter_initialization(struct instance *instance, double start)
 {
     if (instance->data->phase != INSTANTIATED)
         return instance_complain(instance, "initialization mode is entered once, after instantiation or reset");
+    if (!isfinite(start))
+        return instance_complain(instance, "the start time is not finite");
     instance->data->phase = INITIALIZATION;
     instance_values(instance->data)[0] = start;
     instance->data->stale = 1;

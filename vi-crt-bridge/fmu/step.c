@@ -7,6 +7,8 @@ int instance_step(struct instance *instance, double time, double dt)
     struct data *data = instance->data;
     int c, held = 0;
 
+    if (instance->exchange)
+        return instance_complain(instance, "a step of an instance that was made for model exchange");
     if (data->phase != RUNNING)
         return instance_complain(instance, "a step before the end of initialization or after terminate");
     if (!(dt >= 0.0 && dt <= 1e9))
