@@ -35,6 +35,8 @@ static void start_values(struct instance *instance)
         case TEMPERATURE: value[i] = 20.0; break;
         case MOTION_SCALE: value[i] = contents->motion_scale; break;
         case FORCE_SCALE: value[i] = contents->force_scale; break;
+        case POSITION_OFFSET: value[i] = contents->position_offset; break;
+        case DISPLACEMENT: value[i] = contents->displacement; break;
         case DISPLACEMENT_GIVEN: value[i] = 1.0; break;
         case CHOICE: dashpot_params_get(params, v->name, &value[i]); break;
         case PARAMETER:

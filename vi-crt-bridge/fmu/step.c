@@ -23,7 +23,7 @@ int instance_step(struct instance *instance, double time, double dt)
         part->status = dashpot_corner_step(&part->corner, &input, dt);
         held |= part->status & DASHPOT_BRIDGE_HELD;
         /* What was given at the beginning of this step: the line through it and the next one is that of `extrapolate`. */
-        part->told.velocity = instance_input(data, c).velocity;
+        part->told.velocity[0] = instance_input(data, c).velocity;
         part->derivatives = 0;
     }
     data->dt = dt;

@@ -20,6 +20,8 @@ pub enum Kind {
     Picture,
     /// A damper property file of dashpot, in either form.
     Property,
+    /// What tells CarMaker how an FMU of dashpot is its damper.
+    PlugInfo,
     /// A dataset or commands for Adams that name dashpot's routines.
     Adams,
     /// A table with this header line.
@@ -96,6 +98,10 @@ impl Kind {
         if text.starts_with(&format!("$ {WRITTEN}")) {
             return Kind::Property;
         }
+        // Every file of CarMaker begins with the same line.
+        if begins("#INFOFILE") {
+            return if commented("#") { Kind::PlugInfo } else { Kind::Other("a file of CarMaker") };
+        }
         if text.contains(ROUTINES) {
             return Kind::Adams;
         }
@@ -143,6 +149,7 @@ impl fmt::Display for Kind {
             Kind::Report => f.write_str("a report"),
             Kind::Picture => f.write_str("a picture"),
             Kind::Property => f.write_str("a damper property file of dashpot"),
+            Kind::PlugInfo => f.write_str("a description of dashpot's FMU for CarMaker"),
             Kind::Adams => f.write_str("a file for Adams with dashpot's routines"),
             Kind::Table(header) => write!(f, "a table that begins with {:?}", short(header)),
             Kind::Workbook => f.write_str("a workbook of dashpot"),
@@ -194,6 +201,8 @@ mod tests {
             Kind::Property
         );
         assert!(matches!(of("<?xml version=\"1.0\"?>\n<afc>\n</afc>\n"), Kind::Other(_)));
+        assert_eq!(of("#INFOFILE1.1\nFMU.Name = a\n# Written by dashpot 0.1.0 from a.toml\n"), Kind::PlugInfo);
+        assert!(matches!(of("#INFOFILE1.1\nFMU.Name = a\n"), Kind::Other(_)));
         // Most models have the same title.
         let model = "Adams View model name: MODEL_1\n!\nEND\n";
         assert!(matches!(of(model), Kind::Text(_)));

@@ -1,0 +1,65 @@
+//! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`): which quantity of
+//! CarMaker goes to which variable. Its form is that of the vendor's templates; see `vi-crt-bridge/FACTS.md`.
+
+use super::Scales;
+use crate::adams::property::Curve;
+use anyhow::bail;
+use dashpot_core::Params;
+use dashpot_identification::model_file::prepared;
+use std::fmt::Write as _;
+
+/// Longest damper, m: above that a length is in mm.
+const LONGEST: f64 = 1.0;
+
+impl Scales {
+    /// Those of CarMaker, which hands over the length of the damper, its velocity positive in extension, and takes a force that is positive where
+    /// the damper pushes. `length` is that at which the displacement in the records was 0, m; there it begins.
+    ///
+    /// # Errors
+    /// A length that no damper has.
+    pub fn carmaker(length: f64) -> anyhow::Result<Scales> {
+        if !(length > 0.0 && length <= LONGEST) {
+            bail!("--carmaker takes the length of the damper in m, above 0 and up to {LONGEST}, not {length}");
+        }
+        Ok(Scales { motion: 1.0, force: -1.0, position_offset: -length, start: length })
+    }
+}
+
+/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with its curve, where `shown`.
+///
+/// # Errors
+/// Where the model is none.
+pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: &str) -> anyhow::Result<String> {
+    let mut out = format!(
+        "#INFOFILE1.1 - Do not remove this line!\n\
+         FileIdent = CarMaker-PlugInfo 2\n\
+         FileCreator = dashpot {}\n\
+         # {written}\n\n\
+         FMU.Name = {name}\n\
+         FMU.Modelclass = Susp_Damper\n\
+         FMU.GUID = {guid}\n\n\
+         FMU.Inputs.ShowInDDict = 1\n\
+         FMU.Outputs.ShowInDDict = 1\n\
+         FMU.MakePluginfo = 0\n\
+         FMU.DebugLogging = 0\n\
+         FMU.InitParamStartValues = 1\n\n\
+         FMUIn.displacement.Link = IFVar\n\
+         FMUIn.displacement.Rel = length\n\
+         FMUIn.velocity.Link = IFVar\n\
+         FMUIn.velocity.Rel = vel\n\n\
+         IFVar.Force.Link = FMUVar\n\
+         IFVar.Force.Rel = force\n\n\
+         # What CarMaker takes for the damper where it looks for its equilibrium: no spring, and the model's curve where it stands here.\n\
+         Susp.Damper.SubstModel.Spring.l0 = 0.0\n\
+         Susp.Damper.SubstModel.Spring:\n\t0.0 0.0\n\t1.0 0.0\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    if shown && params.is_on("fv_curve") {
+        let curve = Curve::of(params, &prepared(params)?);
+        out += "Susp.Damper.SubstModel.Damper:\n";
+        for (v, f) in curve.velocities.iter().zip(&curve.forces) {
+            let _ = writeln!(out, "\t{v:?} {f:?}");
+        }
+    }
+    Ok(out)
+}
