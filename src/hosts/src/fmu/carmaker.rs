@@ -28,8 +28,13 @@ impl Scales {
 /// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with its curve, where `shown`.
 ///
 /// # Errors
-/// Where the model is none.
+/// Where the model is none, or a line break in the name would begin another key.
 pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: &str) -> anyhow::Result<String> {
+    if name.chars().any(char::is_control) {
+        bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
+    }
+    // The name of a model file may hold anything.
+    let written: String = written.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let mut out = format!(
         "#INFOFILE1.1 - Do not remove this line!\n\
          FileIdent = CarMaker-PlugInfo 2\n\
@@ -62,4 +67,24 @@ pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: 
         }
     }
     Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_in_millimetres_and_a_name_of_two_lines_are_refused() {
+        for length in [412.5, 0.0, -0.4, f64::NAN] {
+            assert!(Scales::carmaker(length).is_err(), "{length}");
+        }
+        let scales = Scales::carmaker(0.4125).unwrap();
+        // At the start the damper is where the rig's zero was.
+        assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
+
+        let params = Params::new();
+        assert!(plug_info("a\nFMU.Name = b", "{1}", &params, true, "x").is_err());
+        let text = plug_info("front", "{1}", &params, true, "from a\nFMU.Name = b").unwrap();
+        assert_eq!(text.lines().filter(|line| line.starts_with("FMU.Name")).count(), 1, "{text}");
+    }
 }

@@ -122,18 +122,23 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             remarks: &remarks,
         },
     )?;
-    replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
-    if let Some(path) = &plug_info {
+    // Made before anything is written, since it may be refused.
+    let plug_info = plug_info.map(|path| -> anyhow::Result<_> {
         let name = args.output.file_stem().unwrap_or_default().to_string_lossy();
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
         let written =
             format!("{}{} from {named}. It belongs to {name}.fmu.", dashpot_output::WRITTEN, env!("CARGO_PKG_VERSION"));
-        dashpot_output::write(path, fmu::plug_info(&name, &made.guid, &corners[0], !args.hide_parameters, &written)?)?;
+        Ok((path, fmu::plug_info(&name, &made.guid, &corners[0], !args.hide_parameters, &written)?))
+    });
+    let plug_info = plug_info.transpose()?;
+    replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
+    if let Some((path, text)) = &plug_info {
+        dashpot_output::write(path, text)?;
     }
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
     let platforms = made.platforms.join(", ");
     dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))?;
-    if let Some(path) = &plug_info {
+    if let Some((path, _)) = &plug_info {
         dashpot_output::say(
             None,
             &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
