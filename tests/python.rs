@@ -45,19 +45,20 @@ pub fn python() -> PathBuf {
         .clone()
 }
 
-/// An interpreter with one package in an environment of its own, or none, after a line that says so, where it cannot be installed here.
-pub fn python_with(package: &str) -> Option<PathBuf> {
+/// An interpreter with packages, parted by blanks, in an environment of their own named after the first; or none, after a line that says so,
+/// where they cannot be installed here.
+pub fn python_with(packages: &str) -> Option<PathBuf> {
     let test = std::env::current_exe().expect("the path of this test");
     let target = test.ancestors().nth(3).expect("a target directory");
-    let environment = target.join(format!("{}-venv", package.split('=').next().unwrap_or(package)));
-    let (python, done) = (environment.join("bin/python"), environment.join(package));
+    let environment = target.join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
+    let (python, done) = (environment.join("bin/python"), environment.join(packages));
     let runs = |command: &mut Command| command.output().is_ok_and(|out| out.status.success());
     let made = done.exists()
         || runs(Command::new("python3").args(["-m", "venv"]).arg(&environment))
-            && runs(Command::new(&python).args(["-m", "pip", "install", "--quiet", package]))
+            && runs(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))
             && std::fs::write(&done, "").is_ok();
     if !made {
-        println!("skipped: {package} does not install here");
+        println!("skipped: {packages} does not install here");
     }
     made.then_some(python)
 }

@@ -62,7 +62,7 @@ static void find_bounds(struct contents *contents)
 /* One line; 0 where it cannot be. */
 static int read_line(struct contents *contents, const char *line)
 {
-    char word[32], kind[32], name[48], motion[24], force[24];
+    char word[32], kind[32], name[48], motion[24], force[24], offset[24], start[24];
     struct variable *v;
     int corner, index, known;
 
@@ -74,10 +74,12 @@ static int read_line(struct contents *contents, const char *line)
         return sscanf(line, "corners %d", &contents->corners) == 1 && contents->corners >= 1 &&
                contents->corners <= MOST_CORNERS;
     if (!strcmp(word, "scales")) {
-        if (sscanf(line, "scales %23s %23s", motion, force) != 2)
+        if (sscanf(line, "scales %23s %23s %23s %23s", motion, force, offset, start) != 4)
             return 0;
         contents->motion_scale = of_bits(motion);
         contents->force_scale = of_bits(force);
+        contents->position_offset = of_bits(offset);
+        contents->displacement = of_bits(start);
         return 1;
     }
     if (!strcmp(word, "nominal")) {
@@ -154,7 +156,7 @@ static int read_table(struct contents *contents, char *text)
         return 0;
     line = next_line(&text);
     /* The first line names the format: a runtime refuses what a later command has written. */
-    if (!line || strcmp(line, "dashpot-fmu 1"))
+    if (!line || strcmp(line, "dashpot-fmu 2"))
         return 0;
     while ((line = next_line(&text)))
         if (!read_line(contents, line))

@@ -54,7 +54,7 @@ struct variable {
 struct contents {
     char guid[64];
     int corners;
-    double motion_scale, force_scale; /* start values */
+    double motion_scale, force_scale, position_offset, displacement; /* start values */
     int states;                       /* of all corners */
     double nominal[MOST_CORNERS][MOST_STATES]; /* what a state is usually like, for the tolerances of hosts */
     uint32_t between;                 /* value reference of BETWEEN_POINTS */

@@ -8,6 +8,8 @@
 
 int instance_enter_event_mode(struct instance *instance)
 {
+    if (!instance->exchange)
+        return instance_complain(instance, "event mode of an instance that was made for co-simulation");
     if (instance->data->phase != RUNNING && instance->data->phase != EVENT)
         return instance_complain(instance, "event mode before the end of initialization or after terminate");
     instance->data->phase = EVENT;

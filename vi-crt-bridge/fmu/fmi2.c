@@ -4,12 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The logger is a function pointer, kept as bytes where the instance keeps an object pointer. It is a copy: not every importer keeps
+ * the structure that it hands over. */
+struct logger {
+    fmi2CallbackLogger call;
+};
+
 static void tell(struct instance *instance, int error, const char *text)
 {
-    const fmi2CallbackFunctions *call = instance->logger;
+    const struct logger *logger = instance->logger;
 
-    if (call && call->logger && (error || instance->logging))
-        call->logger(instance->environment, instance->name, error ? fmi2Error : fmi2Warning,
+    if (logger && logger->call && (error || instance->logging))
+        logger->call(instance->environment, instance->name, error ? fmi2Error : fmi2Warning,
                      error ? "logStatusError" : "logStatusWarning", "%s", text);
 }
 
@@ -49,13 +55,24 @@ EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t n,
 EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                                      const fmi2CallbackFunctions *functions, fmi2Boolean visible, fmi2Boolean logging)
 {
+    struct logger *logger = malloc(sizeof *logger);
+    struct instance *instance;
+
     (void)visible;
-    return instance_new(name, guid, resources, type == fmi2ModelExchange, logging, tell, (void *)functions,
-                        functions ? functions->componentEnvironment : NULL);
+    if (!logger)
+        return NULL;
+    logger->call = functions ? functions->logger : NULL;
+    instance = instance_new(name, guid, resources, type == fmi2ModelExchange, logging, tell, logger,
+                            functions ? functions->componentEnvironment : NULL);
+    if (!instance)
+        free(logger);
+    return instance;
 }
 
 EXPORT void fmi2FreeInstance(fmi2Component c)
 {
+    if (c)
+        free(((struct instance *)c)->logger);
     instance_free(c);
 }
 
@@ -68,6 +85,8 @@ EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerance_def
     (void)tolerance;
     (void)stop_defined;
     (void)stop;
+    if (instance->data->phase != INSTANTIATED)
+        return answer(instance_complain(instance, "the experiment is set up before the initialization mode"));
     instance_values(instance->data)[0] = start;
     return fmi2OK;
 }

@@ -35,6 +35,8 @@ static void start_values(struct instance *instance)
         case TEMPERATURE: value[i] = 20.0; break;
         case MOTION_SCALE: value[i] = contents->motion_scale; break;
         case FORCE_SCALE: value[i] = contents->force_scale; break;
+        case POSITION_OFFSET: value[i] = contents->position_offset; break;
+        case DISPLACEMENT: value[i] = contents->displacement; break;
         case DISPLACEMENT_GIVEN: value[i] = 1.0; break;
         case CHOICE: dashpot_params_get(params, v->name, &value[i]); break;
         case PARAMETER:
@@ -252,6 +254,8 @@ int instance_enter_initialization(struct instance *instance, double start)
 {
     if (instance->data->phase != INSTANTIATED)
         return instance_complain(instance, "initialization mode is entered once, after instantiation or reset");
+    if (!isfinite(start))
+        return instance_complain(instance, "the start time is not finite");
     instance->data->phase = INITIALIZATION;
     instance_values(instance->data)[0] = start;
     instance->data->stale = 1;

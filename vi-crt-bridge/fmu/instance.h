@@ -22,10 +22,11 @@ enum between { AUTOMATIC, HOLD, EXTRAPOLATE };
 typedef char states_as_in_the_table[STATES_OF_CORNER == MOST_STATES ? 1 : -1];
 
 /* What the host has told of one corner's velocity, and when: see inputs.c. */
+enum { TOLD = 4 };
 struct told {
     int fresh;   /* set since the last evaluation */
     double when; /* instant of a fresh one, or NaN where only the next evaluation tells it */
-    double at, velocity, at_before, velocity_before; /* NaN: not known */
+    double at[TOLD], velocity[TOLD]; /* the last ones, the newest first; NaN: not known */
 };
 
 struct part {

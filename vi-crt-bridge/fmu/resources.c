@@ -1,10 +1,16 @@
+#if defined(__linux__) && !defined(_GNU_SOURCE)
+#define _GNU_SOURCE /* dl_iterate_phdr() */
+#endif
 #include "resources.h"
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #if defined(_WIN32)
 #include <windows.h>
+#elif defined(__linux__)
+#include <link.h>
 #endif
 
 /* Far above any model file. */
@@ -78,28 +84,131 @@ static FILE *open_path(char *path)
 }
 #endif
 
+/* Something that lies in this library and in no other. */
+static const char here = 0;
+
+#if defined(_WIN32)
+/* The path of this library, to free(). */
+static char *own_path(void)
+{
+    enum { ROOM = 32768 };
+    wchar_t *wide = malloc(ROOM * sizeof *wide);
+    HMODULE library = NULL;
+    char *path = NULL;
+    DWORD length = 0;
+    int bytes;
+
+    if (wide && GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_UNCHANGED_REFCOUNT,
+                                   (LPCWSTR)&here, &library))
+        length = GetModuleFileNameW(library, wide, ROOM);
+    if (length > 0 && length < ROOM) {
+        bytes = WideCharToMultiByte(CP_UTF8, 0, wide, -1, NULL, 0, NULL, NULL);
+        path = bytes > 0 ? malloc((size_t)bytes) : NULL;
+        if (path)
+            WideCharToMultiByte(CP_UTF8, 0, wide, -1, path, bytes, NULL, NULL);
+    }
+    free(wide);
+    return path;
+}
+#elif defined(__linux__)
+static int is_own(struct dl_phdr_info *info, size_t size, void *path)
+{
+    uintptr_t at = (uintptr_t)&here;
+    int i;
+
+    (void)size;
+    for (i = 0; i < info->dlpi_phnum; i++) {
+        uintptr_t begin = (uintptr_t)info->dlpi_addr + (uintptr_t)info->dlpi_phdr[i].p_vaddr;
+
+        if (info->dlpi_phdr[i].p_type == PT_LOAD && at >= begin && at - begin < info->dlpi_phdr[i].p_memsz) {
+            char *copy = malloc(strlen(info->dlpi_name) + 1);
+
+            if (copy)
+                strcpy(copy, info->dlpi_name);
+            *(char **)path = copy;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static char *own_path(void)
+{
+    char *path = NULL;
+
+    dl_iterate_phdr(is_own, &path);
+    return path;
+}
+#else
+static char *own_path(void)
+{
+    (void)here;
+    return NULL;
+}
+#endif
+
+/* The resources of the FMU in which this library lies, as FMU/binaries/PLATFORM/LIBRARY; to free(). Null where that is not known. */
+static char *own_resources(void)
+{
+    char *path = own_path(), *whole;
+    size_t end = path ? strlen(path) : 0;
+    int level;
+
+    for (level = 0; level < 3; level++) {
+        while (end && path[end - 1] != '/' && path[end - 1] != '\\')
+            end--;
+        if (!end && level < 2)
+            break;
+        /* The last cut leaves the separator; of a relative path nothing is left. */
+        end -= level < 2;
+    }
+    whole = path && level == 3 ? malloc(end + sizeof "resources") : NULL;
+    if (whole) {
+        memcpy(whole, path, end);
+        strcpy(whole + end, "resources");
+    }
+    free(path);
+    return whole;
+}
+
+/* Opens a file of a folder; its path, to free(), goes to `path` in either case. */
+static FILE *open_in(const char *folder, const char *name, char **path)
+{
+    size_t end;
+
+    *path = malloc(strlen(folder) + strlen(name) + 2);
+    if (!*path)
+        return NULL;
+    path_of(folder, *path);
+    end = strlen(*path);
+    if (end && (*path)[end - 1] != '/' && (*path)[end - 1] != '\\')
+        (*path)[end++] = '/';
+    strcpy(*path + end, name);
+    return open_path(*path);
+}
+
 char *resource(const char *folder, const char *name, char *why, size_t room)
 {
-    char *path = malloc((folder ? strlen(folder) : 0) + strlen(name) + 2), *text = malloc(LONGEST + 1);
-    FILE *file = NULL;
-    size_t length = 0, end;
+    char *path = NULL, *text = malloc(LONGEST + 1);
+    FILE *file = text && folder ? open_in(folder, name, &path) : NULL;
+    size_t length = 0;
 
-    if (path && text && folder) {
-        path_of(folder, path);
-        end = strlen(path);
-        if (end && path[end - 1] != '/' && path[end - 1] != '\\')
-            path[end++] = '/';
-        strcpy(path + end, name);
-        file = open_path(path);
-    }
-    if (!folder) {
+    if (!folder)
         snprintf(why, room, "the importer names no resources folder, where this FMU keeps its model");
-    } else if (!file) {
+    else if (!file)
         snprintf(why, room, "the FMU's resources lack %.200s", path ? path : name);
-    } else {
+    /* There are importers that name a folder which is not there, or none. */
+    if (text && !file) {
+        char *own = own_resources(), *own_name = NULL;
+
+        file = own ? open_in(own, name, &own_name) : NULL;
+        free(own);
+        free(own_name);
+    }
+    if (file) {
         length = fread(text, 1, LONGEST + 1, file);
         if (length > LONGEST || ferror(file))
-            snprintf(why, room, "%.200s cannot be read", path);
+            snprintf(why, room, "%.200s cannot be read", path ? path : name);
         fclose(file);
     }
     if (!file || length > LONGEST) {

@@ -7,6 +7,8 @@ int instance_step(struct instance *instance, double time, double dt)
     struct data *data = instance->data;
     int c, held = 0;
 
+    if (instance->exchange)
+        return instance_complain(instance, "a step of an instance that was made for model exchange");
     if (data->phase != RUNNING)
         return instance_complain(instance, "a step before the end of initialization or after terminate");
     if (!(dt >= 0.0 && dt <= 1e9))
@@ -21,7 +23,7 @@ int instance_step(struct instance *instance, double time, double dt)
         part->status = dashpot_corner_step(&part->corner, &input, dt);
         held |= part->status & DASHPOT_BRIDGE_HELD;
         /* What was given at the beginning of this step: the line through it and the next one is that of `extrapolate`. */
-        part->told.velocity = instance_input(data, c).velocity;
+        part->told.velocity[0] = instance_input(data, c).velocity;
         part->derivatives = 0;
     }
     data->dt = dt;

@@ -18,6 +18,12 @@ pub enum Kind {
     Report,
     /// A picture.
     Picture,
+    /// A damper property file of dashpot, in either form.
+    Property,
+    /// What tells CarMaker how an FMU of dashpot is its damper.
+    PlugInfo,
+    /// A dataset or commands for Adams that name dashpot's routines.
+    Adams,
     /// A table with this header line.
     Table(String),
     /// A workbook with the tables of a report.
@@ -41,6 +47,11 @@ pub const AUTHOR: &str = "dashpot";
 const PROPERTIES: u64 = 1 << 16;
 /// What every report of dashpot says of itself in its head.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
+
+/// How the first comment of every property file of dashpot begins. The vendor's own begin with the same line of XML.
+pub const WRITTEN: &str = "Written by dashpot ";
+/// What every dataset with dashpot's routines holds; the first line of a dataset, its title, is the same in most models.
+const ROUTINES: &str = "dashpot_adams::";
 
 impl Kind {
     /// Looks at the content of a file.
@@ -79,6 +90,20 @@ impl Kind {
         }
         if begins("<svg") || (begins("<?xml") && text.contains("<svg")) {
             return Kind::Picture;
+        }
+        let commented = |mark: &str| text.contains(&format!("{mark} {WRITTEN}"));
+        if begins("<?xml") {
+            return if commented("<!--") { Kind::Property } else { Kind::Other("XML of other origin") };
+        }
+        if text.starts_with(&format!("$ {WRITTEN}")) {
+            return Kind::Property;
+        }
+        // Every file of CarMaker begins with the same line.
+        if begins("#INFOFILE") {
+            return if commented("#") { Kind::PlugInfo } else { Kind::Other("a file of CarMaker") };
+        }
+        if text.contains(ROUTINES) {
+            return Kind::Adams;
         }
         if begins("{") || begins("[") {
             if let Ok(value) = serde_json::from_str::<serde_json::Value>(text) {
@@ -123,6 +148,9 @@ impl fmt::Display for Kind {
             Kind::Figures => f.write_str("figures as JSON"),
             Kind::Report => f.write_str("a report"),
             Kind::Picture => f.write_str("a picture"),
+            Kind::Property => f.write_str("a damper property file of dashpot"),
+            Kind::PlugInfo => f.write_str("a description of dashpot's FMU for CarMaker"),
+            Kind::Adams => f.write_str("a file for Adams with dashpot's routines"),
             Kind::Table(header) => write!(f, "a table that begins with {:?}", short(header)),
             Kind::Workbook => f.write_str("a workbook of dashpot"),
             Kind::Fmu => f.write_str("an FMU"),
@@ -166,6 +194,19 @@ mod tests {
         assert!(matches!(Kind::of(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::of(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::of(b"\x7fELF12"), Kind::of(b"MZ\x90\x00"));
+        // A newer property file replaces an older one, and never one of the vendor's, whose first line is the same.
+        assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
+        assert_eq!(
+            of("<?xml version=\"1.0\"?>\n<afc>\n  <!-- Written by dashpot 0.1.0 from b.toml -->\n</afc>\n"),
+            Kind::Property
+        );
+        assert!(matches!(of("<?xml version=\"1.0\"?>\n<afc>\n</afc>\n"), Kind::Other(_)));
+        assert_eq!(of("#INFOFILE1.1\nFMU.Name = a\n# Written by dashpot 0.1.0 from a.toml\n"), Kind::PlugInfo);
+        assert!(matches!(of("#INFOFILE1.1\nFMU.Name = a\n"), Kind::Other(_)));
+        // Most models have the same title.
+        let model = "Adams View model name: MODEL_1\n!\nEND\n";
+        assert!(matches!(of(model), Kind::Text(_)));
+        assert_eq!(of(&model.replace("END", ", ROUTINE = dashpot_adams::Dashpot_sfosub\nEND")), Kind::Adams);
         assert!(matches!(Kind::of(b"\xff\xfe\x00\x01"), Kind::Other(_)));
     }
 }

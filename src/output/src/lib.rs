@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 pub use guard::set_force;
 pub use inputs::remember as remember_inputs;
-pub use kind::{AUTHOR, GENERATOR, Kind};
+pub use kind::{AUTHOR, GENERATOR, Kind, WRITTEN};
 pub use lock::FolderLock;
 pub use replace::replace_file;
 pub use stdout::closed as stdout_closed;

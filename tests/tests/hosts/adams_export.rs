@@ -204,6 +204,41 @@ fn what_a_property_file_leaves_out_is_said() {
     assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
 }
 
+/// A damper that was identified anew goes into the same property file; the vendor's own file, which begins alike, stays.
+#[test]
+fn a_property_file_replaces_its_own_older_version_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let vendor = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<afc>\n</afc>\n";
+    std::fs::write(at("vendor.xml"), vendor).unwrap();
+    for name in ["a.dpr", "a.xml"] {
+        for gas in ["141.5", "152"] {
+            std::fs::write(at("damper.toml"), MODEL.replace("141.5", gas)).unwrap();
+            done(folder.path(), &["export", "dpr", "damper.toml", "-o", name]);
+        }
+    }
+    assert!(
+        refused(folder.path(), &["export", "dpr", "damper.toml", "-o", "vendor.xml"]).contains("XML of other origin")
+    );
+    assert_eq!(std::fs::read_to_string(at("vendor.xml")).unwrap(), vendor);
+
+    // Models of one title are not versions of each other.
+    let car = |tail: &str| {
+        format!(
+            "Adams View model name: MODEL_1\nSFORCE/1\n, TRANSLATIONAL\n, I = 11\n, J = 12\n, FUNCTION = \
+             akispl(vr(11,12),0,9)\nSPLINE/9\n, X = -100, 0, 100\n, Y = 500, 0, -900\n{tail}END\n"
+        )
+    };
+    std::fs::write(at("car.adm"), car("")).unwrap();
+    std::fs::write(at("other.adm"), car("PART/2\n")).unwrap();
+    let export = ["export", "adm", "car.adm", "-o"];
+    for length in ["SFORCE/1=400", "SFORCE/1=401"] {
+        done(folder.path(), &[&export[..], &["new.adm", "--damper", length]].concat());
+    }
+    refused(folder.path(), &[&export[..], &["other.adm", "--damper", "SFORCE/1=400"]].concat());
+    assert_eq!(std::fs::read_to_string(at("other.adm")).unwrap(), car("PART/2\n"));
+}
+
 /// A result that nobody can receive is no success; one that is thrown away on purpose is.
 #[test]
 fn a_closed_standard_output_is_an_error() {

@@ -1,5 +1,5 @@
-//! An exported FMU in libcosim, the co-simulation host of the Open Simulation Platform, which is built on the FMI Library: the force of every
-//! step is that of the library itself.
+//! An exported FMU in stock hosts for co-simulation that are not FMPy: libcosim of the Open Simulation Platform, which is built on the FMI
+//! Library, and Ecos, which has an FMI library of its own. The force of every step is that of the library itself.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{directory, root};
@@ -9,14 +9,14 @@ use std::process::Command;
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\n";
 
-#[test]
-fn the_force_in_libcosim_is_that_of_the_library() {
-    let Some(python) = python_with("libcosimpy==0.0.6") else { return };
+/// What the host says on an FMU of a version of FMI, after three motions that came out as the library has them.
+fn the_force_is_that_of_the_library(packages: &str, script: &str, fmi: &str) -> Option<String> {
+    let python = python_with(packages)?;
     let at = tempfile::tempdir().expect("a directory");
-    exported(at.path(), MODEL, "2", false, &["--no-sources"]);
+    exported(at.path(), MODEL, fmi, false, &["--no-sources"]);
     let library = directory().join("libdashpot.so");
     let mut host = Command::new(python);
-    host.arg(root().join("tests/hosts/cosim.py")).args([
+    host.arg(root().join("tests/hosts").join(script)).args([
         "damper.fmu".as_ref(),
         library.as_os_str(),
         "model.toml".as_ref(),
@@ -25,7 +25,23 @@ fn the_force_in_libcosim_is_that_of_the_library() {
     let (out, err) = (String::from_utf8_lossy(&ran.stdout), String::from_utf8_lossy(&ran.stderr));
     assert!(ran.status.success(), "{out}{err}");
     assert_eq!(out.matches("largest difference").count(), 3, "{out}");
+    Some(format!("{out}{err}"))
+}
+
+#[test]
+fn the_force_in_libcosim_is_that_of_the_library() {
+    let Some(said) = the_force_is_that_of_the_library("libcosimpy==0.0.6", "cosim.py", "2") else { return };
     // It tells what it finds wrong with the page of an FMU, and goes on.
-    let complaint = err.lines().chain(out.lines()).find(|line| line.contains("[error]"));
-    assert_eq!(complaint, None);
+    assert_eq!(said.lines().find(|line| line.contains("[error]")), None);
+}
+
+#[test]
+fn the_force_in_ecos_is_that_of_the_library() {
+    for fmi in ["2", "3"] {
+        let Some(said) = the_force_is_that_of_the_library("ecospy==0.7.2 tbb==2023.2.0", "ecos.py", fmi) else {
+            return;
+        };
+        println!("FMI {fmi} in Ecos\n{said}");
+        assert_eq!(said.lines().find(|line| line.contains("[error]")), None);
+    }
 }

@@ -13,6 +13,7 @@ mod c_example;
 mod cosim;
 mod damaged;
 mod fmu;
+mod fmu_habits;
 mod fmu_matrix;
 mod fmu_partials;
 mod fmu_solvers;

@@ -103,7 +103,8 @@ impl Export {
             GROUPS[..elements::COUNT].iter().map(|g| g.name).filter(|n| params.is_on(n) && !held(n)).collect();
         let named = if self.name.is_ascii() && !self.name.is_empty() { &self.name } else { "a model in the window" };
         let mut notes = vec![format!(
-            "Written by dashpot {} from {named} (check sum {:08x}). Rebound and tension are positive.",
+            "{}{} from {named} (check sum {:08x}). Rebound and tension are positive.",
+            dashpot_output::WRITTEN,
             env!("CARGO_PKG_VERSION"),
             fmu::check_sum(self.text.as_bytes())
         )];

@@ -119,14 +119,22 @@ impl Statement {
 
     /// Arguments behind `NAME/id` and before the function, if there is one.
     fn arguments(&self) -> impl Iterator<Item = &str> {
-        let end = self.key("FUNCTION").map_or(self.text.len(), |k| k.0);
+        let end = self.function_key().map_or(self.text.len(), |k| k.0);
         self.text[..end].split([',', JOINT]).map(str::trim).filter(|a| !a.is_empty())
     }
 
-    /// Whether a bare word is among the arguments, or begins one of them.
-    pub fn has_word(&self, word: &str) -> bool {
+    /// Whether a quality without a value is among the arguments, in full or abbreviated as Adams allows.
+    pub fn has_quality(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
-        self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(|a| a.starts_with(word))
+        let is = |a: &str| !a.is_empty() && !a.contains('=') && (word.starts_with(a) || a.starts_with(word));
+        self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
+    }
+
+    /// Whether an argument `KEY = ...` stands outside the function, the key in full or abbreviated.
+    pub fn has_key(&self, word: &str) -> bool {
+        let behind = self.function().map(|f| f.after).unwrap_or_default();
+        let is = |a: &str| a.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && word.starts_with(k.trim()));
+        self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
     /// The id that an argument such as `I = 75` names.
@@ -147,9 +155,15 @@ impl Statement {
         })
     }
 
+    /// [`Statement::key`] of FUNCTION, in full or abbreviated.
+    fn function_key(&self) -> Option<(usize, usize)> {
+        const WORD: &str = "FUNCTION";
+        (1..=WORD.len()).rev().find_map(|length| self.key(&WORD[..length]))
+    }
+
     /// Its `FUNCTION = ...`.
     pub fn function(&self) -> Option<Function> {
-        let (at, value) = self.key("FUNCTION")?;
+        let (at, value) = self.function_key()?;
         let rest = &self.text[value..];
         let length = rest.find('\\').map_or(rest.trim_end_matches([' ', '\t', JOINT]).len(), |i| i + 1);
         let text: String = rest[..length].trim_end_matches('\\').chars().filter(|c| !c.is_whitespace()).collect();

@@ -55,9 +55,7 @@ impl Reader<'_> {
     fn product(&mut self) -> anyhow::Result<f64> {
         let mut value = self.factor()?;
         loop {
-            if self.take("**") {
-                value = value.powf(self.factor()?);
-            } else if self.take("*") {
+            if self.take("*") {
                 value *= self.factor()?;
             } else if self.take("/") {
                 value /= self.factor()?;
@@ -65,6 +63,12 @@ impl Reader<'_> {
                 return Ok(value);
             }
         }
+    }
+
+    /// As in Fortran: a power goes before a sign or a product, and of several the last first.
+    fn power(&mut self) -> anyhow::Result<f64> {
+        let base = self.atom()?;
+        if self.take("**") { Ok(base.powf(self.factor()?)) } else { Ok(base) }
     }
 
     fn factor(&mut self) -> anyhow::Result<f64> {
@@ -84,6 +88,10 @@ impl Reader<'_> {
         if self.take("+") {
             return self.factor();
         }
+        self.power()
+    }
+
+    fn atom(&mut self) -> anyhow::Result<f64> {
         if self.take("(") {
             let value = self.sum()?;
             return if self.take(")") { Ok(value) } else { bail!("its function lacks a closing bracket") };
@@ -147,6 +155,29 @@ impl Reader<'_> {
             }
             ("ABS", [x]) => Ok(x.abs()),
             _ => bail!("its function uses {name}, which is no part of an FV damper"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_bind_as_in_fortran() {
+        let meaning = Meaning { markers: [None; 2], speed: 3.0, spline: &|_, x| Ok(10.0 * x) };
+        for (text, value) in [
+            ("2*3**2", 18.0),
+            ("-2**2", -4.0),
+            ("(-2)**2", 4.0),
+            ("2**3**2", 512.0),
+            ("2**-1*4", 2.0),
+            ("8/2*4", 16.0),
+            ("1-2-3", -4.0),
+            ("-VR(1,2)**2+1.5D1", 6.0),
+            ("AKISPL(VR(1,2),0,9)*2**2", 120.0),
+        ] {
+            assert_eq!(evaluate(text, &meaning).expect(text), value, "{text}");
         }
     }
 }

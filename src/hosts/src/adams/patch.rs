@@ -100,11 +100,11 @@ fn function_of(
         let ours = function.after.contains("DASHPOT_ADAMS::");
         bail!("its force is {} routine already", if ours { "this" } else { "a" });
     }
-    if function.after.contains("ROUTINE") {
+    if sforce.has_key("ROUTINE") {
         bail!("its SFORCE names a ROUTINE beside its function");
     }
-    for word in ["ROTATION", "ACTIONONLY"] {
-        if sforce.has_word(word) {
+    for word in ["ROTATIONAL", "ACTIONONLY"] {
+        if sforce.has_quality(word) {
             bail!("its SFORCE is {word}; a damper acts and reacts along a line");
         }
     }
@@ -132,6 +132,10 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     };
     let is_text = |line: &[u8]| !line.starts_with(b"!") && !line.trim_ascii().is_empty();
     let begin = (comment + 1..lines.len()).find(|i| is_text(lines[*i].1)).context("nothing follows its name")?;
+    // Adams View writes an element that is switched off as a comment, under its name; what follows then is another element.
+    if let Some(next) = lines[comment + 1..begin].iter().find_map(|l| dataset::view_name(l.1)) {
+        bail!("is switched off in the model: its lines are comments, and the next element is {next}");
+    }
     if dataset::head(lines[begin].1).is_none_or(|h| h.0 != "SFORCE") {
         bail!("is no SFORCE but \"{}\"", String::from_utf8_lossy(lines[begin].1).trim());
     }
@@ -270,7 +274,11 @@ mod tests {
             (with("SPLINE/9", "SPLINE/8"), name, "SPLINE/9 is not in the model"),
             (with("SFORCE/1", "GFORCE/1"), name, "no SFORCE"),
             (with(", TRANSLATIONAL\n, I = 75", ", ROTATIONAL\n, I = 75"), name, "ROTATION"),
+            (with(", TRANSLATIONAL\n, I = 75", ", rotation\n, I = 75"), name, "ROTATION"),
+            (with(", TRANSLATIONAL\n, I = 75", ", ROT\n, I = 75"), name, "ROTATION"),
             (with("J = 76\n", "J = 76, ACTIONONLY\n"), name, "ACTIONONLY"),
+            (with("J = 76\n", "J = 76, ACTION\n"), name, "ACTIONONLY"),
+            (MODEL.replace("\n,", "\n!,").replacen("SFORCE", "!SFORCE", 1), name, "switched off"),
             (with("*akispl", "*dm(75,76)*akispl"), name, "uses DM"),
             (with("akispl(vr(75,76)", "akispl(vr(75,77)"), name, "not its own markers"),
             (with("akispl(vr(75,76)", "akispl(2*vr(75,76)"), name, "no function of VR alone"),
@@ -287,6 +295,7 @@ mod tests {
             (with(",0,9)\n!", ",0,9)+150\n!"), name, "adds 150"),
             (with(",0,9)\n!", ",0,9)-2*abs(vr(75,76))\n!"), name, "adds -200"),
             (with("500, 0, -900", "500, -30, -900"), name, "at rest is -30"),
+            (with(",0,9)\n!", ",0,9)\\\n, ROUT = a::b\n!"), name, "names a ROUTINE"),
             (with("= step", &format!("= {}step", "-".repeat(28_000))), name, "nested"),
             (with("= step", &format!("= {}1*step", "(".repeat(28_000))), name, "nested"),
         ] {
@@ -310,6 +319,19 @@ mod tests {
         let scaled = MODEL.replace("*akispl", "*0.8*akispl");
         let patched = patch(scaled.as_bytes(), &damper("dal_ride_damper.force"), false).unwrap();
         assert!(patched.notes.len() == 1 && patched.notes[0].contains("0.8 times"), "{:?}", patched.notes);
+    }
+
+    /// A dataset by hand: keywords abbreviated, ids with zeros before them, a power with blanks within.
+    #[test]
+    fn abbreviations_are_read() {
+        let by_hand = MODEL.replace("SFORCE/1\n", "SFORCE/0001\n").replace(", TRANSLATIONAL\n", ",TRANS\n");
+        let by_hand = by_hand.replace("FUNCTION = step", "FUNC= 2.0 *(-1)* * 2 * 0.5 *step").replace("0,9)", "0,0009)");
+        let patched = patch(by_hand.as_bytes(), &damper("SFORCE/1"), false).unwrap_or_else(|e| panic!("{e:#}"));
+        let text = String::from_utf8(patched.model).unwrap();
+        assert!(
+            text.contains("\n, FUNCTION = USER(104, 412.5)\\\n, ROUTINE = dashpot_adams::") && !text.contains("akispl"),
+            "{text}"
+        );
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Export of a model as a functional mock-up unit.
 
+mod carmaker;
 mod description;
 mod kernel;
 mod page;
@@ -8,6 +9,7 @@ mod variables;
 mod veil;
 mod zip;
 
+pub use carmaker::plug_info;
 pub use sources::Version;
 pub use variables::Scales;
 pub use zip::check_sum;
@@ -63,6 +65,8 @@ pub struct Made {
     pub bytes: Vec<u8>,
     /// Folders below `binaries`.
     pub platforms: Vec<String>,
+    /// What its description and its binary know each other by.
+    pub guid: String,
 }
 
 /// The dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2); `four` makes four of one.
@@ -91,7 +95,8 @@ impl Scales {
         position_offset: f64,
     ) -> anyhow::Result<Scales> {
         let usual = if corners == 1 { 1.0 } else { -1.0 };
-        let scales = Scales { motion: motion.unwrap_or(usual), force: force.unwrap_or(usual), position_offset };
+        let scales =
+            Scales { motion: motion.unwrap_or(usual), force: force.unwrap_or(usual), position_offset, start: 0.0 };
         if !(scales.position_offset.abs() <= 1.0) {
             bail!("--position-offset is in m and lies between -1 and 1, not {}", scales.position_offset);
         }
@@ -105,7 +110,7 @@ impl Scales {
 }
 
 /// What the text of every runtime holds: a runtime is told by it from a library compiled of one FMU's sources.
-const RUNTIME_MARK: &[u8] = b"dashpot-fmu 1";
+const RUNTIME_MARK: &[u8] = b"dashpot-fmu 2";
 
 /// An FMU of one or four corners.
 ///
@@ -205,7 +210,8 @@ pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
             archive.add(&format!("sources/kernel/{name}"), text.as_bytes());
         }
     }
-    Ok(Made { bytes: archive.finish(), platforms: binaries.into_iter().map(|(platform, ..)| platform).collect() })
+    let platforms = binaries.into_iter().map(|(platform, ..)| platform).collect();
+    Ok(Made { bytes: archive.finish(), platforms, guid })
 }
 
 /// The kernel as one object, below `sources`.

@@ -52,9 +52,11 @@ pub fn contents(corners: usize, variables: &[Variable], scales: Scales, guid: &s
     // Numbers as the bits of a double: C reads decimals by the host's locale.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
-        "dashpot-fmu 1\nguid {guid}\ncorners {corners}\nscales {} {}\n",
+        "dashpot-fmu 2\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\n",
         bits(scales.motion),
-        bits(scales.force)
+        bits(scales.force),
+        bits(scales.position_offset),
+        bits(scales.start)
     );
     for v in variables {
         let corner = v.corner.map_or(-1, |c| c as i64);

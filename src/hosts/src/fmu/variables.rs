@@ -94,6 +94,8 @@ pub struct Scales {
     pub force: f64,
     /// The damper's extension, from the rig's zero, where the host's displacement is 0, m.
     pub position_offset: f64,
+    /// The host's displacement where it sets none before it begins.
+    pub start: f64,
 }
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
@@ -157,7 +159,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         (
             Kind::Displacement,
             in_out("displacement", "Damper_Jounce"),
-            Some(0.0),
+            Some(scales.start),
             "m",
             format!("displacement of the damper, {motion}"),
         ),

@@ -51,7 +51,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, patched.model)?;
     dashpot_output::say(
         Some(&args.output),
-        &format!("{} dampers replaced in {}", dampers.len(), args.output.display()),
+        &format!(
+            "{} damper{} replaced in {}",
+            dampers.len(),
+            if dampers.len() == 1 { "" } else { "s" },
+            args.output.display()
+        ),
     )?;
     patched.notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
 }

@@ -44,7 +44,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         .collect();
     let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let mut notes = vec![format!(
-        "Written by dashpot {} from {} (check sum {:08x}). Rebound and tension are positive.",
+        "{}{} from {} (check sum {:08x}). Rebound and tension are positive.",
+        dashpot_output::WRITTEN,
         env!("CARGO_PKG_VERSION"),
         if named.is_ascii() { named } else { "a model file".into() },
         dashpot_hosts::fmu::check_sum(&std::fs::read(&args.model)?)

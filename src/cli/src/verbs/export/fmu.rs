@@ -6,6 +6,7 @@ use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
 use dashpot_hosts::runtimes;
 use dashpot_identification::model_file;
+use dashpot_output::Kind;
 use dashpot_report::replace_file;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +19,8 @@ use std::path::{Path, PathBuf};
 /// and the sources of it all.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export fmu front.toml rear.toml -o car.fmu"
+    after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export fmu front.toml rear.toml -o car.fmu\n  \
+                  dashpot export fmu damper.toml -o front.fmu --carmaker 0.4125"
 )]
 pub struct Args {
     /// Model files: one, two (front, rear) or four (L1, R1, L2, R2)
@@ -42,6 +44,10 @@ pub struct Args {
     /// Damper extension from the rig's zero, in m, where the host's displacement is 0
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
+    /// For IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the .pluginfo file by which it takes it. LENGTH is that of
+    /// the damper, in m, at which the displacement in the records was 0
+    #[arg(long, value_name = "LENGTH", conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
+    carmaker: Option<f64>,
     /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
@@ -68,7 +74,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if dashpot_output::is_stdout(&args.output) {
         bail!("-o needs a file name: an FMU is a zip archive");
     }
-    dashpot_output::check([args.output.as_path()])?;
+    let plug_info = args.carmaker.map(|_| args.output.with_extension("pluginfo"));
+    dashpot_output::check_kinds([(Some(args.output.as_path()), Kind::Fmu), (plug_info.as_deref(), Kind::PlugInfo)])?;
+    if args.carmaker.is_some() && args.models.len() > 1 {
+        bail!("--carmaker takes one model: CarMaker has one FMU for each kind of damper");
+    }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Params> = Vec::new();
     for path in &args.models {
@@ -80,7 +90,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         models.push(ready.params);
     }
     let corners = fmu::corners(&models, args.four)?;
-    let scales = Scales::checked(corners.len(), args.motion_scale, args.force_scale, args.position_offset)?;
+    let scales = match args.carmaker {
+        Some(length) => Scales::carmaker(length)?,
+        None => Scales::checked(corners.len(), args.motion_scale, args.force_scale, args.position_offset)?,
+    };
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
     // A command that holds no compiled runtime compiles one here, where that can be done.
@@ -109,10 +122,28 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             remarks: &remarks,
         },
     )?;
+    // Made before anything is written, since it may be refused.
+    let plug_info = plug_info.map(|path| -> anyhow::Result<_> {
+        let name = args.output.file_stem().unwrap_or_default().to_string_lossy();
+        let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
+        let written =
+            format!("{}{} from {named}. It belongs to {name}.fmu.", dashpot_output::WRITTEN, env!("CARGO_PKG_VERSION"));
+        Ok((path, fmu::plug_info(&name, &made.guid, &corners[0], !args.hide_parameters, &written)?))
+    });
+    let plug_info = plug_info.transpose()?;
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
+    if let Some((path, text)) = &plug_info {
+        dashpot_output::write(path, text)?;
+    }
     let corners = if corners.len() == 1 { "one corner" } else { "four corners" };
     let platforms = made.platforms.join(", ");
     dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))?;
+    if let Some((path, _)) = &plug_info {
+        dashpot_output::say(
+            None,
+            &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
+        )?;
+    }
     notes.iter().try_for_each(|note| dashpot_output::say(None, note))
 }
 

@@ -78,6 +78,12 @@ pub fn write(properties: &Properties, form: Form) -> String {
 /// # Errors
 /// Where the file is of another type, a unit is unknown, or the table is not one: with the line.
 pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
+    // Adams Car names models of MTS Empirical Dynamics (.edd) where it names property files.
+    if bytes.starts_with(b"EDM") {
+        anyhow::bail!(
+            "this is a binary model of MTS Empirical Dynamics; it holds no curve that could be read. Take the records it was made from"
+        );
+    }
     // Property files are ASCII or Latin-1; a byte that is no UTF-8 stands in a comment or a name.
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
@@ -144,6 +150,12 @@ mod tests {
         // Finite here, and beyond all numbers in the millimetres of the next file.
         assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
         assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
+    }
+
+    #[test]
+    fn a_binary_model_is_told_from_a_property_file() {
+        let error = read(b"EDMEDMEDM a heading\0\x01\xff").unwrap_err().to_string();
+        assert!(error.contains("Empirical Dynamics"), "{error}");
     }
 
     #[test]

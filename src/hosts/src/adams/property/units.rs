@@ -35,7 +35,8 @@ pub fn length(word: &str) -> anyhow::Result<f64> {
         "km" | "kilometer" | "kilometre" => 1e3,
         "inch" | "in" => 0.0254,
         "foot" | "feet" | "ft" => 0.3048,
-        _ => bail!("length unit '{word}' is not known (mm, cm, meter, km, inch, foot)"),
+        "mile" => 1609.344,
+        _ => bail!("length unit '{word}' is not known (mm, cm, meter, km, inch, foot, mile)"),
     })
 }
 
@@ -50,13 +51,44 @@ pub fn time(word: &str) -> anyhow::Result<f64> {
     })
 }
 
+/// N; by definition of the international pound and the standard acceleration of fall.
+const POUND_FORCE: f64 = 4.448_221_615_260_5;
+
 /// N for a word.
 pub fn force(word: &str) -> anyhow::Result<f64> {
     Ok(match word.to_lowercase().as_str() {
         "newton" | "n" => 1.0,
         "knewton" | "kilonewton" | "kn" => 1e3,
         "kilogram_force" | "kg_force" | "kgf" => 9.80665,
-        "pound_force" | "lbf" => 4.448_221_615_260_5,
-        _ => bail!("force unit '{word}' is not known (newton, knewton, kg_force, pound_force)"),
+        "pound_force" | "lbf" => POUND_FORCE,
+        "kpound_force" => 1e3 * POUND_FORCE,
+        "ounce_force" => POUND_FORCE / 16.0,
+        "dyne" => 1e-5,
+        _ => bail!(
+            "force unit '{word}' is not known (newton, knewton, kg_force, pound_force, kpound_force, ounce_force, dyne)"
+        ),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words that the makers of the format list for it.
+    #[test]
+    fn every_word_of_the_format_is_known() {
+        for word in ["mm", "m", "meter", "cm", "mile", "foot", "inch"] {
+            assert!(length(word).is_ok(), "{word}");
+        }
+        for word in ["newton", "kg_force", "knewton", "pound_force", "kpound_force", "dyne", "ounce_force"] {
+            assert!(force(word).is_ok(), "{word}");
+        }
+        for word in ["second", "sec", "millisecond", "minute", "hour"] {
+            assert!(time(word).is_ok(), "{word}");
+        }
+        // A pound of force is what one slug takes to gain one foot per second and second.
+        assert!((force("pound_force").unwrap() - 14.593_902_937_2 * 0.3048).abs() < 1e-9);
+        assert_eq!(16.0 * force("ounce_force").unwrap(), force("pound_force").unwrap());
+        assert_eq!(5280.0 * length("foot").unwrap(), length("mile").unwrap());
+    }
 }

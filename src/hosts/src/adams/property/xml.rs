@@ -38,19 +38,32 @@ fn apart(note: &str) -> String {
 /// As [`super::read`].
 pub fn read(text: &str) -> anyhow::Result<Properties> {
     let document = Document::parse(text)?;
-    let element = |name: &str| document.descendants().find(|n| n.is_element() && n.tag_name().name() == name);
-    let Some(damper) = element("DamperProperties").or_else(|| element("StrutProperties")) else {
-        let root = document.root_element().tag_name().name().to_owned();
-        let held: Vec<&str> = document
-            .descendants()
-            .filter_map(|n| n.is_element().then(|| n.tag_name().name()).filter(|n| n.ends_with("Properties")))
-            .collect();
-        bail!(
-            "this is no damper: there is neither DamperProperties nor StrutProperties in <{root}>{}",
-            if held.is_empty() { String::new() } else { format!(", but {}", held.join(", ")) }
-        );
-    };
+    let is_damper = |n: &Node| n.is_element() && ["DamperProperties", "StrutProperties"].contains(&n.tag_name().name());
     let line = |node: &Node| document.text_pos_at(node.range().start).row as usize;
+    let dampers: Vec<Node> = document.descendants().filter(is_damper).collect();
+    let damper = match dampers[..] {
+        [damper] => damper,
+        [] => {
+            let root = document.root_element().tag_name().name().to_owned();
+            let held: Vec<&str> = document
+                .descendants()
+                .filter_map(|n| n.is_element().then(|| n.tag_name().name()).filter(|n| n.ends_with("Properties")))
+                .collect();
+            bail!(
+                "this is no damper: there is neither DamperProperties nor StrutProperties in <{root}>{}",
+                if held.is_empty() { String::new() } else { format!(", but {}", held.join(", ")) }
+            )
+        }
+        // A file of a whole vehicle, such as the send file of VI-CarRealTime.
+        _ => {
+            let lines: Vec<String> = dampers.iter().map(|d| line(d).to_string()).collect();
+            bail!(
+                "there are {} dampers in it, at lines {}, and which is meant is not known; give the damper's own property file",
+                dampers.len(),
+                lines.join(", ")
+            )
+        }
+    };
     let setting = |name: &str| {
         document.descendants().find(|n| n.tag_name().name() == "UnitSetting" && n.attribute("name") == Some(name))
     };
@@ -201,6 +214,15 @@ mod tests {
         assert_eq!((constant.gas_force, constant.notes.len()), (1000.0, 1));
         let own = read(&FILE.replace("\"akima\"", "\"akima\" xUnit=\"m/sec\" yUnit=\"kN\"")).unwrap();
         assert_eq!((own.curve.velocities[2], own.curve.forces[2]), (254.0, 1_423_400.0));
+    }
+
+    #[test]
+    fn a_file_of_a_whole_vehicle_is_refused() {
+        let begin = FILE.find("<DamperProperties").unwrap();
+        let end = FILE.rfind("</afc>").unwrap();
+        let twice = FILE.replacen("</afc>", &format!("{}</afc>", &FILE[begin..end]), 1);
+        let error = format!("{:#}", read(&twice).unwrap_err());
+        assert!(error.contains("2 dampers in it, at lines 14, 29"), "{error}");
     }
 
     #[test]

@@ -1,0 +1,90 @@
+//! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`): which quantity of
+//! CarMaker goes to which variable. Its form is that of the vendor's templates; see `vi-crt-bridge/FACTS.md`.
+
+use super::Scales;
+use crate::adams::property::Curve;
+use anyhow::bail;
+use dashpot_core::Params;
+use dashpot_identification::model_file::prepared;
+use std::fmt::Write as _;
+
+/// Longest damper, m: above that a length is in mm.
+const LONGEST: f64 = 1.0;
+
+impl Scales {
+    /// Those of CarMaker, which hands over the length of the damper, its velocity positive in extension, and takes a force that is positive where
+    /// the damper pushes. `length` is that at which the displacement in the records was 0, m; there it begins.
+    ///
+    /// # Errors
+    /// A length that no damper has.
+    pub fn carmaker(length: f64) -> anyhow::Result<Scales> {
+        if !(length > 0.0 && length <= LONGEST) {
+            bail!("--carmaker takes the length of the damper in m, above 0 and up to {LONGEST}, not {length}");
+        }
+        Ok(Scales { motion: 1.0, force: -1.0, position_offset: -length, start: length })
+    }
+}
+
+/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with its curve, where `shown`.
+///
+/// # Errors
+/// Where the model is none, or a line break in the name would begin another key.
+pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: &str) -> anyhow::Result<String> {
+    if name.chars().any(char::is_control) {
+        bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
+    }
+    // The name of a model file may hold anything.
+    let written: String = written.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut out = format!(
+        "#INFOFILE1.1 - Do not remove this line!\n\
+         FileIdent = CarMaker-PlugInfo 2\n\
+         FileCreator = dashpot {}\n\
+         # {written}\n\n\
+         FMU.Name = {name}\n\
+         FMU.Modelclass = Susp_Damper\n\
+         FMU.GUID = {guid}\n\n\
+         FMU.Inputs.ShowInDDict = 1\n\
+         FMU.Outputs.ShowInDDict = 1\n\
+         FMU.MakePluginfo = 0\n\
+         FMU.DebugLogging = 0\n\
+         FMU.InitParamStartValues = 1\n\n\
+         FMUIn.displacement.Link = IFVar\n\
+         FMUIn.displacement.Rel = length\n\
+         FMUIn.velocity.Link = IFVar\n\
+         FMUIn.velocity.Rel = vel\n\n\
+         IFVar.Force.Link = FMUVar\n\
+         IFVar.Force.Rel = force\n\n\
+         # What CarMaker takes for the damper where it looks for its equilibrium: no spring, and the model's curve where it stands here.\n\
+         Susp.Damper.SubstModel.Spring.l0 = 0.0\n\
+         Susp.Damper.SubstModel.Spring:\n\t0.0 0.0\n\t1.0 0.0\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    if shown && params.is_on("fv_curve") {
+        let curve = Curve::of(params, &prepared(params)?);
+        out += "Susp.Damper.SubstModel.Damper:\n";
+        for (v, f) in curve.velocities.iter().zip(&curve.forces) {
+            let _ = writeln!(out, "\t{v:?} {f:?}");
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_in_millimetres_and_a_name_of_two_lines_are_refused() {
+        for length in [412.5, 0.0, -0.4, f64::NAN] {
+            assert!(Scales::carmaker(length).is_err(), "{length}");
+        }
+        let scales = Scales::carmaker(0.4125).unwrap();
+        // At the start the damper is where the rig's zero was.
+        assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
+
+        let params = Params::new();
+        assert!(plug_info("a\nFMU.Name = b", "{1}", &params, true, "x").is_err());
+        let text = plug_info("front", "{1}", &params, true, "from a\nFMU.Name = b").unwrap();
+        assert_eq!(text.lines().filter(|line| line.starts_with("FMU.Name")).count(), 1, "{text}");
+    }
+}

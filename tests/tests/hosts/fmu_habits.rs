@@ -1,0 +1,65 @@
+//! FMUs in the hands of importers with habits of their own: wrong or no resources folder, a logger that goes away, start values that
+//! nobody sets, outputs asked for where the solver has passed, calls out of order.
+
+use dashpot_tests::cli::{done, refused};
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{directory, root, succeed};
+use dashpot_tests::python::python;
+use std::process::Command;
+
+const MODEL: &str =
+    "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\n";
+
+#[test]
+fn it_runs_where_an_importer_is_careless() {
+    for fmi in ["2", "3"] {
+        for scales in [&[][..], &["--position-offset", "0.012", "--motion-scale", "0.9", "--force-scale", "1.1"]] {
+            let folder = tempfile::tempdir().expect("a directory");
+            exported(folder.path(), MODEL, fmi, false, &[&["--no-sources"], scales].concat());
+            let mut host = Command::new(python());
+            host.arg(root().join("tests/hosts/fmu_habits.py")).arg(folder.path().join("damper.fmu"));
+            succeed(host.current_dir(folder.path()));
+        }
+    }
+}
+
+/// By the file beside it, which has the form of the vendor's templates, the FMU is the damper that the library is.
+#[test]
+fn it_is_a_damper_of_carmaker() {
+    for fmi in ["2", "3"] {
+        let folder = tempfile::tempdir().expect("a directory");
+        let at = folder.path();
+        exported(
+            at,
+            &MODEL.replace("\"gas_spring\"", "\"gas_preload\", \"gas_spring\""),
+            fmi,
+            false,
+            &["--carmaker", "0.4125", "--no-sources"],
+        );
+        let library = directory().join("libdashpot.so");
+        let mut host = Command::new(python());
+        host.arg(root().join("tests/hosts/fmu_carmaker.py")).args([
+            "damper.fmu".as_ref(),
+            library.as_os_str(),
+            "model.toml".as_ref(),
+            "0.4125".as_ref(),
+        ]);
+        print!("{}", succeed(host.current_dir(at)));
+
+        let export = ["export", "fmu", "model.toml", "-o", "other.fmu", "--carmaker"];
+        assert!(refused(at, &[&export[..], &["412.5"]].concat()).contains("length of the damper in m"));
+        assert!(refused(at, &[&export[..], &["0.4", "--four"]].concat()).contains("--four"));
+        let two = ["export", "fmu", "model.toml", "model.toml", "-o", "other.fmu", "--carmaker", "0.4"];
+        assert!(refused(at, &two).contains("one model"));
+        // What the FMU hides does not stand beside it.
+        let plug_info = |name: &str| std::fs::read_to_string(at.join(name)).expect("the file beside the FMU");
+        assert!(plug_info("damper.pluginfo").contains("Susp.Damper.SubstModel.Damper:\n\t-"));
+        done(at, &["export", "fmu", "model.toml", "-o", "hidden.fmu", "--carmaker", "0.4", "--hide-parameters"]);
+        assert!(!plug_info("hidden.pluginfo").contains("SubstModel.Damper"));
+        // Every file of CarMaker begins alike; one that somebody wrote by hand stays.
+        std::fs::write(at.join("other.pluginfo"), "#INFOFILE1.1 - Do not remove this line!\nFMU.Name = other\n")
+            .expect("a file");
+        assert!(refused(at, &[&export[..], &["0.4"]].concat()).contains("a file of CarMaker"));
+        assert!(!at.join("other.fmu").exists());
+    }
+}
