@@ -1,6 +1,7 @@
 //! What of the packages is quick to check: that archives follow from their files alone, that every licence is one that may be shipped, and that
 //! the scripts are scripts. The packages themselves take long to build; `dist/check` uses them.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::{root, succeed};
 use std::path::Path;
 use std::process::Command;
@@ -8,7 +9,7 @@ use std::process::Command;
 fn has(program: &str) -> bool {
     let there = Command::new(program).arg("--version").output().is_ok();
     if !there {
-        println!("skipped: no {program}");
+        skipped(format!("no {program}"));
     }
     there
 }
