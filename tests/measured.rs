@@ -1,6 +1,7 @@
 //! Records of real dampers, which are not part of the project: tests that read them are skipped where they are absent.
 
 use crate::library::root;
+use dashpot_test_support::skipped;
 use std::path::PathBuf;
 
 /// Folder of a set of real records: below `DASHPOT_DATA` where that is set, else below `shared/data` beside the project.
@@ -11,6 +12,6 @@ pub fn records(set: &str) -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    println!("skipped: no {}", folder.display());
+    skipped(format!("no {}", folder.display()));
     None
 }

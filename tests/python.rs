@@ -1,5 +1,6 @@
 //! A Python with the packages that some hosts come in, in a virtual environment below the target directory.
 
+use dashpot_test_support::skipped;
 use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
@@ -7,42 +8,54 @@ use std::sync::OnceLock;
 /// What the hosts are made of.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
-/// The interpreter; makes the environment on first use and keeps it.
+/// Whether the interpreter is there or can be made. Where not, the test that asked is counted as skipped, with what is missing.
+pub fn has_python() -> bool {
+    match made() {
+        Ok(_) => true,
+        Err(missing) => {
+            skipped(missing);
+            false
+        }
+    }
+}
+
+/// The interpreter, in an environment that is made on first use and kept.
 ///
 /// # Panics
-/// In one line that says what is missing, where the environment cannot be made.
+/// In one line that says what is missing, where the environment cannot be made; a test that asks [`has_python`] first is skipped there.
 pub fn python() -> PathBuf {
-    static PYTHON: OnceLock<PathBuf> = OnceLock::new();
-    PYTHON
-        .get_or_init(|| {
-            let test = std::env::current_exe().expect("the path of this test");
-            let target = test.ancestors().nth(3).expect("a target directory").to_path_buf();
-            let environment = target.join("hosts-venv");
-            let python = environment.join("bin/python");
-            let done = environment.join(PACKAGES.join("_"));
-            if !done.exists() {
-                let run = |command: &mut Command, needs: &str| {
-                    let ran = command.output();
-                    let told = match &ran {
-                        Ok(out) if out.status.success() => return,
-                        Ok(out) => String::from_utf8_lossy(&out.stderr).trim().replace('\n', " "),
-                        Err(error) => error.to_string(),
-                    };
-                    panic!("this test needs {needs}: {told}");
+    made().as_ref().unwrap_or_else(|missing| panic!("this test {missing}")).clone()
+}
+
+fn made() -> &'static Result<PathBuf, String> {
+    static PYTHON: OnceLock<Result<PathBuf, String>> = OnceLock::new();
+    PYTHON.get_or_init(|| {
+        let test = std::env::current_exe().expect("the path of this test");
+        let environment = test.ancestors().nth(3).expect("a target directory").join("hosts-venv");
+        let python = environment.join("bin/python");
+        let done = environment.join(PACKAGES.join("_"));
+        if !done.exists() {
+            let run = |command: &mut Command, needs: &str| {
+                let ran = command.output();
+                let told = match &ran {
+                    Ok(out) if out.status.success() => return Ok(()),
+                    Ok(out) => String::from_utf8_lossy(&out.stderr).trim().replace('\n', " "),
+                    Err(error) => error.to_string(),
                 };
-                run(
-                    Command::new("python3").args(["-m", "venv"]).arg(&environment),
-                    "python3 with venv (Debian: apt-get install python3-venv)",
-                );
-                run(
-                    Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(PACKAGES),
-                    &format!("{} from PyPI", PACKAGES.join(" and ")),
-                );
-                std::fs::write(&done, "").expect("a mark");
-            }
-            python
-        })
-        .clone()
+                Err(format!("needs {needs}: {told}"))
+            };
+            run(
+                Command::new("python3").args(["-m", "venv"]).arg(&environment),
+                "python3 with venv (Debian: apt-get install python3-venv)",
+            )?;
+            run(
+                Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(PACKAGES),
+                &format!("{} from PyPI", PACKAGES.join(" and ")),
+            )?;
+            std::fs::write(&done, "").expect("a mark");
+        }
+        Ok(python)
+    })
 }
 
 /// An interpreter with packages, parted by blanks, in an environment of their own named after the first; or none, after a line that says so,
@@ -58,7 +71,7 @@ pub fn python_with(packages: &str) -> Option<PathBuf> {
             && runs(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))
             && std::fs::write(&done, "").is_ok();
     if !made {
-        println!("skipped: {packages} does not install here");
+        skipped(format!("{packages} does not install here"));
     }
     made.then_some(python)
 }

@@ -56,11 +56,14 @@ windows() {
         return
     fi
     mkdir -p "$here"
+    # The same sources give the same file: without the time, and without a base address that the linker draws from the path of the file. Windows
+    # moves libraries when it loads them.
+    same_bytes=-Wl,--no-insert-timestamp,--disable-auto-image-base
     # The kernel's panic handler calls a function that exists nowhere, so that a link fails where it could be reached. Here it
     # cannot, but unlike elsewhere the linker keeps it.
     # shellcheck disable=SC2086
     $gcc $flags -shared -static-libgcc $face "$build/$target/release/libdashpot.a" -Wl,--defsym=dashpot_panic_path_exists=abort -s \
-        -Wl,--no-insert-timestamp \
+        $same_bytes \
         -o "$here/dashpot_damper.dll"
     make -s -C adams-usersub windows WINDOWS_OUTPUT="$(realpath "$here")/dashpot_adams.dll" \
         WINDOWS_LIBRARY="$(realpath "$build/$target/release/libdashpot.a")"

@@ -1,6 +1,7 @@
 //! The crates that the project is built from: their licences, where they come from, and what is known against them, as
 //! `deny.toml` allows and cargo-deny looks it up. Without the tool these are counted as skipped.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
 use std::process::Command;
 
@@ -8,7 +9,7 @@ use std::process::Command;
 fn holds(kind: &str) {
     let deny = |args: &[&str]| Command::new("cargo").arg("deny").args(args).current_dir(root()).output();
     if !deny(&["--version"]).is_ok_and(|out| out.status.success()) {
-        println!("skipped: no cargo-deny (cargo install cargo-deny)");
+        skipped("no cargo-deny (cargo install cargo-deny)");
         return;
     }
     let out = deny(&["--color", "never", "check", kind]).unwrap();
@@ -16,7 +17,7 @@ fn holds(kind: &str) {
     // The list of known weaknesses is fetched, which not every machine may do.
     let not_fetched = ["failed to fetch", "unable to fetch", "failed to load advisory database"];
     if not_fetched.iter().any(|sign| told.contains(sign)) {
-        println!("skipped: {kind} needs what cannot be fetched here");
+        skipped(format!("{kind} needs what cannot be fetched here"));
         return;
     }
     assert!(out.status.success(), "cargo deny check {kind}:\n{told}");

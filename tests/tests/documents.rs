@@ -1,6 +1,7 @@
 //! The documents hang together: every relative link leads to a file, every page of the book is in its list, and the book builds where
 //! mdBook is installed.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -90,7 +91,7 @@ fn the_book_builds() {
     let mut build = Command::new("mdbook");
     build.arg("build").arg(root().join("docs/book")).arg("--dest-dir").arg(folder.path());
     match build.output() {
-        Err(_) => println!("skipped: no mdbook (cargo install mdbook --no-default-features)"),
+        Err(_) => skipped("no mdbook (cargo install mdbook --no-default-features)"),
         Ok(out) => {
             let told = String::from_utf8_lossy(&out.stderr);
             assert!(out.status.success() && !told.contains("[ERROR]") && !told.contains("[WARN]"), "{told}");

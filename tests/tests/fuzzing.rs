@@ -1,6 +1,7 @@
 //! Every reader of files under a fuzzer that follows which branches its input takes, some seconds each; `tests/fuzz/run` has the time as its
 //! argument. DASHPOT_FUZZ says how many seconds this test gives.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
 use std::process::Command;
 
@@ -19,7 +20,7 @@ fn no_reader_breaks_under_the_fuzzer() {
     let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     match out.status.code() {
         // Tools that are not here.
-        Some(3) => println!("skipped: {}", told.trim()),
+        Some(3) => skipped(told.trim()),
         code => assert_eq!(code, Some(0), "{told}"),
     }
 }

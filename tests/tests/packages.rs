@@ -1,6 +1,7 @@
 //! What of the packages is quick to check: that archives follow from their files alone, that every licence is one that may be shipped, and that
 //! the scripts are scripts. The packages themselves take long to build; `dist/check` uses them.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::{root, succeed};
 use std::path::Path;
 use std::process::Command;
@@ -8,7 +9,7 @@ use std::process::Command;
 fn has(program: &str) -> bool {
     let there = Command::new(program).arg("--version").output().is_ok();
     if !there {
-        println!("skipped: no {program}");
+        skipped(format!("no {program}"));
     }
     there
 }
@@ -101,6 +102,43 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     // A list that the tree had before is not believed.
     std::fs::write(tree.join("name-1.dist-info/RECORD"), "of an earlier wheel\n").unwrap();
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
+}
+
+/// The linker for Windows draws a base address from the path of the library unless it is told not to, and every address in the file with it.
+#[test]
+fn a_library_for_windows_does_not_depend_on_its_folder() {
+    const COMPILER: &str = "x86_64-w64-mingw32-gcc";
+    if !has(COMPILER) || !has("make") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    // In the kernel's place, whose Rust for Windows is not everywhere, what has the same names.
+    let header = std::fs::read_to_string(root().join("include/dashpot.h")).unwrap();
+    let name = |word: &str| word.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned();
+    let names: std::collections::BTreeSet<String> =
+        header.split('(').map(name).filter(|n| n.starts_with("dashpot_")).collect();
+    let bodies: String = names.iter().map(|n| format!("void *{n}(void) {{ return 0; }}\n")).collect();
+    std::fs::write(at.join("names.c"), bodies).unwrap();
+    succeed(Command::new(COMPILER).args(["-c", "names.c", "-o", "names.o"]).current_dir(at));
+    let made = |name: &str| {
+        let library = at.join(name).join("dashpot_adams.dll");
+        std::fs::create_dir(at.join(name)).unwrap();
+        let mut make = Command::new("make");
+        make.arg("-s").arg("-C").arg(root().join("adams-usersub")).arg("windows");
+        make.arg(format!("WINDOWS_LIBRARY={}", at.join("names.o").display()));
+        succeed(make.arg(format!("WINDOWS_OUTPUT={}", library.display())));
+        std::fs::read(library).unwrap()
+    };
+    let differing = made("one").iter().zip(&made("another_longer_one")).filter(|(a, b)| a != b).count();
+    assert_eq!(differing, 0, "bytes that depend on the folder");
+    for script in ["vi-crt-bridge/runtimes.sh", "vi-crt-bridge/fmu/build.sh"] {
+        let text = std::fs::read_to_string(root().join(script)).unwrap();
+        assert!(
+            text.contains("--no-insert-timestamp,--disable-auto-image-base"),
+            "{script} links without the same care"
+        );
+    }
 }
 
 /// A crate under a licence that nobody has looked at stops the build of a package; better to know before.

@@ -3,6 +3,7 @@
 //! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
 //! is no part of `cargo test --release`: `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::cli::program;
 use dashpot_tests::library::{directory, root};
 use std::path::{Path, PathBuf};
@@ -10,10 +11,11 @@ use std::process::Command;
 
 /// What builds the wheel, and what its tests need.
 const BUILD: &str = "maturin>=1.9,<2";
-const PACKAGES: [&str; 11] = [
+const PACKAGES: [&str; 12] = [
     "numpy",
     "pytest",
     "mypy",
+    "pyright",
     "pandas",
     "matplotlib",
     "pyarrow",
@@ -43,7 +45,7 @@ fn environment(target: &Path) -> Option<PathBuf> {
     let made = runs(Command::new("python3").args(["-m", "venv"]).arg(&folder))
         .and_then(|()| runs(Command::new(bin.join("python")).args(["-m", "pip", "install", "--quiet"]).args(&wanted)));
     if let Err(told) = made {
-        println!("skipped: Python with {} does not install here: {}", wanted.join(", "), told.replace('\n', " "));
+        skipped(format!("Python with {} does not install here: {told}", wanted.join(", ")));
         return None;
     }
     std::fs::write(&done, wanted.join("\n")).expect("a mark");

@@ -1,6 +1,7 @@
 //! Every block of unsafe code says why it is sound, where it stands. Clippy asks the same (`undocumented_unsafe_blocks` is denied in
 //! `Cargo.toml`); this test also runs where there is no clippy. Where the tools are there, the C interface is run with every access watched.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -108,7 +109,7 @@ fn miri_finds_no_fault_in_the_interface() {
     // Miri reads no assembler, of which the mathematics library has some.
     let run = "miri test -p dashpot-core -p dashpot-abi --features libm/force-soft-floats --test memory";
     match watched(&["miri", "--version"], &run.split(' ').collect::<Vec<_>>(), "", "miri") {
-        None => println!("skipped: no Miri (rustup toolchain install nightly --component miri,rust-src)"),
+        None => skipped("no Miri (rustup toolchain install nightly --component miri,rust-src)"),
         Some((holds, told)) => assert!(holds, "{told}"),
     }
 }
@@ -118,7 +119,7 @@ fn the_address_sanitizer_finds_no_fault_in_the_interface() {
     let target = format!("{}-unknown-linux-gnu", std::env::consts::ARCH);
     let run = ["test", "-p", "dashpot-abi", "--target", &target, "--test", "memory"];
     match watched(&["--version"], &run, "-Zsanitizer=address", "asan") {
-        None => println!("skipped: no nightly Rust (rustup toolchain install nightly)"),
+        None => skipped("no nightly Rust (rustup toolchain install nightly)"),
         Some((holds, told)) => assert!(holds, "{told}"),
     }
 }

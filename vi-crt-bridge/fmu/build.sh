@@ -44,7 +44,9 @@ case $platform in
 win* | *-windows)
     # The kernel's panic handler calls a function that exists nowhere, so that a link fails where it could be reached. Here it
     # cannot, but unlike elsewhere the linker keeps it.
-    end=.dll position=-static-libgcc options=-Wl,--defsym=dashpot_panic_path_exists=abort
+    # The same sources give the same file: without the time, and without a base address drawn from the path of the file.
+    end=.dll position=-static-libgcc
+    options=-Wl,--defsym=dashpot_panic_path_exists=abort,--no-insert-timestamp,--disable-auto-image-base
     ;;
 darwin* | *-darwin) end=.dylib position=-fPIC options= ;;
 *) end=.so position=-fPIC options=-Wl,--exclude-libs,ALL ;;

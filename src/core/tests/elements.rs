@@ -6,15 +6,15 @@ use dashpot_core::elements::{Motion, names};
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_test_support::drawn;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 fn force(model: &Model, v: f64) -> f64 {
     evaluate(model, &State::ZERO, &Input { side_force: 500.0, ..Input::motion(0.0, v) }).0.force
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
+    #![proptest_config(drawn(100))]
 
     #[test]
     fn friction_is_odd(params in any_params(), v in (-7.0..1.0f64).prop_map(|d| 10f64.powf(d))) {

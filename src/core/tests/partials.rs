@@ -5,8 +5,8 @@ use common::*;
 use dashpot_core::evaluate::partials;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_test_support::drawn;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 /// Central difference with Richardson's correction: its own error is far below 1e-6.
 fn difference(f: impl Fn(f64) -> f64, h: f64) -> f64 {
@@ -77,7 +77,7 @@ fn near(value: f64, places: &[f64], distance: f64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
+    #![proptest_config(drawn(60))]
 
     #[test]
     fn step_slopes(x in -0.03..0.03f64, v in -1.2..1.2f64, dx in -2e-5..2e-5f64, dv in -0.3..0.3f64) {

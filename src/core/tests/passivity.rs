@@ -4,11 +4,11 @@ mod common;
 use common::*;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
+use dashpot_test_support::drawn;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
+    #![proptest_config(drawn(200))]
 
     /// Over closed cycles the work done on the damper is not negative, less what the series spring and the mass held at
     /// first and the error of measuring work at the ends of steps.

@@ -4,8 +4,8 @@ mod common;
 use common::*;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
+use dashpot_test_support::drawn;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 /// Steps through `motion` and holds the force against what energy allows.
 ///
@@ -64,7 +64,7 @@ fn run(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
+    #![proptest_config(drawn(400))]
 
     #[test]
     fn random_motion_with_jumps(

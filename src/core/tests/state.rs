@@ -4,8 +4,8 @@ mod common;
 use common::*;
 use dashpot_core::step::{Integration, step, step_batch};
 use dashpot_core::{Input, Model, Output, State};
+use dashpot_test_support::drawn;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 /// All bits of a state and an output.
 fn bits(state: &State, output: &Output) -> Vec<u64> {
@@ -24,7 +24,7 @@ fn bits(state: &State, output: &Output) -> Vec<u64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::default() })]
+    #![proptest_config(drawn(100))]
 
     #[test]
     fn a_copied_state_continues_bit_for_bit(

@@ -1,12 +1,13 @@
 //! Rig records as Python sees them.
 
 use crate::errors::{RecordError, raise, say};
-use crate::progress::Progress;
+use crate::work;
 use dashpot_records::{Options, Profile, Record, load};
-use numpy::PyArray1;
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 /// Records of a campaign, cleaned, in SI, extension and tension positive.
@@ -22,6 +23,9 @@ impl Campaign {
         self.read.records.iter().collect()
     }
 }
+
+/// What makes a campaign again.
+type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
 /// How to read records, from the JSON of a profile (the entries of `campaign.toml`).
 fn options(mapping: &str, strict: bool) -> PyResult<Options> {
@@ -42,10 +46,9 @@ impl Campaign {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Campaign> {
         let options = options(mapping, strict)?;
-        let progress = Progress::new(progress);
-        let read =
-            py.detach(|| load(&paths, &options, &|p| progress.say(p.done as f64 / p.total.max(1) as f64, "reading")));
-        progress.end()?;
+        let read = work::run(py, progress, |progress| {
+            load(&paths, &options, &|p| progress.say(p.done as f64 / p.total.max(1) as f64, "reading"))
+        })?;
         Ok(Campaign { read: read.map_err(raise::<RecordError>)? })
     }
 
@@ -75,6 +78,49 @@ impl Campaign {
             channels.set_item(name, PyArray1::from_slice(py, values))?;
         }
         Ok(channels)
+    }
+
+    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named: what was found, as JSON, the
+    /// channels of every test, and the fingerprints that tests had when they were read.
+    #[pyo3(signature = (only=None))]
+    fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
+        let one = only.map(|index| {
+            let records = self.read.records.get(index).cloned().into_iter().collect();
+            dashpot_records::Campaign { records, ..self.read.clone() }
+        });
+        let read = one.as_ref().unwrap_or(&self.read);
+        let of = Campaign { read: read.clone() };
+        let channels = (0..read.records.len()).map(|k| of.channels(py, k)).collect::<PyResult<_>>()?;
+        let as_read = read.records.iter().map(|r| r.as_read.clone()).collect();
+        Ok((serde_json::to_string(read).map_err(raise::<RecordError>)?, channels, as_read, read.files.clone()))
+    }
+
+    /// A campaign from its [state](Campaign::state).
+    #[staticmethod]
+    fn again(
+        json: &str,
+        channels: Vec<HashMap<String, PyReadonlyArray1<'_, f64>>>,
+        as_read: Vec<Option<String>>,
+        files: Vec<PathBuf>,
+    ) -> PyResult<Campaign> {
+        let mut read: dashpot_records::Campaign = serde_json::from_str(json).map_err(raise::<RecordError>)?;
+        if channels.len() != read.records.len() || as_read.len() != read.records.len() {
+            return Err(say::<RecordError>("a kept campaign whose channels are not those of its tests"));
+        }
+        for ((record, channels), as_read) in read.records.iter_mut().zip(&channels).zip(as_read) {
+            let channel = |name: &str| channels.get(name).map(|values| values.as_array().to_vec());
+            let always = |name: &str| {
+                channel(name).ok_or_else(|| say::<RecordError>(format!("a kept campaign without the channel {name}")))
+            };
+            record.time = always("time")?;
+            record.displacement = always("displacement")?;
+            record.velocity = always("velocity")?;
+            record.force = always("force")?;
+            (record.side_force, record.temperature) = (channel("side_force"), channel("temperature"));
+            record.as_read = as_read;
+        }
+        read.files = files;
+        Ok(Campaign { read })
     }
 
     /// A short name for the content of one test.

@@ -3,47 +3,25 @@
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise};
 use crate::model::Model;
-use crate::progress::Progress;
+use crate::work;
 use dashpot_simulation::comparison::compare;
 use numpy::PyArray1;
-use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 
-/// Figures of a validation, and the simulated forces behind them.
-#[pyclass(frozen, module = "dashpot._native")]
-pub struct Compared {
-    json: String,
-    forces: Vec<[Vec<f64>; 2]>,
-    read: dashpot_records::Campaign,
-}
+/// Forces of the model and of the FV curve alone at the samples of one test, N.
+type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-#[pymethods]
-impl Compared {
-    /// What `dashpot validate --json` writes.
-    #[getter]
-    fn json(&self) -> &str {
-        &self.json
-    }
-
-    /// The records as they were compared: without what the model's own fit found them to be off by.
-    #[getter]
-    fn campaign(&self) -> Campaign {
-        Campaign { read: self.read.clone() }
-    }
-
-    /// Forces of the model and of the FV curve alone at the samples of one test, N.
-    fn forces<'py>(&self, py: Python<'py>, index: usize) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
-        let pair = self.forces.get(index).ok_or_else(|| PyIndexError::new_err("no such test"))?;
-        Ok([PyArray1::from_slice(py, &pair[0]), PyArray1::from_slice(py, &pair[1])])
-    }
-}
-
-/// Compares a model with records, beside the plain FV curve.
+/// Compares a model with records, beside the plain FV curve; returns what `dashpot validate --json` writes, the simulated forces of every test,
+/// and the records as they were compared: without what the model's own fit found them to be off by.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None))]
-pub fn validate(py: Python<'_>, model: &Model, campaign: &Campaign, progress: Option<Py<PyAny>>) -> PyResult<Compared> {
-    let progress = Progress::new(progress);
-    let done = py.detach(|| -> anyhow::Result<Compared> {
+pub fn validate<'py>(
+    py: Python<'py>,
+    model: &Model,
+    campaign: &Campaign,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, Vec<Forces<'py>>, Campaign)> {
+    let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
         let mut read = campaign.read.clone();
         let note = model.file.identification.right(&mut read.records);
@@ -54,9 +32,10 @@ pub fn validate(py: Python<'_>, model: &Model, campaign: &Campaign, progress: Op
         validation.as_the_fit_saw = said;
         validation.unusable.clone_from(&read.unusable);
         let json = serde_json::to_string(&validation)?;
-        let forces = compared.into_iter().map(|c| [c.model, c.fv_only]).collect();
-        Ok(Compared { json, forces, read })
-    });
-    progress.end()?;
-    done.map_err(raise::<ValidationError>)
+        let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
+        Ok((json, forces, read))
+    })?;
+    let (json, forces, read) = done.map_err(raise::<ValidationError>)?;
+    let arrays = |(model, fv_only)| (PyArray1::from_vec(py, model), PyArray1::from_vec(py, fv_only));
+    Ok((json, forces.into_iter().map(arrays).collect(), Campaign { read }))
 }

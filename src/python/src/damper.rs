@@ -2,11 +2,14 @@
 
 use crate::errors::{StepError, say};
 use crate::model::Model;
+use crate::work;
 use dashpot_core::step::step_into;
 use dashpot_core::{Input, Output, State};
 use numpy::ndarray::{ArrayView1, ArrayViewMut1};
-use numpy::{AllowTypeChange, PyArray2, PyArrayLike1, PyArrayLike2, PyArrayMethods as _, PyReadwriteArray1};
-use pyo3::exceptions::PyValueError;
+use numpy::{
+    AllowTypeChange, PyArray1, PyArray2, PyArrayLike2, PyArrayMethods as _, PyReadonlyArray1, PyReadwriteArray1,
+};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -24,12 +27,11 @@ const SHARED: usize = 256;
 const CHUNK: usize = 64;
 
 /// One number for all dampers, or one for each.
-#[derive(FromPyObject)]
-pub enum Channel<'py> {
+enum Channel<'py> {
     /// The same for all.
     One(f64),
     /// One each.
-    Each(PyArrayLike1<'py, f64, AllowTypeChange>),
+    Each(PyReadonlyArray1<'py, f64>),
 }
 
 /// The same, without Python.
@@ -39,7 +41,24 @@ enum Values<'a> {
     Each(ArrayView1<'a, f64>),
 }
 
-impl Channel<'_> {
+impl<'py> Channel<'py> {
+    fn of(name: &str, given: &Bound<'py, PyAny>) -> PyResult<Channel<'py>> {
+        if let Ok(array) = given.cast::<PyArray1<f64>>() {
+            let Ok(values) = array.try_readonly() else {
+                return Err(PyValueError::new_err(format!(
+                    "out is {name} too; give an array of its own for the forces"
+                )));
+            };
+            return Ok(Channel::Each(values));
+        }
+        if let Ok(one) = given.extract() {
+            return Ok(Channel::One(one));
+        }
+        // Whatever else may stand for numbers, with a sentence where it may not.
+        let column = given.py().import("dashpot._numbers")?.getattr("column")?.call1((name, given))?;
+        Ok(Channel::Each(column.extract()?))
+    }
+
     fn values(&self, name: &str, count: usize) -> PyResult<Values<'_>> {
         match self {
             Channel::One(value) => Ok(Values::One(*value)),
@@ -64,6 +83,16 @@ impl Values<'_> {
             Values::Each(values) => values[k],
         }
     }
+}
+
+/// Where the forces go.
+fn writable<'py>(out: &Bound<'py, PyAny>) -> PyResult<PyReadwriteArray1<'py, f64>> {
+    let writable = out.cast::<PyArray1<f64>>().ok().and_then(|array| array.try_readwrite().ok());
+    writable.ok_or_else(|| {
+        PyTypeError::new_err(
+            "out must be a numpy array of one float64 for each damper that may be written into, such as numpy.empty(4)",
+        )
+    })
 }
 
 /// Inputs of all dampers at one instant.
@@ -132,16 +161,27 @@ impl Dampers {
     #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
     #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
     fn step<'py>(
-        &mut self,
+        slf: &Bound<'py, Self>,
         py: Python<'py>,
-        velocity: Channel<'py>,
+        velocity: &Bound<'py, PyAny>,
         dt: f64,
-        displacement: Option<Channel<'py>>,
-        side_force: Channel<'py>,
-        temperature: Channel<'py>,
-        mut out: PyReadwriteArray1<'py, f64>,
+        displacement: Option<&Bound<'py, PyAny>>,
+        side_force: &Bound<'py, PyAny>,
+        temperature: &Bound<'py, PyAny>,
+        out: &Bound<'py, PyAny>,
     ) -> PyResult<()> {
-        let count = self.states.len();
+        let Ok(mut own) = slf.try_borrow_mut() else {
+            return Err(say::<StepError>(
+                "another thread is stepping these dampers; give each thread dampers of its own",
+            ));
+        };
+        let own = &mut *own;
+        let mut out = writable(out)?;
+        let velocity = Channel::of("velocity", velocity)?;
+        let displacement = displacement.map(|x| Channel::of("displacement", x)).transpose()?;
+        let side_force = Channel::of("side_force", side_force)?;
+        let temperature = Channel::of("temperature", temperature)?;
+        let count = own.states.len();
         if !STEP.contains(&dt) {
             return Err(say::<StepError>(format!("dt is {dt} s; it must be between 1e-15 and 100 s")));
         }
@@ -165,21 +205,27 @@ impl Dampers {
                 displacement.unwrap_or(0.0)
             )));
         }
-        let models: &[Py<Model>] = &self.models;
-        let (states, next) = (&self.states[..], &mut self.next[..]);
+        let models: &[Py<Model>] = &own.models;
+        let (states, next) = (&own.states[..], &mut own.next[..]);
         let forces = out.as_array_mut();
         let refused = if count == 1 {
             // Giving the interpreter's lock back and taking it costs as much as the step.
             run(models, states, next, forces, &inputs, dt)
         } else {
-            py.detach(move || run(models, states, next, forces, &inputs, dt))
+            // Below that all is done by this thread, whatever others there are.
+            let pool = if count >= SHARED { work::pool(py) } else { None };
+            let step = move || run(models, states, next, forces, &inputs, dt);
+            py.detach(move || match pool {
+                Some(pool) => pool.install(step),
+                None => step(),
+            })
         };
         if let Some(k) = refused {
             return Err(say::<StepError>(format!(
                 "the force of damper {k} is no finite number: its input or state is far from what a damper meets"
             )));
         }
-        std::mem::swap(&mut self.states, &mut self.next);
+        std::mem::swap(&mut own.states, &mut own.next);
         Ok(())
     }
 

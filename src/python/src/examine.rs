@@ -3,27 +3,16 @@
 use crate::campaign::Campaign;
 use crate::errors::{DiagnosisError, raise};
 use crate::model::Model;
-use crate::progress::Progress;
+use crate::work;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::held_out;
 use dashpot_records::{Record, Unusable};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
-use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
-
-/// A diagnosis.
-#[pyclass(frozen, module = "dashpot._native")]
-pub struct Diagnosed {
-    found: Diagnosis,
-    over_whole_records: OfDiagnosis,
-    as_the_fit_saw: Option<String>,
-    unusable: Vec<Unusable>,
-    improved: String,
-}
 
 /// What `dashpot diagnose --json` writes.
 #[derive(Serialize)]
@@ -36,49 +25,29 @@ struct DiagnosisJson<'a> {
     unusable: &'a [Unusable],
 }
 
-#[pymethods]
-impl Diagnosed {
-    /// What `dashpot diagnose --json` writes.
-    fn json(&self) -> PyResult<String> {
-        let said = DiagnosisJson {
-            found: &self.found,
-            over_whole_records: self.over_whole_records,
-            as_the_fit_saw: self.as_the_fit_saw.as_deref(),
-            unusable: &self.unusable,
-        };
-        serde_json::to_string(&said).map_err(raise::<DiagnosisError>)
+/// Mean cycle of one test: motion, measured force, force before and after.
+fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
+    let Curves { displacement, velocity, measured, before, after, .. } = curves;
+    let arrays = PyDict::new(py);
+    for (name, values) in [
+        ("displacement", displacement),
+        ("velocity", velocity),
+        ("measured", measured),
+        ("before", before),
+        ("after", after),
+    ] {
+        arrays.set_item(name, PyArray1::from_slice(py, values))?;
     }
-
-    /// The text of the model file with the named effects added.
-    #[getter]
-    fn improved(&self) -> &str {
-        &self.improved
-    }
-
-    /// Mean cycle of one test: motion, measured force, force before and after.
-    fn curves<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyDict>> {
-        let test = self.found.tests.get(index).ok_or_else(|| PyIndexError::new_err("no such test"))?;
-        let Curves { displacement, velocity, measured, before, after, .. } = &test.curves;
-        let curves = PyDict::new(py);
-        for (name, values) in [
-            ("displacement", displacement),
-            ("velocity", velocity),
-            ("measured", measured),
-            ("before", before),
-            ("after", after),
-        ] {
-            curves.set_item(name, PyArray1::from_slice(py, values))?;
-        }
-        Ok(curves)
-    }
+    Ok(arrays)
 }
 
-/// Diagnoses a model against records, against a reference where one is given.
+/// Diagnoses a model against records, against a reference where one is given. Returns what `dashpot diagnose --json` writes, the text of the
+/// model file with the named effects added, and the mean cycle of every test.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::too_many_arguments)]
-pub fn diagnose(
-    py: Python<'_>,
+pub fn diagnose<'py>(
+    py: Python<'py>,
     model: &Model,
     campaign: &Campaign,
     reference: Option<&Campaign>,
@@ -87,7 +56,7 @@ pub fn diagnose(
     candidates: Option<Vec<String>>,
     seed: u64,
     progress: Option<Py<PyAny>>,
-) -> PyResult<Diagnosed> {
+) -> PyResult<(String, String, Vec<Bound<'py, PyDict>>)> {
     let unusable: Vec<Unusable> =
         std::iter::once(campaign).chain(reference).flat_map(|c| c.read.unusable.iter().cloned()).collect();
     let (mut own, mut reference) =
@@ -100,14 +69,21 @@ pub fn diagnose(
         held_out(&campaign.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
     let options = Options { max_effects, candidates, reference };
-    let progress = Progress::new(progress);
-    let found = py.detach(|| -> anyhow::Result<Diagnosed> {
+    let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: f64, text: &str| progress.say(done, text);
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
         let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
-        Ok(Diagnosed { found, over_whole_records, as_the_fit_saw: note.map(|n| n.text), unusable, improved })
-    });
-    progress.end()?;
-    found.map_err(raise::<DiagnosisError>)
+        let as_the_fit_saw = note.as_ref().map(|n| &*n.text);
+        let json = serde_json::to_string(&DiagnosisJson {
+            found: &found,
+            over_whole_records,
+            as_the_fit_saw,
+            unusable: &unusable,
+        })?;
+        Ok((json, improved, found.tests))
+    })?;
+    let (json, improved, tests) = done.map_err(raise::<DiagnosisError>)?;
+    let curves = tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()?;
+    Ok((json, improved, curves))
 }

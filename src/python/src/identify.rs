@@ -2,7 +2,7 @@
 
 use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
-use crate::progress::Progress;
+use crate::work;
 use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
 use dashpot_records::hold_out::kept;
@@ -50,13 +50,11 @@ pub fn fit(
     }
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
     let options = FitOptions { family, elements, late: campaign.read.delay.map(|d| d.seconds) };
-    let progress = Progress::new(progress);
-    let found = py.detach(|| -> anyhow::Result<_> {
+    let found = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let found = dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text))?;
         let over_whole_records = whole_records::of_fit(&found, &records)?;
         Ok((found, over_whole_records))
-    });
-    progress.end()?;
+    })?;
     let (found, over_whole_records) = found.map_err(raise::<FitError>)?;
     let said = FitJson {
         tests: &found.tests,

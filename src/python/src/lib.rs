@@ -12,7 +12,8 @@
 //! | `export` | FMU |
 //! | `rig` | the virtual rig |
 //! | `errors` | exceptions with the sentences of the command |
-//! | `progress` | calls back into Python while the work runs without the interpreter's lock |
+//! | `work` | long work without the interpreter's lock, on threads of its own, ended by Ctrl-C |
+//! | `progress` | calls back into Python meanwhile |
 
 mod campaign;
 mod compare;
@@ -24,6 +25,7 @@ mod identify;
 mod model;
 mod progress;
 mod rig;
+mod work;
 
 use pyo3::prelude::*;
 
@@ -31,11 +33,9 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use super::set_threads;
-    #[pymodule_export]
     use crate::campaign::Campaign;
     #[pymodule_export]
-    use crate::compare::{Compared, validate};
+    use crate::compare::validate;
     #[pymodule_export]
     use crate::damper::Dampers;
     #[pymodule_export]
@@ -44,7 +44,7 @@ mod _native {
         RigError, StepError, ValidationError,
     };
     #[pymodule_export]
-    use crate::examine::{Diagnosed, diagnose};
+    use crate::examine::diagnose;
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]
@@ -53,6 +53,8 @@ mod _native {
     use crate::model::{Model, write};
     #[pymodule_export]
     use crate::rig::measure;
+    #[pymodule_export]
+    use crate::work::set_threads;
 
     /// Version of the package.
     #[pymodule_export]
@@ -60,11 +62,4 @@ mod _native {
     /// Whether a fault of the program becomes an exception instead of the end of the process.
     #[pymodule_export]
     const UNWINDS: bool = cfg!(panic = "unwind");
-}
-
-/// Threads that fit, validate and diagnose may use; False where they have started already. As many as there are processors where
-/// it is never called.
-#[pyfunction]
-fn set_threads(count: usize) -> bool {
-    rayon::ThreadPoolBuilder::new().num_threads(count).build_global().is_ok()
 }

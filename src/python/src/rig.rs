@@ -1,7 +1,7 @@
 //! The virtual rig: records to try things on.
 
 use crate::errors::{OutputError, RigError, raise};
-use crate::progress::Progress;
+use crate::work;
 use dashpot_output::FolderLock;
 use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan};
 use pyo3::prelude::*;
@@ -30,8 +30,7 @@ pub fn measure(
     .map_err(raise::<RigError>)?;
     let options = Options { seed, noise_percent, ..Options::default() };
     let held = FolderLock::take(&folder).map_err(raise::<OutputError>)?;
-    let progress = Progress::new(progress);
-    let measured = py.detach(|| -> anyhow::Result<usize> {
+    let measured = work::run(py, progress, |progress| -> anyhow::Result<usize> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "measuring");
         let Some(effects) = hide else {
             let campaign = Campaign::run(&matrix, &options, say)?;
@@ -43,6 +42,5 @@ pub fn measure(
         Ok(outcome.campaign.records.len())
     });
     drop(held);
-    progress.end()?;
-    measured.map_err(raise::<RigError>)
+    measured?.map_err(raise::<RigError>)
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
 use super::cleaning;
@@ -22,7 +22,7 @@ use super::unusable::{self, Sieve, Unusable};
 use super::{csv, glob, mat, mdf, rpc, slips, tdms, xlsx};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Campaign {
     /// One record per test, in natural order of the file names, then in the order within the file.
     pub records: Vec<Record>,

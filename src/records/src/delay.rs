@@ -5,12 +5,12 @@
 //! told here; nothing is moved unless the user says so.
 
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::cleaning::Motion;
 
 /// A delay of the force channel, as the records show it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Delay {
     /// How much later the force comes than the motion, s, beside the delay that was given.
     pub seconds: f64,

@@ -122,6 +122,7 @@ pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64
 mod tests {
     use std::f64::consts::TAU;
 
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
     use super::*;
@@ -160,6 +161,7 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(drawn(256))]
         #[test]
         fn cubics_are_differentiated_exactly_at_uneven_times(
             c in prop::array::uniform4(-1.0..1.0_f64),

@@ -1,11 +1,13 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
-use serde::Serialize;
+use serde::{Deserialize, Deserializer, Serialize};
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
 
 /// One test of a campaign after reading and cleaning.
 ///
 /// All channels have the same length. SI units, extension (rebound) velocity positive, tension force positive.
-#[derive(Debug, Clone, Default, Serialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Record {
     /// Name of the test: the file stem, or the value of the test column.
     pub name: String,
@@ -64,7 +66,7 @@ impl Record {
 }
 
 /// Noise floor of the force of one test.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Noise {
     /// Root mean square of the force noise of one sample, N.
     pub force_rms: f64,
@@ -75,7 +77,7 @@ pub struct Noise {
 }
 
 /// What a noise figure rests on.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NoiseSource {
     /// Differences between repeated cycles at equal phase.
@@ -87,12 +89,29 @@ pub enum NoiseSource {
     Unknown,
 }
 
+/// A kind of finding. As a name of its own, for serde takes a reference for something borrowed from what is read.
+pub type Kind = &'static str;
+
 /// One thing that cleaning or derivation did to a record, or noticed in it.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Note {
     /// Kind of finding, one word in snake case (`trimmed`, `clipped`, `frozen`, `duplicated`, `out_of_order`,
     /// `outlier`, `drift`, `derived`, `converted`, ...).
-    pub kind: &'static str,
+    #[serde(deserialize_with = "known_kind")]
+    pub kind: Kind,
     /// The sentence a person reads, with figures.
     pub text: String,
+}
+
+/// A kind read back, as a word that lasts: there are some dozens of kinds, each of which is kept once.
+fn known_kind<'de, D: Deserializer<'de>>(from: D) -> Result<Kind, D::Error> {
+    static KINDS: Mutex<BTreeSet<Kind>> = Mutex::new(BTreeSet::new());
+    let kind = String::deserialize(from)?;
+    let mut kinds = KINDS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = kinds.get(&*kind) {
+        return Ok(known);
+    }
+    let kind: Kind = Box::leak(kind.into_boxed_str());
+    kinds.insert(kind);
+    Ok(kind)
 }

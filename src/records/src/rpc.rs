@@ -164,6 +164,7 @@ impl<'a> Header<'a> {
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
     use super::*;
@@ -280,7 +281,7 @@ pub(crate) mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(drawn(2000))]
         #[test]
         fn a_damaged_file_is_read_or_refused(at in 0..4000_usize, byte in any::<u8>(), keep in 0..6000_usize) {
             let x = wave(40, 25.0, 0.0);

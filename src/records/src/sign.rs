@@ -5,7 +5,7 @@
 //! counted in rebound or both in compression? Energy cannot tell. Gas pressure pushes the rod out, and most dampers
 //! resist rebound more than compression; both are evidence, weighed as odds.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::cleaning::{Motion, delay_motion};
 use super::delay::{self, Cause, Delay, UNCLEAR};
@@ -15,7 +15,7 @@ use super::record::Note;
 use super::samples::{median, quantile};
 
 /// What is known about the direction that the files count positive.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SignFinding {
     /// Direction positive in the files (after the flips that the options ask for).
     pub positive: Positive,

@@ -4,13 +4,13 @@
 //! its reason wherever the campaign is told of. What concerns all tests (a column, a unit, a sign) stays a refusal, for
 //! there the user has the answer.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::error::RecordError;
 use super::record::Note;
 
 /// A file or test that was left out.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unusable {
     /// Why, in a sentence that names the file, and the test within it.
     pub why: String,

@@ -9,19 +9,7 @@
 //!
 //! SI units; extension (rebound) displacement and velocity positive, tension force positive.
 //!
-//! ```
-//! use dashpot_rig::{Campaign, Matrix, MatrixOptions, Options};
-//!
-//! let matrix = Matrix::thesis(&MatrixOptions {
-//!     amplitudes_m: vec![0.05],
-//!     peak_velocities_m_s: vec![0.5236],
-//!     slow_tests: false,
-//!     ..MatrixOptions::default()
-//! })?;
-//! let campaign = Campaign::run(&matrix, &Options::default(), |_done, _total| {})?;
-//! assert_eq!(campaign.records[0].point.name, "a50mm_v0524mm_s");
-//! # Ok::<(), dashpot_rig::RigError>(())
-//! ```
+//! `tests/first_use.rs` shows both at work.
 
 pub mod campaign;
 pub mod damper;

@@ -260,6 +260,7 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
 mod tests {
     use super::*;
     use dashpot_core::Params;
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
     use std::f64::consts::TAU;
 
@@ -345,6 +346,7 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(drawn(256))]
         #[test]
         fn the_spline_is_exact_for_cubics_at_uneven_times(
             c in prop::array::uniform4(-1.0..1.0_f64),

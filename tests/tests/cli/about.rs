@@ -1,6 +1,7 @@
 //! What the command says of itself: version, completions, manual pages.
 
 use dashpot_abi::version::DASHPOT_ABI_VERSION;
+use dashpot_test_support::skipped;
 use dashpot_tests::cli::{done, refused};
 use std::process::Command;
 
@@ -44,7 +45,7 @@ fn bash_completes_a_verb() {
     let script = ". ./dashpot.bash; COMP_WORDS=(dashpot vali); COMP_CWORD=1; _dashpot dashpot vali dashpot; echo ${COMPREPLY[@]}";
     match Command::new("bash").args(["-c", script]).current_dir(folder.path()).output() {
         Ok(out) => assert_eq!(String::from_utf8_lossy(&out.stdout).trim(), "validate", "{out:?}"),
-        Err(_) => println!("skipped: no bash"),
+        Err(_) => skipped("no bash"),
     }
 }
 

@@ -1,5 +1,6 @@
 //! What the command writes for Adams reads back and holds what its page says; what it reads from Adams comes back.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
 use dashpot_tests::cli::{done, refused};
 use std::collections::BTreeMap;
@@ -261,7 +262,7 @@ fn a_closed_standard_output_is_an_error() {
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
-        println!("skipped: DASHPOT_ADAMS_PROPERTY_FILES names no folder of real .dpr and .xml files");
+        skipped("DASHPOT_ADAMS_PROPERTY_FILES names no folder of real .dpr and .xml files");
         return;
     };
     let folder = tempfile::tempdir().unwrap();

@@ -1,6 +1,7 @@
 //! What the library for Adams asks of the solver and gives to it: utilities, units, partials, iflags, frames, threads.
 
 use dashpot_core::Input;
+use dashpot_test_support::skipped;
 use dashpot_tests::adams::{
     FULL, FULL_STATES, PLAIN, ROUTINES, Run, Surroundings, deviation, kernel, library, model_of, run, run_library,
     solver, solver_without, started, utilities, watched_for_races, with, written,
@@ -426,7 +427,7 @@ fn the_gse_is_declared_threadsafe_and_is() {
         assert_eq!(run.count("threadsafe") > 0, declared, "{routine}");
     }
     let Some((solver, library)) = watched_for_races() else {
-        println!("skipped: this compiler cannot watch for races (-fsanitize=thread)");
+        skipped("this compiler cannot watch for races (-fsanitize=thread)");
         return;
     };
     for threads in ["threads=1", "threads=2"] {

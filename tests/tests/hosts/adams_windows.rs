@@ -1,6 +1,7 @@
 //! The library for Adams on Windows: built on Linux with mingw-w64, looked into, and run with Wine where it is there.
 
 use dashpot_core::{Input, evaluate::force};
+use dashpot_test_support::skipped;
 use dashpot_tests::adams::{PLAIN, model_of, written};
 use dashpot_tests::library::{root, succeed};
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ fn tables(library: &Path) -> (Vec<String>, Vec<String>) {
 #[test]
 fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     if let Some(what) = missing() {
-        println!("skipped: no {what}");
+        skipped(format!("no {what}"));
         return;
     }
     let folder = tempfile::tempdir().unwrap();

@@ -1,11 +1,12 @@
 //! Damaged channel maps and FMU resources through the readers in C, under the compiler's watch over memory: each is taken or refused, and
 //! nothing is read or written beyond its block.
 
+use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::fmu::exported;
 use dashpot_tests::hostile::rounds;
 use dashpot_tests::library::{Language, compiler, directory, root, succeed};
-use dashpot_tests::python::python;
+use dashpot_tests::python::{has_python, python};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -18,7 +19,7 @@ fn watched(at: &Path) -> Option<PathBuf> {
     let mut probe = compiler(Language::C);
     probe.arg("-fsanitize=address,undefined").arg(at.join("probe.c")).arg("-o").arg(at.join("probe"));
     if !probe.output().is_ok_and(|made| made.status.success()) {
-        println!("skipped: the compiler has no -fsanitize=address,undefined");
+        skipped("the compiler has no -fsanitize=address,undefined");
         return None;
     }
     let bridge = root().join("vi-crt-bridge");
@@ -40,6 +41,9 @@ fn watched(at: &Path) -> Option<PathBuf> {
 
 #[test]
 fn damaged_maps_and_resources_are_taken_or_refused() {
+    if !has_python() {
+        return;
+    }
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
     let Some(program) = watched(at) else { return };

@@ -3,16 +3,20 @@
 use dashpot_core::elements::{COUNT, GROUPS};
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::{Model, Params, model_file};
+use dashpot_test_support::skipped;
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::cli::{refused, run_with};
 use dashpot_tests::fmu::{exported, runtimes};
 use dashpot_tests::library::{root, succeed};
-use dashpot_tests::python::python;
+use dashpot_tests::python::{has_python, python};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
 
 fn runs(fmi: &str, four: bool) {
+    if !has_python() {
+        return;
+    }
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
     exported(at, MODEL, fmi, four, &[]);
@@ -53,6 +57,9 @@ fn entries(fmu: &Path) -> Vec<String> {
 /// No compiler is there: the runtime is in the command, and reads the model from the FMU's resources.
 #[test]
 fn no_compiler_is_needed_and_sources_may_stay_at_home() {
+    if !has_python() {
+        return;
+    }
     runtimes();
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -124,8 +131,11 @@ fn a_library_for_another_system_is_refused() {
 /// An importer that compiles (`fmpy compile`) finds what it needs in the description, and what it makes is the damper.
 #[test]
 fn fmpy_compiles_it() {
+    if !has_python() {
+        return;
+    }
     if Command::new("cmake").arg("--version").output().is_err() {
-        println!("skipped: needs cmake");
+        skipped("needs cmake");
         return;
     }
     let folder = tempfile::tempdir().expect("a directory");
@@ -154,6 +164,9 @@ fn unpacked(fmu: &Path, to: &Path) {
 /// Every row of the parameter table of the elements that are on, and none of the others, as the table has it.
 #[test]
 fn the_description_is_the_parameter_table() {
+    if !has_python() {
+        return;
+    }
     const EVERY_KIND_OF_ROW: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_spring\", \
                                      \"bump_stop\", \"temperature_fade\", \"lagged_polynomial\", \"frequency_selective_damping\"]\n\
                                      polynomial = [0.0, 400.0, 0.0, 30.0]\nstribeck_form = \"full\"\ngas_stiffness = 700\n";
@@ -245,6 +258,9 @@ fn the_description_is_the_parameter_table() {
 /// and with the kernel compiled from the sources that lie there.
 #[test]
 fn its_sources_are_all_it_needs() {
+    if !has_python() {
+        return;
+    }
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
     let bridge = bridge_host("bridge.c", &[], at);
@@ -284,7 +300,7 @@ fn its_sources_are_all_it_needs() {
 fn windows_host(at: &Path) -> Option<String> {
     let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
     if !there("wine") || !there("x86_64-w64-mingw32-gcc") {
-        println!("skipped: needs wine and mingw-w64");
+        skipped("needs wine and mingw-w64");
         return None;
     }
     let bridge = bridge_host("bridge.c", &[], at);
@@ -308,13 +324,16 @@ fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
 /// The runtime that the command holds finds the model in whatever way an importer on Windows names the folder.
 #[test]
 fn the_runtime_for_windows_reads_its_resources() {
+    if !has_python() {
+        return;
+    }
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
     exported(at, MODEL, "2", false, &["--no-sources"]);
     unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
     let dll = at.join("unpacked/binaries/win64/dashpot_damper.dll");
     if !dll.is_file() {
-        println!("skipped: the command holds no runtime for Windows");
+        skipped("the command holds no runtime for Windows");
         return;
     }
     let Some(guid) = windows_host(at) else { return };
@@ -338,6 +357,9 @@ fn the_runtime_for_windows_reads_its_resources() {
 /// For Windows, where a cross compiler is installed; the result goes into the FMU beside the one for this computer.
 #[test]
 fn a_binary_for_another_platform_goes_inside() {
+    if !has_python() {
+        return;
+    }
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
     exported(at, MODEL, "2", false, &[]);
@@ -353,7 +375,7 @@ fn a_binary_for_another_platform_goes_inside() {
     let rust = installed.is_ok_and(|told| String::from_utf8_lossy(&told.stdout).contains(target));
     let gcc = Command::new("x86_64-w64-mingw32-gcc").arg("--version").output().is_ok();
     if !rust || !gcc {
-        println!("not tested: needs mingw-w64 and rustup target add {target}");
+        skipped(format!("needs mingw-w64 and rustup target add {target}"));
         return;
     }
     unpacked(&at.join("damper.fmu"), &at.join("unpacked"));
@@ -387,6 +409,9 @@ fn a_binary_for_another_platform_goes_inside() {
 
 #[test]
 fn the_page_says_that_a_damper_chatters_in_a_host_that_holds_its_force() {
+    if !has_python() {
+        return;
+    }
     let with = |steepness: u32| {
         format!(
             "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\

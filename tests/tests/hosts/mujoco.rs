@@ -2,7 +2,7 @@
 
 use dashpot_tests::bridge::{MODEL, bridge_host};
 use dashpot_tests::library::{root, succeed};
-use dashpot_tests::python::python;
+use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
 /// The curve and the gas force of [`MODEL`] alone.
@@ -11,6 +11,9 @@ const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas
 /// The host compares MuJoCo's quarter car with one integrated by hand and refuses a vehicle that gains energy.
 #[test]
 fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
+    if !has_python() {
+        return;
+    }
     let directory = tempfile::tempdir().expect("a directory");
     let at = directory.path();
     std::fs::write(at.join("model.toml"), MODEL).expect("a model file");

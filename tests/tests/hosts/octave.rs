@@ -1,6 +1,7 @@
 //! The MEX function in GNU Octave: the example runs and gives the kernel's forces.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
+use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::library::{directory, root};
 use std::process::{Command, Stdio};
@@ -8,7 +9,7 @@ use std::process::{Command, Stdio};
 #[test]
 fn the_example_gives_the_kernels_forces() {
     if Command::new("mkoctfile").arg("--version").stdout(Stdio::null()).status().is_err() {
-        println!("not tested: needs GNU Octave; .ci/run installs it by apt-get install octave octave-dev");
+        skipped("needs GNU Octave; .ci/run installs it by apt-get install octave octave-dev");
         return;
     }
     let folder = tempfile::tempdir().expect("a directory");

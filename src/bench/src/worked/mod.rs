@@ -13,6 +13,7 @@ use crate::session::simulation::Simulated;
 use crate::session::tasks::Kind;
 use crate::views::lines::Whose;
 use crate::words::Language;
+use dashpot_test_support::skipped;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::{Queryable as _, by};
@@ -491,7 +492,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     assert!(text.contains("Left out") && text.contains("check sum"), "{text}");
     // Where this program holds the compiled runtimes, FMUs are whole; elsewhere that is said.
     if dashpot_hosts::runtimes::compiled("linux64", "dashpot_damper.so").is_none() {
-        println!("skipped: FMUs, for there are no compiled runtimes; {}", dashpot_hosts::runtimes::HOW);
+        skipped(format!("FMUs, for there are no compiled runtimes; {}", dashpot_hosts::runtimes::HOW));
         return;
     }
     for (host, name, inside) in [
@@ -604,7 +605,7 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
 fn latency() {
     let given = |name: &str| std::env::var_os(name).map(PathBuf::from);
     let (Some(records), Some(model)) = (given("DASHPOT_CAMPAIGN"), given("DASHPOT_MODEL")) else {
-        println!("skipped: DASHPOT_CAMPAIGN and DASHPOT_MODEL name no campaign and no model");
+        skipped("DASHPOT_CAMPAIGN and DASHPOT_MODEL name no campaign and no model");
         return;
     };
     const MOVES: usize = 60;

@@ -9,7 +9,8 @@
 
 SI units; extension (rebound) velocity and tension force are positive everywhere. What the package says has the same digits and
 the same sentences as the command ``dashpot``. Long work gives the interpreter's lock back, so threads run beside it; it uses
-all processors unless :func:`set_threads` says otherwise, and cannot be interrupted before it ends.
+all processors unless :func:`set_threads` says otherwise, and Ctrl-C or an exception of a ``progress`` function ends it. Campaigns, models
+and results go through ``pickle``, so that they can be handed to other processes.
 """
 
 from ._native import (

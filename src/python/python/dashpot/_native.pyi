@@ -1,4 +1,6 @@
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import final
 
 import numpy as np
@@ -30,6 +32,14 @@ class Campaign:
     def __len__(self) -> int: ...
     def channels(self, index: int) -> dict[str, _Array]: ...
     def fingerprint(self, index: int) -> str: ...
+    def state(self, only: int | None = None) -> tuple[str, list[dict[str, _Array]], list[str | None], list[Path]]: ...
+    @staticmethod
+    def again(
+        json: str,
+        channels: Sequence[Mapping[str, _Array]],
+        as_read: Sequence[str | None],
+        files: Sequence[str | os.PathLike[str]],
+    ) -> Campaign: ...
 
 @final
 class Model:
@@ -52,21 +62,6 @@ class Model:
         initial_position: float | None,
         step: float | None,
     ) -> list[_Array]: ...
-
-@final
-class Compared:
-    @property
-    def json(self) -> str: ...
-    @property
-    def campaign(self) -> Campaign: ...
-    def forces(self, index: int) -> list[_Array]: ...
-
-@final
-class Diagnosed:
-    def json(self) -> str: ...
-    @property
-    def improved(self) -> str: ...
-    def curves(self, index: int) -> dict[str, _Array]: ...
 
 @final
 class Dampers:
@@ -93,7 +88,7 @@ def fit(
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
 ) -> tuple[str, str]: ...
-def validate(model: Model, campaign: Campaign, progress: _Progress = None) -> Compared: ...
+def validate(model: Model, campaign: Campaign, progress: _Progress = None) -> tuple[str, list[tuple[_Array, _Array]], Campaign]: ...
 def diagnose(
     model: Model,
     campaign: Campaign,
@@ -103,7 +98,7 @@ def diagnose(
     candidates: Sequence[str] | None = None,
     seed: int = 0,
     progress: _Progress = None,
-) -> Diagnosed: ...
+) -> tuple[str, str, list[dict[str, _Array]]]: ...
 def measure(
     folder: str,
     amplitudes: Sequence[float] | None,
@@ -127,4 +122,4 @@ def export_fmu(
     hide_parameters: bool,
     library: str | None,
 ) -> list[str]: ...
-def set_threads(count: int) -> bool: ...
+def set_threads(count: int) -> None: ...

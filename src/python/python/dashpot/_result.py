@@ -67,7 +67,7 @@ def _plain(value: Any) -> Any:
     return value
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Result:
     """A result: a frozen dataclass. SI units; extension (rebound) velocity and tension force are positive."""
 
@@ -106,6 +106,23 @@ class Result:
     def _repr_html_(self) -> str:
         return table(self._title(), self._rows())
 
+    def __repr__(self) -> str:
+        """Short enough for a prompt: of many values it says how many there are; :meth:`to_dict` and :meth:`to_pandas` have all."""
+        fields = ((f.name, getattr(self, f.name)) for f in dataclasses.fields(self) if f.repr and not f.name.startswith("_"))
+        return f"{type(self).__name__}({', '.join(f'{name}={_brief(value)}' for name, value in fields)})"
+
+
+#: Values of a sequence that a prompt shows.
+_SHOWN_AT_PROMPT = 3
+
+
+def _brief(value: Any) -> str:
+    if isinstance(value, Result):
+        return f"<{type(value).__name__}>"
+    if isinstance(value, (tuple, list)) and len(value) > 0 and (len(value) > _SHOWN_AT_PROMPT or isinstance(value[0], (Result, tuple))):
+        return f"<{len(value)} of {type(value[0]).__name__}>"
+    return repr(value)
+
 
 def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     """Nested dictionaries as one, keys joined by dots; lists are left out."""
@@ -118,13 +135,13 @@ def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return out
 
 
-def frame(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
-    """Rows as a table of pandas."""
+def frame(rows: Sequence[Mapping[str, Any]] | Mapping[str, Any]) -> pandas.DataFrame:
+    """Rows, or columns by name, as a table of pandas."""
     try:
         import pandas
     except ImportError as error:
         raise ImportError("to_pandas() needs pandas: pip install 'dashpot[pandas]'") from error
-    return pandas.DataFrame(list(rows))
+    return pandas.DataFrame(rows if isinstance(rows, Mapping) else list(rows))
 
 
 def _shown(value: Any) -> str:

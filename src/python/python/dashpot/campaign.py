@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _native
+from ._numbers import words
 from ._result import Result, flat, frame, table
 from .results import Delay, Noise, Note, SignFinding, Unusable
 
@@ -25,7 +27,7 @@ Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[float, str], object]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Record(Result):
     """One cleaned test. SI units; extension (rebound) velocity and tension force are positive."""
 
@@ -83,13 +85,15 @@ class Record(Result):
             raise ValueError("only records of a Campaign have a fingerprint")
         return self._native.fingerprint(self._index)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._native is None:
+            return (_plain_record, (self.to_dict(),))
+        return (_record, self._native.state(self._index))
+
     def to_pandas(self) -> pandas.DataFrame:
         """The channels as columns with their units."""
         units = {"time": "s", "displacement": "m", "velocity": "m_s", "force": "N", "side_force": "N", "temperature": "C"}
-        channels = self._channels()
-        import pandas
-
-        return pandas.DataFrame({f"{name}_{units[name]}": values for name, values in channels.items()})
+        return frame({f"{name}_{units[name]}": values for name, values in self._channels().items()})
 
 
 class Campaign(Sequence[Record]):
@@ -136,7 +140,7 @@ class Campaign(Sequence[Record]):
         strict: bool = False,
         progress: Progress | None = None,
     ) -> Campaign:
-        """Reads record files (text, XLSX, MAT v5, RPC III), or folders of them, as one campaign.
+        """Reads record files (text, XLSX, MAT, MDF, TDMS, RPC III), or folders of them, as one campaign.
 
         What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same.
 
@@ -159,18 +163,26 @@ class Campaign(Sequence[Record]):
 
         >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
         """
-        paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+        paths = [path] if isinstance(path, (str, os.PathLike)) else path
+        if isinstance(paths, bytes) or not (isinstance(paths, Sequence) and all(isinstance(p, (str, os.PathLike)) for p in paths)):
+            raise TypeError(f"path is a file or folder as str or pathlib.Path, or a list of them, not {path!r}")
+        numbers = {
+            "delay_s": delay_s,
+            "force_zero_n": force_zero_n,
+            "displacement_zero_m": displacement_zero_m,
+            "gain": gain,
+            "rig_mass_kg": rig_mass_kg,
+            "initial_position_m": initial_position_m,
+        }
+        for name, value in numbers.items():
+            if not math.isfinite(value):
+                raise ValueError(f"{name} is {value}; it must be a finite number")
         mapping = {
             "format": "dashpot campaign profile 1",
-            "flip": list(flip),
-            "ignore": list(ignore),
-            "exclude": list(exclude),
-            "delay_s": float(delay_s),
-            "force_zero_n": float(force_zero_n),
-            "displacement_zero_m": float(displacement_zero_m),
-            "gain": float(gain),
-            "rig_mass_kg": float(rig_mass_kg),
-            "initial_position_m": float(initial_position_m),
+            "flip": words(flip),
+            "ignore": words(ignore),
+            "exclude": words(exclude),
+            **{name: float(value) for name, value in numbers.items()},
             "columns": {k: str(v) for k, v in (columns or {}).items()},
             "units": dict(units or {}),
         }
@@ -185,7 +197,11 @@ class Campaign(Sequence[Record]):
     def __iter__(self) -> Iterator[Record]:
         return iter(self._records)
 
-    def __getitem__(self, key: Any) -> Any:
+    @overload
+    def __getitem__(self, key: int | str) -> Record: ...
+    @overload
+    def __getitem__(self, key: slice) -> tuple[Record, ...]: ...
+    def __getitem__(self, key: int | str | slice) -> Record | tuple[Record, ...]:
         """A test by its place or its name."""
         if isinstance(key, str):
             for record in self._records:
@@ -198,6 +214,9 @@ class Campaign(Sequence[Record]):
     def names(self) -> tuple[str, ...]:
         """Names of the tests."""
         return tuple(r.name for r in self._records)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_campaign, (self.paths, *self._native.state()))
 
     def to_dict(self) -> dict[str, Any]:
         """What was found, without the channels."""
@@ -227,3 +246,23 @@ def _fields(said: dict[str, Any]) -> dict[str, Any]:
     """The fields of a record from what the reader says of it."""
     record = Record.from_dict(said)
     return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}
+
+
+def native_of(campaign: Campaign, name: str) -> _native.Campaign:
+    """What the compiled part takes; a sentence where a path or something else stands in a campaign's place."""
+    if not isinstance(campaign, Campaign):
+        raise TypeError(f"{name} is a dashpot.Campaign, not a {type(campaign).__name__}; dashpot.Campaign.read(path) reads one")
+    return campaign._native
+
+
+# What pickle calls.
+def _campaign(paths: tuple[str, ...], *state: Any) -> Campaign:
+    return Campaign(_native.Campaign.again(*state), paths)
+
+
+def _record(*state: Any) -> Record:
+    return _campaign((), *state)[0]
+
+
+def _plain_record(data: dict[str, Any]) -> Record:
+    return Record.from_dict(data)

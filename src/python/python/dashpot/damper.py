@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Union, overload
+from typing import TYPE_CHECKING, Any, Union, overload
 
 import numpy as np
 
@@ -31,17 +31,27 @@ class Damper:
 
     def __init__(self, model: Union[Model, Sequence[Model]], initial_position: npt.ArrayLike = 0.0) -> None:
         models = [model] if isinstance(model, Model) else list(model)
+        for given in models:
+            if not isinstance(given, Model):
+                raise TypeError(f"a damper is made of a dashpot.Model, not of a {type(given).__name__}; dashpot.Model.read(path) reads one")
         positions = np.asarray(initial_position, dtype=float)
         self._single = positions.ndim == 0 and isinstance(model, Model)
         if positions.ndim == 0:
             positions = np.full(len(models), float(positions))
         if positions.ndim != 1:
             raise ValueError(f"initial_position is one number, or one for each damper, not an array of {positions.ndim} dimensions")
+        self._models, self._count = tuple(models), len(positions)
         self._native = _native.Dampers([m._native for m in models], positions.tolist())
         self._forces: Forces = np.zeros(len(positions))
 
     def __len__(self) -> int:
-        return len(self._native)
+        return self._count
+
+    def __repr__(self) -> str:
+        return f"<dashpot.Damper, {'one damper' if self._single else f'{len(self)} dampers'}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (self._models, self._single, self.state))
 
     @overload
     def step(
@@ -87,7 +97,7 @@ class Damper:
         if out is not None:
             self._native.step(velocity, dt, displacement, side_force, temperature, out)
             return out
-        forces = self._forces if self._single else np.empty(len(self._native))
+        forces = self._forces if self._single else np.empty(self._count)
         self._native.step(velocity, dt, displacement, side_force, temperature, forces)
         return float(forces[0]) if self._single else forces
 
@@ -99,3 +109,10 @@ class Damper:
     @state.setter
     def state(self, rows: npt.NDArray[np.float64]) -> None:
         self._native.state = rows
+
+
+def _again(models: tuple[Model, ...], single: bool, state: Forces) -> Damper:
+    """What pickle calls."""
+    damper = Damper(models[0], 0.0) if single else Damper(models[0] if len(models) == 1 else models, np.zeros(len(state)))
+    damper.state = state
+    return damper

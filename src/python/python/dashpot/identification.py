@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from . import _native
-from .campaign import Campaign, Progress
+from ._numbers import words
+from .campaign import Campaign, Progress, native_of
 from .model import Model
 from .results import Diagnosis, FitResult
 
@@ -31,8 +32,8 @@ def fit(
     :param progress: is told the share done and what is being done.
     :raises FitError: where no model can be fitted to these records.
     """
-    wanted = None if elements is None else list(elements)
-    text, said = _native.fit(campaign._native, family, wanted, list(hold_out), progress)
+    wanted = None if elements is None else words(elements)
+    text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), progress)
     return Model(text, "damper.toml", fit=FitResult.from_dict(json.loads(said)))
 
 
@@ -58,15 +59,18 @@ def diagnose(
     :param progress: is told the share done and what is being done.
     :raises DiagnosisError: where there is nothing to look at.
     """
-    found = _native.diagnose(
+    if not isinstance(model, Model):
+        raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
+    said, improved, curves = _native.diagnose(
         model._native,
-        campaign._native,
-        None if reference is None else reference._native,
-        list(hold_out),
+        native_of(campaign, "campaign"),
+        None if reference is None else native_of(reference, "reference"),
+        words(hold_out),
         max_effects,
-        None if candidates is None else list(candidates),
+        None if candidates is None else words(candidates),
         seed,
         progress,
     )
-    said = Diagnosis.from_dict(json.loads(found.json()))
-    return replace(said, improved=Model(found.improved, "improved.toml"), _diagnosed=found)
+    return replace(
+        Diagnosis.from_dict(json.loads(said)), improved=Model(improved, "improved.toml"), _curves=tuple(curves)
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 from collections.abc import Sequence
@@ -12,7 +13,8 @@ import numpy as np
 
 from . import _native
 from ._result import Result, frame, table
-from .campaign import Campaign, Path, Progress
+from ._numbers import column, several
+from .campaign import Campaign, Path, Progress, native_of
 from .results import FitResult, Validation
 
 if TYPE_CHECKING:
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
     import pandas
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Parameter(Result):
     """One parameter of an element that is on, with its 95 % interval where a fit left one."""
 
@@ -34,7 +36,7 @@ class Parameter(Result):
     identified: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Response(Result):
     """Force of a model for a motion. SI units; extension (rebound) velocity and tension force are positive."""
 
@@ -57,11 +59,7 @@ class Response(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row an instant."""
-        try:
-            import pandas
-        except ImportError as error:
-            raise ImportError("to_pandas() needs pandas: pip install 'dashpot[pandas]'") from error
-        return pandas.DataFrame(self._columns())
+        return frame(self._columns())
 
     def _repr_html_(self) -> str:
         row = {
@@ -73,6 +71,10 @@ class Response(Result):
         }
         return table("Force for a motion", [row])
 
+    def __repr__(self) -> str:
+        span = f"{self.time[0]:.6g} to {self.time[-1]:.6g} s"
+        return f"<dashpot.Response of {len(self.time)} instants, {span}, {self.force.min():.6g} to {self.force.max():.6g} N>"
+
 
 class Model:
     """An identified damper. Made by :func:`dashpot.fit`, :meth:`read`, or from the text of a model file.
@@ -81,6 +83,8 @@ class Model:
     """
 
     def __init__(self, text: str, name: Path = "model", *, fit: FitResult | None = None) -> None:
+        if "\n" not in text and text.endswith(".toml"):
+            raise _native.ModelError(f"{text!r} is no text of a model file; dashpot.Model.read({text!r}) reads one by its path")
         self._native = _native.Model.parse(text, os.fspath(name))
         self._name = os.fspath(name)
         self.fit: FitResult | None = fit
@@ -137,12 +141,17 @@ class Model:
         return self._native.velocity_range()
 
     def __getitem__(self, name: str) -> Any:
-        """The value of a parameter."""
-        return self.parameters[name].value
+        """The value of a parameter of an element that is on."""
+        parameters = self.parameters
+        if name in parameters:
+            return parameters[name].value
+        near = difflib.get_close_matches(str(name), parameters, 1)
+        hint = f"did you mean {near[0]!r}?" if near else f"there are {several(list(parameters))}"
+        raise KeyError(f"there is no parameter {name!r} of an element that is on; {hint}")
 
     def steady_force(self, velocity: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
-        return self._native.steady_force(np.atleast_1d(np.asarray(velocity, dtype=float)))
+        return self._native.steady_force(column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity))
 
     def validate(self, campaign: Campaign, *, progress: Progress | None = None) -> Validation:
         """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
@@ -154,9 +163,10 @@ class Model:
         """
         from dataclasses import replace
 
-        compared = _native.validate(self._native, campaign._native, progress)
-        as_compared = Campaign(compared.campaign, campaign.paths)
-        return replace(Validation.from_dict(json.loads(compared.json)), _compared=compared, campaign=as_compared)
+        said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), progress)
+        return replace(
+            Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths)
+        )
 
     def simulate(
         self,
@@ -179,9 +189,19 @@ class Model:
         :param time: times, s, increasing.
         :param step: fixed step, s; the times given if not.
         :raises MotionError: where a number overflows, or position or step cannot be.
+        :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
-        columns = self._native.simulate(time, displacement, velocity, side_force, temperature, initial_position, step)
-        return Response(*columns)
+        return Response(
+            *self._native.simulate(
+                column("time", time),
+                None if displacement is None else column("displacement", displacement),
+                None if velocity is None else column("velocity", velocity),
+                None if side_force is None else column("side_force", side_force),
+                None if temperature is None else column("temperature", temperature),
+                initial_position,
+                step,
+            )
+        )
 
     def export_fmu(
         self,

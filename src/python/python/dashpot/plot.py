@@ -23,85 +23,86 @@ __all__ = ["campaign", "changed", "curve", "errors", "improvement", "loop"]
 MEASURED, MODEL, FV_ONLY = "#111111", "#1f6feb", "#d97706"
 
 
-def _axes(axes: Axes | None) -> Any:
+def _axes(axes: Axes | None) -> Axes:
     if axes is not None:
         return axes
     try:
         from matplotlib import pyplot
     except ImportError as error:
         raise ImportError("dashpot.plot needs matplotlib: pip install 'dashpot[plot]'") from error
-    return pyplot.subplots(layout="constrained")[1]
+    drawn: Axes = pyplot.subplots(layout="constrained")[1]
+    return drawn
 
 
 def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
     """Force over velocity of every test of a campaign."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     for record in records:
-        axes.plot(record.velocity, record.force, lw=0.6, label=record.name)
-    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
-    return axes
+        drawn.plot(record.velocity, record.force, lw=0.6, label=record.name)
+    drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
+    return drawn
 
 
 def loop(validation: Validation, records: Campaign, test: str, over: str = "velocity", axes: Axes | None = None) -> Axes:
     """Measured force, model and FV curve of one test, over ``"velocity"``, ``"displacement"`` or ``"time"``."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     record = (validation.campaign or records)[test]
     at = getattr(record, over)
     model, fv_only = validation.forces(test)
-    axes.plot(at, record.force, color=MEASURED, lw=1.0, label="measured")
-    axes.plot(at, fv_only, color=FV_ONLY, lw=1.0, ls="--", label="FV curve")
-    axes.plot(at, model, color=MODEL, lw=1.2, label="model")
+    drawn.plot(at, record.force, color=MEASURED, lw=1.0, label="measured")
+    drawn.plot(at, fv_only, color=FV_ONLY, lw=1.0, ls="--", label="FV curve")
+    drawn.plot(at, model, color=MODEL, lw=1.2, label="model")
     units = {"velocity": "m/s", "displacement": "m", "time": "s"}
-    axes.set(xlabel=f"{over}, {units[over]}", ylabel="force, N", title=test)
-    axes.legend()
-    return axes
+    drawn.set(xlabel=f"{over}, {units[over]}", ylabel="force, N", title=test)
+    drawn.legend()
+    return drawn
 
 
 def curve(model: Model, axes: Axes | None = None, **style: Any) -> Axes:
     """Force of the damper moving steadily, over velocity: FV curve with friction and gas, as far as the curve reaches."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     low, high = model.velocity_range
     velocity = np.linspace(low, high, 401)
-    axes.plot(velocity, model.steady_force(velocity), **{"color": MODEL, **style})
-    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
-    return axes
+    drawn.plot(velocity, model.steady_force(velocity), **{"color": MODEL, **style})
+    drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
+    return drawn
 
 
 def errors(validation: Validation, axes: Axes | None = None) -> Axes:
     """Mean error of every test as a share of its largest force: the model beside the FV curve."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     tests = sorted(validation.tests, key=lambda t: (-t.amplitude_m, t.peak_velocity_m_s))
     at = np.arange(len(tests))
-    axes.barh(at - 0.2, [t.fv_only.error_percent for t in tests], 0.4, color=FV_ONLY, label="FV curve")
-    axes.barh(at + 0.2, [t.error_percent for t in tests], 0.4, color=MODEL, label="model")
-    axes.set_yticks(at, [t.name if t.used_in_fit else f"{t.name} (left out)" for t in tests], fontsize=7)
-    axes.invert_yaxis()
-    axes.set(xlabel="mean error, % of the largest force")
-    axes.legend()
-    return axes
+    drawn.barh(at - 0.2, [t.fv_only.error_percent for t in tests], 0.4, color=FV_ONLY, label="FV curve")
+    drawn.barh(at + 0.2, [t.error_percent for t in tests], 0.4, color=MODEL, label="model")
+    drawn.set_yticks(at, [t.name if t.used_in_fit else f"{t.name} (left out)" for t in tests], fontsize=7)
+    drawn.invert_yaxis()
+    drawn.set(xlabel="mean error, % of the largest force")
+    drawn.legend()
+    return drawn
 
 
 def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
     """Mean cycle of one test: measured, the model as it came, and with the named effects."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     curves = found.curves(test)
     for name, colour in (("measured", MEASURED), ("before", FV_ONLY), ("after", MODEL)):
-        axes.plot(curves["velocity"], curves[name], color=colour, lw=1.0, label=name)
-    axes.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)", title=test)
-    axes.legend()
-    return axes
+        drawn.plot(curves["velocity"], curves[name], color=colour, lw=1.0, label=name)
+    drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)", title=test)
+    drawn.legend()
+    return drawn
 
 
 def changed(found: Diagnosis, axes: Axes | None = None) -> Axes:
     """Numbers that are others than on the reference damper, as a share of the reference, with their 95 % intervals."""
-    axes = _axes(axes)
+    drawn = _axes(axes)
     rows = [c for c in found.changed if c.reference]
     at = np.arange(len(rows))
     share = np.array([[c.value / c.reference, c.low / c.reference, c.high / c.reference] for c in rows]).reshape(-1, 3)
     share = np.column_stack([share[:, 0], share[:, 1:].min(axis=1, initial=np.inf), share[:, 1:].max(axis=1, initial=-np.inf)])
     spread = np.abs(share[:, 1:].T - share[:, 0])
-    axes.errorbar(share[:, 0], at, xerr=spread, fmt="o", capsize=3, color=MODEL)
-    axes.axvline(1.0, color=MEASURED, lw=0.8)
-    axes.set_yticks(at, [c.parameter for c in rows])
-    axes.set(xlabel="value over that of the reference")
-    return axes
+    drawn.errorbar(share[:, 0], at, xerr=spread, fmt="o", capsize=3, color=MODEL)
+    drawn.axvline(1.0, color=MEASURED, lw=0.8)
+    drawn.set_yticks(at, [c.parameter for c in rows])
+    drawn.set(xlabel="value over that of the reference")
+    return drawn

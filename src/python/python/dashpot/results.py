@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-    from . import _native
     from .campaign import Campaign
     from .model import Model
 
@@ -26,7 +25,7 @@ __all__ = [
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Note(Result):
     """One thing that reading did or noticed."""
 
@@ -34,7 +33,7 @@ class Note(Result):
     text: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SignFinding(Result):
     """Which direction the files count positive, and how sure that is."""
 
@@ -46,7 +45,7 @@ class SignFinding(Result):
     asymmetry: float | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Delay(Result):
     """How late the force comes, s; nothing was moved for it."""
 
@@ -55,7 +54,7 @@ class Delay(Result):
     unexplained: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Noise(Result):
     """Noise of the force channel: root mean square of one sample, N, and its correlation from one to the next."""
 
@@ -64,7 +63,7 @@ class Noise(Result):
     source: str = field(metadata={"key": "from"})
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Estimate(Result):
     """What a fit says of one number of the model, with its 95 % interval."""
 
@@ -78,7 +77,7 @@ class Estimate(Result):
     standing: str = "identified"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Score(Result):
     """Error of one variant on left-out tests, in units of what noise and floor allow."""
 
@@ -87,7 +86,7 @@ class Score(Result):
     tie_within: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Choice(Result):
     """Which variant of friction, spring or FV points was kept, and why."""
 
@@ -97,7 +96,7 @@ class Choice(Result):
     why: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Measured(Result):
     """What the records are off by; taken out of the comparison and not part of the model."""
 
@@ -109,7 +108,7 @@ class Measured(Result):
     option: str | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Unusable(Result):
     """A file or test that was left out."""
 
@@ -119,7 +118,7 @@ class Unusable(Result):
     """Whether it is a test, with a fault of its own; else the file is no record at all."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FitResult(Result):
     """What a fit found; the JSON of ``dashpot fit`` without the file name."""
 
@@ -143,7 +142,7 @@ class FitResult(Result):
         return table(f"Fit to {len(self.tests)} tests", self._rows(), said)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Deviation(Result):
     """How far a simulated force is from the measured one."""
 
@@ -154,21 +153,21 @@ class Deviation(Result):
     rmse_n: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Errors(Deviation):
     """Errors of the model, and beside them those of the FV curve alone."""
 
     fv_only: Deviation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Summary(Errors):
     """Mean figures over a set of tests."""
 
     tests: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class OfEach(Result):
     """One figure of the measured force, of the model, and of the FV curve alone."""
 
@@ -177,7 +176,7 @@ class OfEach(Result):
     fv_only: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class GapBin(Result):
     """Gap between rising and falling velocity at one velocity."""
 
@@ -185,7 +184,7 @@ class GapBin(Result):
     gap_n: OfEach
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Hysteresis(Result):
     """Hysteresis of one test over its whole cycles."""
 
@@ -199,7 +198,7 @@ class Hysteresis(Result):
     energy_j: OfEach
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class PeakForce(Result):
     """Force at the peak velocity of one stroke of a test."""
 
@@ -207,7 +206,7 @@ class PeakForce(Result):
     force_n: OfEach
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TestValidation(Errors):
     """Every figure of one test."""
 
@@ -226,7 +225,7 @@ class TestValidation(Errors):
     peaks: tuple[PeakForce, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class MatrixRow(Errors):
     """Errors of the tests of one amplitude or one peak velocity."""
 
@@ -237,7 +236,7 @@ class MatrixRow(Errors):
     max_force_n: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class MatrixCell(Errors):
     """Errors of the tests of one amplitude and one peak velocity."""
 
@@ -246,7 +245,7 @@ class MatrixCell(Errors):
     tests: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ErrorMatrix(Result):
     """Errors grouped as the test schedule is."""
 
@@ -257,7 +256,7 @@ class ErrorMatrix(Result):
     not_periodic: MatrixRow | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Validation(Result):
     """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
 
@@ -273,17 +272,19 @@ class Validation(Result):
     """Files and tests that could not be used."""
     campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The records as they were compared; none in a result made from a dictionary."""
-    _compared: _native.Compared | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    _forces: tuple[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]], ...] | None = field(
+        default=None, metadata={"hidden": True}, compare=False, repr=False
+    )
 
     def forces(self, test: str) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
         names = [t.name for t in self.tests]
         if test not in names:
             raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
-        if self._compared is None:
+        if self._forces is None:
             raise ValueError("the forces are kept by Model.validate alone, not by a result made from a dictionary")
-        model, fv_only = self._compared.forces(names.index(test))
-        return model, fv_only
+        model, fv_only = self._forces[names.index(test)]
+        return model.copy(), fv_only.copy()
 
     def _rows(self) -> list[dict[str, Any]]:
         return [flat({k: v for k, v in t.to_dict().items() if k != "hysteresis"}) for t in self.tests]
@@ -310,7 +311,7 @@ class Validation(Result):
         return table("Validation", [row]) + table("Tests", short)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Evidence(Result):
     """What a refit with an effect brought."""
 
@@ -323,7 +324,7 @@ class Evidence(Result):
     tests_better: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Value(Result):
     """A number with its 95 % interval; ``plausible`` says whether dampers (or rigs) show such values."""
 
@@ -334,7 +335,7 @@ class Value(Result):
     plausible: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Rival(Result):
     """Another name for the same disagreement."""
 
@@ -344,7 +345,7 @@ class Rival(Result):
     why: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Finding(Result):
     """A named effect."""
 
@@ -363,7 +364,7 @@ class Finding(Result):
     rivals: tuple[Rival, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Region(Result):
     """A region where model and records disagree."""
 
@@ -378,7 +379,7 @@ class Region(Result):
     text: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Figures(Result):
     """How far a model is off."""
 
@@ -389,7 +390,7 @@ class Figures(Result):
     held_out_noise_n: float | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Branch(Result):
     """A branch of the tree of probabilities: path, family, effect, form."""
 
@@ -399,7 +400,7 @@ class Branch(Result):
     branches: tuple[Branch, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class NextTest(Result):
     """A rig test worth running."""
 
@@ -412,7 +413,7 @@ class NextTest(Result):
     separates: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CouldNotTest(Result):
     """An effect that these records cannot show."""
 
@@ -420,7 +421,7 @@ class CouldNotTest(Result):
     why: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Shift(Result):
     """A number of the model that moved when effects were added."""
 
@@ -430,7 +431,7 @@ class Shift(Result):
     unit: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Change(Result):
     """A number of the model that is another on this damper than on the reference."""
 
@@ -442,7 +443,7 @@ class Change(Result):
     unit: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TestOutcome(Result):
     """One test before and after."""
 
@@ -456,7 +457,7 @@ class TestOutcome(Result):
     allowed_n: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Tried(Result):
     """An effect that was tried by refitting everything with it."""
 
@@ -466,7 +467,7 @@ class Tried(Result):
     evidence: Evidence
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class OverWholeRecords(Result):
     """Errors of the models in a diagnosis over every sample of every record, as a validation measures."""
 
@@ -475,7 +476,7 @@ class OverWholeRecords(Result):
     improved: Deviation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Diagnosis(Result):
     """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
 
@@ -504,16 +505,18 @@ class Diagnosis(Result):
     """Files and tests that could not be used."""
     improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     """The model with the named effects added; what is of the rig is not put into it."""
-    _diagnosed: _native.Diagnosed | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
+        default=None, metadata={"hidden": True}, compare=False, repr=False
+    )
 
     def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
         """Mean cycle of one test: displacement, velocity, measured force, force before and after."""
         names = [t.test for t in self.tests]
         if test not in names:
             raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
-        if self._diagnosed is None:
+        if self._curves is None:
             raise ValueError("the curves are kept by diagnose() alone, not by a result made from a dictionary")
-        return self._diagnosed.curves(names.index(test))
+        return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
 
     def _rows(self) -> list[dict[str, Any]]:
         return [

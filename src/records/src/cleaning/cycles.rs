@@ -385,6 +385,7 @@ pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
 mod tests {
     use std::f64::consts::TAU;
 
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
     use super::super::super::fixtures::{Random, SineTest};
@@ -417,7 +418,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(60))]
+        #![proptest_config(drawn(60))]
         #[test]
         fn wandering_frequency_and_mean_and_noise_do_no_harm(
             seed in 0..1000_u64,

@@ -285,6 +285,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
 
 #[cfg(test)]
 mod tests {
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
     use super::super::fixtures::SineTest;
@@ -393,7 +394,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(200))]
+        #![proptest_config(drawn(200))]
         /// Whatever a file holds, cleaning gives a sound record or an error, never a panic.
         #[test]
         fn any_table_gives_a_sound_record_or_an_error(

@@ -204,6 +204,7 @@ fn values(data: &NumericData) -> Vec<f64> {
 mod tests {
     use std::io::Write;
 
+    use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
     use super::*;
@@ -304,7 +305,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(3000))]
+        #![proptest_config(drawn(3000))]
         #[test]
         fn a_damaged_file_is_read_or_refused(at in 0..500_usize, byte in any::<u8>(), keep in 0..600_usize) {
             let mut bytes = mat(&[("time_s", &[0.0, 1.0]), ("x_mm", &[0.0, 1.0]), ("F_N", &[0.0, 1.0])]);

@@ -1,19 +1,4 @@
 //! Cases for a diagnosis: a campaign on a neutral damper in which chosen effects are hidden, and the sealed truth.
-//!
-//! ```
-//! use dashpot_rig::{HiddenCase, Options, Plan};
-//!
-//! let case = HiddenCase {
-//!     effects: vec![("free_play".into(), 1.0)],
-//!     plan: Plan::OneFrequency,
-//!     options: Options { seed: 7, noise_percent: 2.0, ..Options::default() },
-//! };
-//! let outcome = case.run()?;
-//! assert_eq!(outcome.truth.effects[0].name, "free_play");
-//! let record = &outcome.campaign.records[0];
-//! assert_eq!(record.force_n.len(), record.clean_force_n.len());
-//! # Ok::<(), dashpot_rig::RigError>(())
-//! ```
 
 mod run;
 mod sealed;

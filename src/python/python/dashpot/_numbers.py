@@ -1,0 +1,41 @@
+"""What may stand for numbers and names in calls, and sentences where it may not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+
+def column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """Values as one column of numbers. numpy alone would take dates for numbers, and drop the imaginary part of complex ones and masks."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked values; leave them out or fill them")
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind == "O":
+            array = array.astype(float)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name} is no array of numbers: {error}") from error
+    if array.dtype.kind in "mM":
+        raise TypeError(f"{name} holds dates or spans of time; give seconds as numbers, such as (t - t[0]) / numpy.timedelta64(1, 's')")
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name} is no array of real numbers but of {array.dtype.name}")
+    if array.ndim != 1:
+        shape = " by ".join(str(n) for n in array.shape) or "a single number"
+        raise ValueError(f"{name} is one column of numbers, not {shape}")
+    return array.astype(np.float64, copy=False)
+
+
+def words(given: str | Iterable[str]) -> list[str]:
+    """Names as a list; a single one may stand alone."""
+    return [given] if isinstance(given, str) else list(given)
+
+
+def several(names: Sequence[str], most: int = 12) -> str:
+    """The first of many names."""
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")

@@ -1,0 +1,141 @@
+"""What an analyst may hand over where numbers, names, records and models are asked for, and the sentences where not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from fleets import damper, measure
+
+import dashpot
+
+T = np.arange(200) * 1e-3
+X = 0.02 * np.sin(20 * T)
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory: pytest.TempPathFactory) -> dashpot.Campaign:
+    folder = tmp_path_factory.mktemp("Prüfstand ümläut") / "Dämpfer 1"
+    measure(damper(), folder, seed=1)
+    return dashpot.Campaign.read(folder)
+
+
+def test_any_array_of_real_numbers_is_a_channel() -> None:
+    expected = damper().simulate(T, X).force.tolist()
+    wide = np.zeros((len(X), 3))
+    wide[:, 1] = X
+    frozen = X.copy()
+    frozen.flags.writeable = False
+    for same in (X.tolist(), wide[:, 1], frozen, X.astype(">f8"), X.astype(object), np.ma.masked_array(X), X[::-1][::-1]):
+        assert damper().simulate(T, same).force.tolist() == expected
+    assert damper().simulate(T.astype(np.float32), X.astype(np.float32)).force == pytest.approx(np.array(expected), rel=0.05, abs=20)
+    many = dashpot.Damper(damper(), np.zeros(3))
+    for velocity in ([0, 1, 0], np.array([0, 1, 0], dtype=np.int8), wide[:3, 0] + [0, 1, 0]):
+        many.state = np.zeros((3, 12))
+        forces = many.step(velocity, 1e-3)
+        assert forces[1] > forces[0] == forces[2]  # type: ignore[index]
+
+
+def test_series_of_pandas_are_channels() -> None:
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame({"t": T, "x": X})
+    assert damper().simulate(table.t, table.x).force.tolist() == damper().simulate(T, X).force.tolist()
+    with pytest.raises(ValueError, match="no finite number"):
+        damper().simulate(table.t, table.x.where(table.x < 0.01))
+
+
+@pytest.mark.parametrize(
+    ("time", "displacement", "kind", "words"),
+    [
+        (T.astype("timedelta64[s]"), X, TypeError, "time holds dates or spans of time; give seconds"),
+        (np.datetime64("2026-01-01") + T.astype("timedelta64[s]"), X, TypeError, "dates"),
+        (T, X + 1j, TypeError, "displacement is no array of real numbers but of complex"),
+        (T, np.ma.masked_greater(X, 0.01), ValueError, "displacement has masked values"),
+        (T, np.zeros((len(T), 2)), ValueError, "one column of numbers, not 200 by 2"),
+        (T, 0.1, ValueError, "not a single number"),
+        (T, ["a"] * len(T), TypeError, "displacement is no array of real numbers"),
+        (T, [{}] * len(T), TypeError, "displacement is no array of numbers"),
+        (T, [None] * len(T), ValueError, "no finite number"),
+        (T, np.where(T > 0.1, np.nan, X), ValueError, "no finite number"),
+    ],
+)  # fmt: skip
+def test_what_is_no_column_of_real_numbers_is_refused(time: Any, displacement: Any, kind: type[Exception], words: str) -> None:
+    with pytest.raises(kind, match=words):
+        damper().simulate(time, displacement)
+
+
+def test_dampers_say_what_they_take() -> None:
+    many = dashpot.Damper(damper(), np.zeros(3))
+    both = np.full(3, 0.1)
+    frozen = np.zeros(3)
+    frozen.flags.writeable = False
+    kept = many.state
+    for arguments, words in [
+        ({"velocity": "0.1"}, "velocity is no array of real numbers"),
+        ({"velocity": np.full(3, 1j)}, "complex"),
+        ({"velocity": np.zeros((3, 1))}, "3 by 1"),
+        ({"velocity": 0.1, "temperature": [20.0, 30.0]}, "temperature has 2 values"),
+        ({"velocity": both, "out": both}, "out is velocity too"),
+        ({"velocity": 0.1, "out": frozen}, "out must be a numpy array of one float64 for each damper"),
+        ({"velocity": 0.1, "out": np.zeros(3, dtype=np.float32)}, "out must be"),
+        ({"velocity": 0.1, "out": [0.0, 0.0, 0.0]}, "out must be"),
+    ]:  # fmt: skip
+        with pytest.raises((TypeError, ValueError), match=words):
+            many.step(dt=1e-3, **arguments)  # type: ignore[call-overload]
+    assert np.array_equal(many.state, kept)
+    with pytest.raises(TypeError, match=r"made of a dashpot.Model, not of a str"):
+        dashpot.Damper("damper.toml")  # type: ignore[arg-type]
+
+
+def test_paths_and_results_in_each_others_place_are_told_apart(own: dashpot.Campaign) -> None:
+    model = damper()
+    for call in (
+        lambda: dashpot.fit("campaign/"),  # type: ignore[arg-type]
+        lambda: model.validate(Path("campaign")),  # type: ignore[arg-type]
+        lambda: dashpot.diagnose(model, own, "good/"),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(TypeError, match=r"is a dashpot.Campaign, not a .*; dashpot.Campaign.read\(path\) reads one"):
+            call()
+    with pytest.raises(TypeError, match=r"model is a dashpot.Model, not a Campaign"):
+        dashpot.diagnose(own, model)  # type: ignore[arg-type]
+    for path in (None, b"campaign", 3, [3]):
+        with pytest.raises(TypeError, match="path is a file or folder"):
+            dashpot.Campaign.read(path)  # type: ignore[arg-type]
+
+
+def test_a_single_name_may_stand_alone(own: dashpot.Campaign) -> None:
+    first = own.names[0]
+    folder = own.paths[0]
+    assert dashpot.Campaign.read(folder, exclude=first).names == dashpot.Campaign.read(folder, exclude=[first]).names == own.names[1:]
+    one, listed = dashpot.fit(own, family="fv", hold_out=first), dashpot.fit(own, family="fv", hold_out=[first])
+    assert one == listed and first not in one.tests
+    found = dashpot.diagnose(one, own, candidates="free_play", max_effects=0, hold_out=first)
+    assert [t.test for t in found.tests if t.held_out] == [first]
+
+
+def test_numbers_of_a_mapping_are_numbers(own: dashpot.Campaign) -> None:
+    with pytest.raises(ValueError, match="gain is nan; it must be a finite number"):
+        dashpot.Campaign.read(own.paths[0], gain=float("nan"))
+
+
+def test_a_wrong_name_is_answered_with_the_right_one(own: dashpot.Campaign) -> None:
+    with pytest.raises(KeyError, match="did you mean 'coulomb_force'"):
+        damper()["coulomb_forc"]
+    with pytest.raises(dashpot.ModelError, match=r"Model.read"):
+        dashpot.Model("damper.toml")
+
+
+def test_what_the_command_does_by_an_option_is_said_otherwise(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(dashpot.OutputError, match="remove it first") as refused:
+        damper().write(tmp_path / "notes.txt")
+    assert "--force" not in str(refused.value)
+
+
+def test_a_model_may_be_written_where_it_was_read(tmp_path: Path) -> None:
+    damper().write(tmp_path / "Modell ä.toml")
+    again = dashpot.Model.read(tmp_path / "Modell ä.toml")
+    again.write(tmp_path / "Modell ä.toml")
+    assert dashpot.Model.read(tmp_path / "Modell ä.toml") == damper()

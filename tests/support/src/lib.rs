@@ -1,0 +1,7 @@
+//! What the tests of all crates share: seeds of property tests, and tests that cannot run on a machine.
+
+mod seeds;
+mod skips;
+
+pub use seeds::drawn;
+pub use skips::{counted, skipped};

@@ -1,0 +1,102 @@
+//! Tests that cannot run on a machine. Rust's test program has no word for them but "ok", so each says in a line of its own that it was
+//! skipped, and the last program of a whole run (`tests/tests/what_was_skipped.rs`) counts them.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::fs::{self, OpenOptions};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// After so long no run is still going, whose notes they are.
+const STALE: Duration = Duration::from_secs(24 * 3600);
+
+/// Where the tests of this run note what they skipped: below the target directory, by the process that started all of them, which is cargo.
+fn notes() -> PathBuf {
+    let test = std::env::current_exe().expect("the path of this test");
+    #[cfg(unix)]
+    let run = std::os::unix::process::parent_id();
+    #[cfg(not(unix))]
+    let run = 0;
+    test.ancestors().nth(3).expect("a target directory").join("skipped").join(run.to_string())
+}
+
+/// Says that this test cannot run here, for the reason given: on the terminal at once, which the test program does not hold back, and in the
+/// count at the end of a whole run.
+///
+/// # Panics
+/// Where the note cannot be written.
+pub fn skipped(reason: impl Display) {
+    let thread = std::thread::current();
+    let program = std::env::current_exe().expect("the path of this test");
+    let program = program.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    let program = program.rsplit_once('-').map_or(&*program, |(name, _)| name);
+    let line =
+        format!("{program} {}\t{}\n", thread.name().unwrap_or("?"), reason.to_string().replace(['\n', '\t'], " "));
+    let _ = write!(std::io::stderr(), "skipped: {}", line.replace('\t', ": "));
+    note(&notes(), &line).expect("a note below the target directory");
+}
+
+fn note(file: &Path, line: &str) -> std::io::Result<()> {
+    fs::create_dir_all(file.parent().expect("a folder"))?;
+    OpenOptions::new().create(true).append(true).open(file)?.write_all(line.as_bytes())
+}
+
+/// One line that counts the tests of this run that could not run here, with the reasons; their notes are taken away.
+#[must_use]
+pub fn counted() -> String {
+    taken(&notes())
+}
+
+fn taken(file: &Path) -> String {
+    let text = fs::read_to_string(file).unwrap_or_default();
+    let _ = fs::remove_file(file);
+    // Runs that ended before their last program left theirs.
+    for entry in file.parent().and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten() {
+        let old = entry
+            .metadata()
+            .and_then(|m| m.modified())
+            .is_ok_and(|t| SystemTime::now().duration_since(t).is_ok_and(|age| age > STALE));
+        if old {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+    // A test that skips two of its parts for one reason is one test.
+    let mut lines: Vec<(&str, &str)> = text.lines().filter_map(|line| line.split_once('\t')).collect();
+    lines.sort_unstable();
+    lines.dedup();
+    let mut tests: Vec<&str> = lines.iter().map(|(test, _)| *test).collect();
+    tests.dedup();
+    let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+    for (_, reason) in &lines {
+        *reasons.entry(reason).or_default() += 1;
+    }
+    let reasons: Vec<String> = reasons.into_iter().map(|(reason, count)| format!("{count} × {reason}")).collect();
+    match tests.len() {
+        0 => "skipped: none, every test could run here".to_owned(),
+        1 => format!("skipped: 1 test that cannot run here and counts as passed above: {}", reasons.join("; ")),
+        count => {
+            format!("skipped: {count} tests that cannot run here and count as passed above: {}", reasons.join("; "))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tests_are_counted_once_and_their_notes_go() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("run").join("1");
+        assert_eq!(taken(&file), "skipped: none, every test could run here");
+        for line in ["cli a\tno wine\n", "cli b\tno wine\n", "cli b\tno octave\n", "cli a\tno wine\n"] {
+            note(&file, line).unwrap();
+        }
+        assert_eq!(
+            taken(&file),
+            "skipped: 2 tests that cannot run here and count as passed above: 1 × no octave; 2 × no wine"
+        );
+        assert_eq!(taken(&file), "skipped: none, every test could run here");
+    }
+}
