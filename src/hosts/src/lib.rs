@@ -4,4 +4,5 @@
 
 pub mod adams;
 pub mod fmu;
+pub mod handed_out;
 pub mod runtimes;

@@ -19,7 +19,7 @@ use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
-use super::{csv, glob, mat, mdf, rpc, slips, tdms, xlsx};
+use super::{csv, glob, mat, mdf, not_read, rpc, slips, tdms, xlsx};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -314,8 +314,8 @@ fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Ve
 }
 
 /// How the names of records end, in small letters.
-pub const ENDINGS: [&str; 14] =
-    ["csv", "txt", "asc", "dat", "tsv", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
+pub const ENDINGS: [&str; 16] =
+    ["csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
 
 /// Whether a file is read as a record where its folder is given, by its name.
 pub fn is_record_name(path: &Path) -> bool {
@@ -333,10 +333,15 @@ fn extension(path: &Path) -> String {
 /// The tests of one file, read by its extension.
 pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    match extension(file).as_str() {
+    let ending = extension(file);
+    let archives = ["xlsx", "xlsm", "mat"].contains(&ending.as_str());
+    if !archives && let Some((is, instead)) = not_read::known(file) {
+        return Err(RecordError::NotRead { file: file.into(), is, instead });
+    }
+    match ending.as_str() {
         // Many loggers call their measurement files so, and many rigs their texts.
         "dat" if mdf::is_one(file) => mdf::read(file, &name, options),
-        "csv" | "txt" | "tsv" | "asc" | "dat" => csv::read(file, &name, options),
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(file, &name, options),
         "xlsx" | "xlsm" => xlsx::read(file, &name, options),
         "mat" => mat::read(file, &name, options),
         "mf4" | "mdf" => mdf::read(file, &name, options),

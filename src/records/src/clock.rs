@@ -3,7 +3,7 @@
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
 
-/// Reads `12:34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
+/// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
 /// seconds from an arbitrary but fixed midnight. Nothing where the text is no such time.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
     let text = text.trim().trim_end_matches('Z');
@@ -16,6 +16,15 @@ pub(crate) fn seconds(text: &str) -> Option<f64> {
         Some((date, time)) => (Some(date.trim()), time),
         None => (None, text),
     };
+    // Minutes and seconds, as a spreadsheet shows the time of a run: the decimals tell them from hours and minutes.
+    if let (None, None, Some((minutes, seconds))) = (date, half, time.split_once(':'))
+        && seconds.contains(['.', ','])
+        && !seconds.contains(':')
+        && seconds.starts_with(|c: char| c.is_ascii_digit())
+    {
+        let seconds = seconds.replace(',', ".").parse::<f64>().ok().filter(|s| *s < 60.0)?;
+        return Some(whole(minutes)? * 60.0 + seconds);
+    }
     let mut parts = time.split(':');
     let mut hours: f64 = whole(parts.next()?)?;
     let minutes = whole(parts.next()?)?;
@@ -89,6 +98,8 @@ mod tests {
     fn times_of_day_are_read_with_and_without_dates() {
         assert_eq!(seconds("12:34:56.5"), Some(45_296.5));
         assert_eq!(seconds("12:34:56,5"), Some(45_296.5));
+        assert_eq!(seconds("34:56.5"), Some(2096.5));
+        assert_eq!(seconds("0:06,25"), Some(6.25));
         assert_eq!(seconds("1:05:09 PM"), Some(47_109.0));
         assert_eq!(seconds("12:00:00 AM"), Some(0.0));
         let first = seconds("2024-02-28 23:59:59").unwrap();
@@ -100,8 +111,19 @@ mod tests {
         ] {
             assert!((seconds(text).unwrap() - first - later).abs() < 1e-6, "{text}");
         }
-        for text in ["", "12:34", "1.5", "a:b:c", "12:75:00", "12:34:56:78", "32.13.2024 00:00:00", "12:34:-5", "time"]
-        {
+        for text in [
+            "",
+            "12:34",
+            "1.5",
+            "a:b:c",
+            "12:75:00",
+            "12:75.5",
+            "12:.5",
+            "12:34:56:78",
+            "32.13.2024 00:00:00",
+            "12:34:-5",
+            "time",
+        ] {
             assert_eq!(seconds(text), None, "{text}");
         }
     }

@@ -1,16 +1,20 @@
-//! Reads delimited text: comma, semicolon or tab; decimal point or comma; comment lines; a row of units.
+//! Reads delimited text: comma, semicolon, tab or bar; decimal point or comma; comment lines; a row of units.
 
 use std::path::Path;
 
 use csv::{ByteRecord, ReaderBuilder};
 
+use super::beside::{Beside, LABELS};
 use super::channel::Channel;
 use super::clock;
+use super::delimiter::{self, split};
 use super::error::{Place, RecordError};
-use super::heading::nearest;
+use super::heading::{Heading, HeadingUnit, heading, nearest};
+use super::lvm;
 use super::options::Options;
 use super::samples::Samples;
 use super::table::{HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
+use super::unit::Unit;
 
 /// Reads the tests of one delimited text file.
 pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
@@ -41,14 +45,19 @@ pub(crate) fn cells_of_text(file: &Path) -> Result<Vec<(usize, Vec<String>)>, Re
     let text = text.trim_start_matches('\u{feff}');
     let lines = || text.lines().enumerate().filter(|(_, line)| !is_comment(line));
     let first = lines().next().map_or("", |(_, line)| line);
-    let most = |d: &u8| first.bytes().filter(|b| b == d).count();
-    // Of two that make as many columns the first is meant.
-    let delimiter = [b',', b';', b'\t'].into_iter().max_by_key(most).unwrap_or(b',');
+    let delimiter = delimiter::of(first);
     Ok(lines().map(|(k, line)| (k + 1, split(line, delimiter))).collect())
 }
 
 /// Text of a file in UTF-8 or UTF-16 with byte order mark, else read as Latin-1 (old exports, for µ and °), which is a guess.
 fn decode(bytes: &[u8]) -> (String, bool) {
+    let (text, guessed) = characters(bytes);
+    // Old Macintosh programs end lines by a carriage return alone.
+    let returns_alone = text.contains('\r') && !text.contains('\n');
+    (if returns_alone { text.replace('\r', "\n") } else { text }, guessed)
+}
+
+fn characters(bytes: &[u8]) -> (String, bool) {
     let utf16 = |from: fn([u8; 2]) -> u16| -> String {
         let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| from([b[0], b[1]])).collect();
         String::from_utf16_lossy(&units)
@@ -69,13 +78,6 @@ fn is_comment(line: &str) -> bool {
     matches!(line.trim_start().bytes().next(), None | Some(b'#' | b'%')) || line.trim_start().starts_with("//")
 }
 
-/// Splits one line at a delimiter, honouring quotes.
-fn split(line: &str, delimiter: u8) -> Vec<String> {
-    let mut reader =
-        ReaderBuilder::new().has_headers(false).delimiter(delimiter).flexible(true).from_reader(line.as_bytes());
-    reader.records().next().and_then(Result::ok).map(|r| r.iter().map(str::to_string).collect()).unwrap_or_default()
-}
-
 /// Where the table of a text begins.
 struct Start {
     /// Line of the header, or of the first row where there is none; from 0.
@@ -86,6 +88,19 @@ struct Start {
     header: Vec<String>,
     /// Whether that line is the header.
     headed: bool,
+    /// Whether it stands behind a comment mark, as numerical programs write it.
+    commented: bool,
+}
+
+impl Start {
+    fn headed(index: usize, offset: usize, delimiter: u8, header: Vec<String>) -> Start {
+        Start { index, offset, delimiter, header, headed: true, commented: false }
+    }
+}
+
+/// The text of a comment line behind its mark.
+fn uncommented(line: &str) -> &str {
+    line.trim_start().trim_start_matches(['#', '%', '/']).trim()
 }
 
 /// Finds the header, and with it the delimiter: the one under which it is a header. Where the user names columns by number
@@ -96,37 +111,46 @@ fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut numbers: Option<Start> = None;
     let by_number = options.columns.values().any(|wanted| column_number(wanted).is_some());
     let mut above: Vec<String> = Vec::new();
+    let mut commented: Option<Start> = None;
     for (index, line) in text.split_inclusive('\n').enumerate().take(HEADER_WITHIN) {
         if !is_comment(line) {
             first_line.get_or_insert_with(|| line.to_owned());
             let trimmed = line.trim_end();
-            for delimiter in [b'\t', b';', b','] {
+            for delimiter in delimiter::ALL {
                 let header = split(trimmed, delimiter);
                 // A row of numbers is no header, even where a column that the user names by its number has a number's name there.
                 let row = header.len() > 1
                     && header.iter().any(|c| !c.trim().is_empty())
                     && header.iter().all(|c| number(c, delimiter != b',').is_some() || clock::seconds(c).is_some());
                 if !row && is_header(&header, options) {
-                    return (Some(Start { index, offset, delimiter, header, headed: true }), first_line);
+                    return (Some(Start::headed(index, offset, delimiter, header)), first_line);
                 }
                 if by_number && row && numbers.is_none() {
                     let names = (1..=header.len()).map(|n| format!("column {n}")).collect();
                     let header = if above.len() == header.len() { std::mem::take(&mut above) } else { names };
-                    numbers = Some(Start { index, offset, delimiter, header, headed: false });
+                    numbers = Some(Start { headed: false, ..Start::headed(index, offset, delimiter, header) });
                 }
             }
-            let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|d| trimmed.bytes().filter(|b| b == d).count());
-            above = split(trimmed, delimiter.unwrap_or(b','));
+            above = split(trimmed, delimiter::of(trimmed));
+        } else {
+            // The last comment that names the columns: above it may stand what an earlier table had.
+            let found = delimiter::ALL.into_iter().find_map(|delimiter| {
+                let header = split(uncommented(line), delimiter);
+                let found = Start { commented: true, ..Start::headed(index, offset, delimiter, header) };
+                is_header(&found.header, options).then_some(found)
+            });
+            commented = found.or(commented);
         }
         offset += line.len();
     }
-    (numbers, first_line)
+    (numbers.or(commented), first_line)
 }
 
-/// The same text with tabs between the columns, where blanks are there: two and more, or any.
+/// The same text with tabs between the columns, where blanks are there: two and more, or any. Figures stand closer than names.
 fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
+        let any = any || line.split_whitespace().all(|cell| is_figure(cell, true));
         let mut blanks = 0;
         for c in line.trim().chars() {
             if c == ' ' {
@@ -146,8 +170,48 @@ fn with_tabs(text: &str, any: bool) -> String {
     out
 }
 
+/// Parts names that a single blank separates, as in the plain files of MTS stations: there are as many as units below them, and so that
+/// most of them are known.
+fn part_names(found: &mut Start, text: &str) {
+    /// Columns of such a file.
+    const MOST: usize = 32;
+    let below = text[found.offset..].lines().skip(1).find(|line| !is_comment(line)).unwrap_or_default();
+    let units: Vec<&str> = below.split_whitespace().collect();
+    let words: Vec<&str> = found.header.iter().flat_map(|cell| cell.split_whitespace()).collect();
+    let columns = units.len();
+    if !is_units_row(&units) || columns == found.header.len() || columns > MOST || words.len() > 4 * MOST {
+        return;
+    }
+    // The best way to part the first words into so many names: how many are known, and where the last name begins.
+    let mut best: Vec<Vec<Option<(usize, usize)>>> = vec![vec![None; words.len() + 1]; columns + 1];
+    best[0][0] = Some((0, 0));
+    for column in 1..=columns {
+        for end in column..=words.len() {
+            for begin in column - 1..end {
+                let Some((known, _)) = best[column - 1][begin] else { continue };
+                let is_known = matches!(heading(&words[begin..end].join(" ")), Heading::Channel(..));
+                let now = (known + usize::from(is_known), begin);
+                if best[column][end].is_none_or(|(most, _)| now.0 > most) {
+                    best[column][end] = Some(now);
+                }
+            }
+        }
+    }
+    let (mut names, mut end) = (Vec::new(), words.len());
+    for column in (1..=columns).rev() {
+        let Some((_, begin)) = best[column][end] else { return };
+        names.push(words[begin..end].join(" "));
+        end = begin;
+    }
+    names.reverse();
+    found.header = names;
+}
+
 fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let text = text.trim_start_matches('\u{feff}');
+    if lvm::is_one(text) {
+        return lvm::parse(at, name, text, options);
+    }
     let (found, first_line) = start(text, options);
     let Some(first_line) = first_line else {
         return Err(RecordError::NoData { at: at.clone() });
@@ -157,38 +221,56 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Sa
     }
     for any in [false, true] {
         let tabbed = with_tabs(text, any);
-        if let (Some(found), _) = start(&tabbed, options) {
+        if let (Some(mut found), _) = start(&tabbed, options) {
+            part_names(&mut found, &tabbed);
             return table(at, name, &tabbed, found, options);
         }
     }
     let trimmed = first_line.trim_end();
-    let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|d| trimmed.bytes().filter(|b| b == d).count());
-    let header = split(trimmed, delimiter.unwrap_or(b','));
+    let delimiter = delimiter::of(trimmed);
+    let header = split(trimmed, delimiter);
     if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
         // A heading nearly as the user wrote it: the layout says which is meant.
-        let found = Start { index: 0, offset: 0, delimiter: delimiter.unwrap_or(b','), header, headed: true };
-        return table(at, name, text, found, options);
+        return table(at, name, text, Start::headed(0, 0, delimiter, header), options);
     }
     Err(no_header(at, &first_line))
 }
 
 fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let Start { index: header_index, offset, delimiter, header, headed } = found;
+    let Start { index: header_index, offset, delimiter, header, headed, commented } = found;
     let header_line = header_index + 1;
-    let decimal_comma = delimiter != b',';
+    let decimal_comma = delimiter != b',' || delimiter::quotes_decimal_commas(&text[offset..]);
     let mut lines = text[offset..].split_inclusive('\n');
     let header_text = if headed { lines.next().unwrap_or_default().trim_end() } else { "" };
+    let mut lines = lines.peekable();
+    let mut units = None;
+    if commented {
+        // Units of such a heading stand in a comment too.
+        let below = lines.peek().filter(|line| is_comment(line)).map(|line| split(uncommented(line), delimiter));
+        units = below.filter(|cells| is_units_row(cells));
+    }
     let mut below = lines.filter(|line| !is_comment(line)).map(|line| split(line.trim_end(), delimiter));
     let mut first_row = below.next().unwrap_or_default();
-    let mut units = None;
-    if headed && is_units_row(&first_row) {
-        first_row.resize(header.len(), String::new());
+    let mut to_skip = usize::from(headed && !commented);
+    if headed && units.is_none() && is_units_row(&first_row) {
         units = Some(std::mem::replace(&mut first_row, below.next().unwrap_or_default()));
+        to_skip += 1;
+    }
+    if let Some(units) = &mut units {
+        units.resize(header.len(), String::new());
+    }
+    // Sensors and rates may stand between the heading and the first figures.
+    for _ in 0..LABELS {
+        if first_row.iter().any(|cell| !cell.trim().is_empty() && is_figure(cell, decimal_comma)) {
+            break;
+        }
+        first_row = below.next().unwrap_or_default();
     }
     let is_clock = |index: usize| {
         first_row.get(index).is_some_and(|cell| number(cell, decimal_comma).is_none() && clock::seconds(cell).is_some())
     };
-    let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, false, &is_clock)?;
+    let step = options.sample_rate_hz.map(|rate| 1.0 / rate).or_else(|| sample_time(text[..offset].lines()));
+    let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, step.is_some(), &is_clock)?;
     let mut rows = Rows::new(at.clone(), name.to_string(), layout);
 
     let mut reader = ReaderBuilder::new()
@@ -198,11 +280,17 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
         .from_reader(&text.as_bytes()[offset..]);
     let mut record = ByteRecord::new();
     let mut values = vec![f64::NAN; rows.layout().columns.len()];
-    let mut to_skip = usize::from(headed) + usize::from(units.is_some());
     let mut blocks = Blocks::new(text, header_text, delimiter);
     let mut tests = Vec::new();
+    let mut beside = Beside::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
-        let line = header_index + record.position().map_or(0, |p| p.line() as usize);
+        // The reader counts empty lines to the record behind them.
+        let (begins, empty) = record.position().map_or((0, 0), |p| {
+            let before = text.as_bytes().get(offset + p.byte() as usize..).unwrap_or_default();
+            let ends = before.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
+            (p.line() as usize, ends.filter(|b| **b == b'\n').count())
+        });
+        let line = header_index + begins + empty;
         let first = record.get(0).unwrap_or_default().trim_ascii_start();
         if matches!(first.first(), Some(b'#' | b'%')) || first.starts_with(b"//") {
             continue;
@@ -218,26 +306,42 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             Block::Data => {}
             Block::Header => continue,
         }
+        // The text was valid UTF-8 and fields are cut at ASCII bytes, so the fields are valid too.
+        let cell = |index: usize| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?");
+        // A row has its time in figures; where there is no time, everything that is read.
+        let columns = &rows.layout().columns;
+        let is_row = match columns.iter().find(|c| c.channel == Channel::Time) {
+            Some(time) => is_figure(cell(time.index), decimal_comma),
+            None => columns.iter().all(|c| is_figure(cell(c.index), decimal_comma)),
+        };
+        if !is_row {
+            let cells = record.iter().map(|cell| String::from_utf8_lossy(cell).into_owned()).collect::<Vec<_>>();
+            let figures =
+                columns.iter().any(|c| !cell(c.index).trim().is_empty() && is_figure(cell(c.index), decimal_comma));
+            let column = columns.iter().find(|c| !is_figure(cell(c.index), decimal_comma));
+            let fault = column.map_or_else(
+                || RecordError::NoData { at: at.clone() },
+                |c| no_number(at, line, &c.heading, cell(c.index)),
+            );
+            beside.take(!rows.is_empty() || !tests.is_empty(), line, &cells, figures, fault)?;
+            continue;
+        }
+        beside.row()?;
         if record.len() > header.len() && record.iter().skip(header.len()).any(|cell| !cell.trim_ascii().is_empty()) {
-            let hint = if decimal_comma { "" } else { "; decimal commas need a semicolon or tab between the columns" };
+            let hint = if delimiter == b',' {
+                "; decimal commas need quotes around the cells, or a semicolon or tab between the columns"
+            } else {
+                ""
+            };
             let (found, expected) = (record.len(), header.len());
             return Err(RecordError::Fields { at: at.clone(), line, found, expected, hint });
         }
         for (value, column) in values.iter_mut().zip(&rows.layout().columns) {
-            // The text was valid UTF-8 and fields are cut at ASCII bytes, so the fields are valid too.
-            let cell = std::str::from_utf8(record.get(column.index).unwrap_or_default()).unwrap_or("?");
+            let cell = cell(column.index);
             let read = if column.clock { clock::seconds(cell) } else { None };
-            *value = read.or_else(|| number(cell, decimal_comma)).ok_or_else(|| RecordError::Cell {
-                at: at.clone(),
-                line,
-                column: column.heading.clone(),
-                text: cell.trim().chars().take(40).collect(),
-                hint: if cell.contains(',') && cell.contains('.') {
-                    "; write it without thousands separators"
-                } else {
-                    ""
-                },
-            })?;
+            *value = read
+                .or_else(|| number(cell, decimal_comma))
+                .ok_or_else(|| no_number(at, line, &column.heading, cell))?;
         }
         // Time that begins anew below a repeated header is another test.
         let time = rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| values[i]);
@@ -252,12 +356,56 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             .map(|index| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?").to_string());
         rows.push(line, values.iter().copied(), test.as_deref());
     }
+    beside.tell(&mut rows);
     tests.push(rows);
     let mut read = Vec::new();
     for rows in tests {
-        read.extend(rows.finish(None)?);
+        read.extend(rows.finish(step)?);
     }
     Ok(read)
+}
+
+/// Whether a cell holds a number or a time of day.
+fn is_figure(cell: &str, decimal_comma: bool) -> bool {
+    number(cell, decimal_comma).is_some() || clock::seconds(cell).is_some()
+}
+
+fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError {
+    RecordError::Cell {
+        at: at.clone(),
+        line,
+        column: heading.to_owned(),
+        text: cell.trim().chars().take(40).collect(),
+        hint: if cell.contains(',') { "; write it without thousands separators" } else { "" },
+    }
+}
+
+/// The time from sample to sample that the lines above a table state: `Sample Rate: 1000 Hz`, `dt [ms];0,5`.
+fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
+    let mut found = None;
+    for line in above.take(HEADER_WITHIN) {
+        let line = uncommented(line);
+        // A comma may be a decimal one where something else stands behind the name.
+        let separator = line.chars().find(|c| "\t;:=".contains(*c)).unwrap_or(',');
+        let mut cells = line.split(separator).map(|c| c.trim().trim_matches('"'));
+        let what = heading(cells.next().unwrap_or_default());
+        let mut rest = cells.filter(|c| !c.is_empty());
+        let Some(value) = rest.next() else { continue };
+        let (value, unit) = match value.split_once(' ') {
+            Some((value, unit)) => (value, Some(unit.trim())),
+            None => (value, rest.next()),
+        };
+        let Some(value) = number(value, true).filter(|v| v.is_finite() && *v > 0.0) else { continue };
+        let unit = unit.map(|u| u.trim_matches(|c| "[]()".contains(c)));
+        found = match (&what, unit) {
+            (Heading::SampleRate, None | Some("Hz" | "1/s" | "S/s" | "samples/s")) => Some(1.0 / value),
+            (Heading::SampleRate, Some("kHz")) => Some(1e-3 / value),
+            (Heading::SampleTime(HeadingUnit::Known(unit)), None) => Some(unit.to_si(value)),
+            (Heading::SampleTime(_), Some(unit)) => unit.parse::<Unit>().ok().map(|unit| unit.to_si(value)),
+            _ => found,
+        };
+    }
+    found
 }
 
 /// Headers that an acquisition writes again before every block of rows, as MTS stations do.

@@ -93,6 +93,9 @@ pub enum RecordError {
     #[error("{file}: is no record; records are {} files", kinds(), file = .file.display())]
     UnknownType { file: PathBuf },
 
+    #[error("{file}: is {is}, which is not read; {instead}", file = .file.display())]
+    NotRead { file: PathBuf, is: &'static str, instead: &'static str },
+
     #[error("{file}: cannot be read as a workbook ({cause}); save it again as .xlsx, or export the sheet as CSV", file = .file.display())]
     Workbook { file: PathBuf, cause: String },
 
@@ -115,7 +118,12 @@ pub enum RecordError {
     Header { at: Place, found: String, understood: String },
 
     #[error(
-        "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\""
+        "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}",
+        otherwise = if *.example == Channel::Time {
+            ", or, where the file has none, say --sample-rate 1000 (samples per second)"
+        } else {
+            ""
+        }
     )]
     MissingColumn { at: Place, line: usize, missing: &'static str, example: Channel, found: String, near: String },
 

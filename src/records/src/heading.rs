@@ -25,6 +25,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "laufzeit",
             "testzeit",
             "prufzeit",
+            "versuchszeit",
+            "zeit seit start",
             "zeitstempel",
             "uhrzeit",
             "datum uhrzeit",
@@ -60,6 +62,10 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "kolbenweg",
             "zylinderweg",
             "einfederweg",
+            "standardweg",
+            "standard travel",
+            "crosshead",
+            "traversenweg",
             "auslenkung",
             "verschiebung",
             "wegsignal",
@@ -106,6 +112,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "axialkraft",
             "kolbenkraft",
             "kraftmessdose",
+            "standardkraft",
+            "standard force",
             "effort",
             "forza",
             "carico",
@@ -196,7 +204,7 @@ const TEST_HEADINGS: [&str; 12] = [
 ];
 
 /// Words in a heading that say nothing about the quantity.
-const FILLERS: [&str; 41] = [
+const FILLERS: [&str; 57] = [
     "channel",
     "ch",
     "signal",
@@ -238,9 +246,26 @@ const FILLERS: [&str; 41] = [
     "misurato",
     "medida",
     "medido",
+    // What controllers of rigs call the measured value, and the axis that it is of.
+    "feedback",
+    "fbk",
+    "fb",
+    "response",
+    "reading",
+    "achse",
+    "axis",
+    "aktuator",
+    "station",
+    "primary",
+    "machine",
+    "maschine",
+    "main",
+    "filter",
+    "filtered",
+    "gefiltert",
 ];
 /// Words that name a sensor or an input. A heading that needs them left out gives way to one that does not.
-const SENSORS: [&str; 14] = [
+const SENSORS: [&str; 15] = [
     "lvdt",
     "sensor",
     "transducer",
@@ -251,6 +276,7 @@ const SENSORS: [&str; 14] = [
     "digital",
     "analog",
     "input",
+    "ai",
     "value",
     "wert",
     "messwert",
@@ -294,7 +320,7 @@ fn strict(text: &str) -> Heading {
 /// A heading with the name of a sensor, the number of an input, or what the acquisition calls it: `Ch 1 Displacement (mm)`,
 /// `Displacement LVDT [mm]`, `Position(Linear:Digital Position) (mm)`. Only with a unit that fits.
 fn loose(text: &str) -> Heading {
-    let text = plain(text);
+    let text = without_rate(&plain(text));
     let (name, unit) = match bracketed(text.trim()) {
         Some((name, unit)) => (name.to_owned(), unit.parse::<Unit>().ok()),
         None => {
@@ -314,6 +340,25 @@ fn loose(text: &str) -> Heading {
         Heading::Channel(_, HeadingUnit::Missing) if told.concat().chars().count() == 1 => Heading::Unknown,
         found @ Heading::Channel(_, HeadingUnit::Known(_) | HeadingUnit::Missing) => found,
         _ => Heading::Unknown,
+    }
+}
+
+/// The heading without the rate that some acquisitions write behind the name of their time channel: `Zeit 1 - Standardmessrate`.
+fn without_rate(text: &str) -> String {
+    const RATES: [&str; 6] = [
+        "standardmessrate",
+        "schnelle messrate",
+        "langsame messrate",
+        "default sample rate",
+        "fast sample rate",
+        "slow sample rate",
+    ];
+    let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
+    let lower = remark.to_lowercase();
+    match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
+        // What stands behind it is the unit.
+        Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
+        None => text.to_owned(),
     }
 }
 
@@ -563,13 +608,30 @@ mod tests {
             ("Displacement LVDT [mm]", Displacement, Millimetre),
             ("Load Cell 1 [kN]", Force, Kilonewton),
             ("Running Time Sec", Time, Second),
+            ("Zeit  1 - Standardmessrate [s]", Time, Second),
+            ("Time  1 - default sample rate [s]", Time, Second),
+            ("Standardweg [mm]", Displacement, Millimetre),
+            ("Standardkraft [N]", Force, Newton),
+            ("Achse-2 Weg [mm]", Displacement, Millimetre),
+            ("Achse-2 Kraft Filter [N]", Force, Newton),
+            ("Axial Displacement Feedback (mm)", Displacement, Millimetre),
+            ("Load (kip)", Force, KilopoundForce),
+            ("Weg/AI 1 (mm)", Displacement, Millimetre),
+            ("Force(Kg)", Force, KilogramForce),
             ("fs [N]", SideForce, Newton),
         ] {
             assert_eq!(read(text), (channel, unit), "{text}");
         }
-        for text in
-            ["Sollweg [mm]", "Kraft Sollwert [N]", "Load 2 setpoint [kN]", "F 1 [Hz]", "x2", "1", "Consigne effort [N]"]
-        {
+        for text in [
+            "Displacement - Command (mm)",
+            "Sollweg [mm]",
+            "Kraft Sollwert [N]",
+            "Load 2 setpoint [kN]",
+            "F 1 [Hz]",
+            "x2",
+            "1",
+            "Consigne effort [N]",
+        ] {
             assert_eq!(heading(text), Heading::Unknown, "{text}");
         }
         for text in ["fs", "Fs [Hz]", "Sampling frequency [Hz]"] {

@@ -2,6 +2,7 @@
 //!
 //! [`load`] is the way in. After it everything is SI, rebound (extension) and tension positive.
 
+mod beside;
 mod campaign;
 mod channel;
 mod cleaning;
@@ -9,6 +10,7 @@ mod clock;
 mod consistency;
 mod csv;
 mod delay;
+pub mod delimiter;
 mod derive;
 mod error;
 #[cfg(test)]
@@ -16,10 +18,12 @@ mod fixtures;
 pub mod glob;
 mod heading;
 pub mod hold_out;
+mod lvm;
 mod mat;
 mod mdf;
 mod motion;
 mod noise;
+mod not_read;
 mod options;
 mod peak_table;
 mod plausibility;

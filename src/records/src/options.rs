@@ -55,6 +55,8 @@ pub struct Options {
     pub flip_force: bool,
     /// Turn the sign of displacement and velocity (`--flip motion`).
     pub flip_motion: bool,
+    /// Samples per second of files that have no column of time, 1/s (`--sample-rate`).
+    pub sample_rate_hz: Option<f64>,
     /// Displacement at the first sample, m, in the file's direction. Used where only a velocity was recorded.
     pub initial_position: f64,
     /// How much later than the motion the force was recorded, s (`--delay`).
@@ -83,6 +85,7 @@ impl Default for Options {
             positive: None,
             flip_force: false,
             flip_motion: false,
+            sample_rate_hz: None,
             initial_position: 0.0,
             delay_s: 0.0,
             force_zero_n: 0.0,
@@ -109,6 +112,11 @@ impl Options {
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
             return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", self.delay_s));
+        }
+        if let Some(rate) = self.sample_rate_hz
+            && !(rate > 0.0 && rate.is_finite())
+        {
+            return Err(format!("a sample rate of {rate} cannot be; give samples per second, such as 1000"));
         }
         if !(self.gain > 0.0 && self.gain.is_finite()) {
             return Err(format!("a gain of {} cannot be; give a factor above 0, and turn a sign with flip", self.gain));
@@ -144,6 +152,7 @@ impl Options {
         all.positive = self.positive.or(profile.positive);
         all.flip_force |= profile.flip_force;
         all.flip_motion |= profile.flip_motion;
+        all.sample_rate_hz = self.sample_rate_hz.or(profile.sample_rate_hz);
         all.initial_position = number(self.initial_position, profile.initial_position, 0.0);
         all.delay_s = number(self.delay_s, profile.delay_s, 0.0);
         all.force_zero_n = number(self.force_zero_n, profile.force_zero_n, 0.0);

@@ -47,6 +47,9 @@ pub struct Profile {
     /// Mass between load cell and damper that moves with the damper's end, kg.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rig_mass_kg: f64,
+    /// Samples per second of files that have no column of time, 1/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sample_rate_hz: Option<f64>,
     /// Displacement at the first sample, m, where only velocity was recorded.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub initial_position_m: f64,
@@ -117,6 +120,7 @@ impl Profile {
             displacement_zero_m: options.displacement_zero_m,
             gain: options.gain,
             rig_mass_kg: options.rig_mass_kg,
+            sample_rate_hz: options.sample_rate_hz,
             initial_position_m: options.initial_position,
             columns: options.columns.iter().map(|(c, h)| (c.to_string(), h.clone())).collect(),
             units: options.units.iter().map(|(c, u)| (c.to_string(), u.to_string())).collect(),
@@ -136,6 +140,7 @@ impl Profile {
             displacement_zero_m: self.displacement_zero_m,
             gain: self.gain,
             rig_mass_kg: self.rig_mass_kg,
+            sample_rate_hz: self.sample_rate_hz,
             initial_position: self.initial_position_m,
             ..Options::default()
         };

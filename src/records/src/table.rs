@@ -20,6 +20,8 @@ pub(crate) struct Layout {
     pub columns: Vec<Column>,
     pub test: Option<usize>,
     ignored: Vec<String>,
+    /// Time from sample to sample that the user gives for files without a column of time, s.
+    step: Option<f64>,
 }
 
 /// One column that is read.
@@ -98,6 +100,16 @@ pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
         return Some(if value.is_finite() { value } else { f64::NAN });
+    }
+    // A minus sign as typesetters write it, and exponents as Fortran does.
+    if let Some(plain) = text.strip_prefix('\u{2212}') {
+        return number(plain, decimal_comma).map(|value| -value);
+    }
+    if let Some((mantissa, exponent)) = text.split_once(['D', 'd'])
+        && let (Some(mantissa), Ok(exponent)) = (number(mantissa, decimal_comma), exponent.parse::<i32>())
+        && mantissa.is_finite()
+    {
+        return format!("{mantissa}e{exponent}").parse().ok().filter(|v: &f64| v.is_finite());
     }
     if ["", "-", "--", "n/a", "na", "#n/a", "null", "#num!", "1.#qnan", "-1.#ind"]
         .iter()
@@ -226,7 +238,7 @@ impl Layout {
             columns.push(Column { channel, index, unit, heading: header[index].to_string(), clock });
         }
         let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
-        let missing = if !has(Channel::Time) && !sample_time_given {
+        let missing = if !has(Channel::Time) && !sample_time_given && options.sample_rate_hz.is_none() {
             Some(("time", Channel::Time))
         } else if !has(Channel::Force) && !options.ignore.contains(&Channel::Force) {
             Some(("force", Channel::Force))
@@ -248,7 +260,7 @@ impl Layout {
             .map(|i| header[i].to_string())
             .take(100)
             .collect();
-        Ok(Layout { columns, test, ignored })
+        Ok(Layout { columns, test, ignored, step: options.sample_rate_hz.map(|rate| 1.0 / rate) })
     }
 }
 
@@ -321,6 +333,7 @@ pub(crate) struct Rows {
     tests: Vec<usize>,
     names: Vec<String>,
     by_name: HashMap<String, usize>,
+    notes: Vec<Note>,
 }
 
 impl Rows {
@@ -335,7 +348,18 @@ impl Rows {
             tests: Vec::new(),
             names: Vec::new(),
             by_name: HashMap::new(),
+            notes: Vec::new(),
         }
+    }
+
+    /// Whether no row is there yet.
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
+    /// Says something of the tests to come.
+    pub fn note(&mut self, kind: &'static str, text: String) {
+        self.notes.push(Note { kind, text });
     }
 
     pub fn layout(&self) -> &Layout {
@@ -367,7 +391,7 @@ impl Rows {
         if self.lines.is_empty() {
             return Err(RecordError::NoData { at: self.at });
         }
-        let mut notes = Vec::new();
+        let mut notes = std::mem::take(&mut self.notes);
         if !self.layout.ignored.is_empty() {
             notes.push(Note { kind: "ignored", text: format!("columns not read: {}", self.layout.ignored.join(", ")) });
         }
@@ -410,7 +434,7 @@ impl Rows {
                 None => self.lines.clone(),
             };
             let time = take(Channel::Time).unwrap_or_else(|| {
-                let step = sample_time.unwrap_or(1.0);
+                let step = self.layout.step.or(sample_time).unwrap_or(1.0);
                 (0..lines.len()).map(|i| i as f64 * step).collect()
             });
             tests.push(Samples {

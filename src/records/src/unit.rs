@@ -41,6 +41,7 @@ pub enum Unit {
     Decanewton,
     Kilonewton,
     PoundForce,
+    KilopoundForce,
     KilogramForce,
     Celsius,
     Kelvin,
@@ -56,7 +57,7 @@ const KILOGRAM_FORCE: f64 = 9.806_65;
 
 impl Unit {
     /// All units.
-    pub const ALL: [Unit; 21] = [
+    pub const ALL: [Unit; 22] = [
         Unit::Second,
         Unit::Millisecond,
         Unit::Microsecond,
@@ -74,6 +75,7 @@ impl Unit {
         Unit::Decanewton,
         Unit::Kilonewton,
         Unit::PoundForce,
+        Unit::KilopoundForce,
         Unit::KilogramForce,
         Unit::Celsius,
         Unit::Kelvin,
@@ -105,8 +107,10 @@ impl Unit {
             Unit::Newton => &["N", "newton", "newtons", "牛", "牛顿"],
             Unit::Decanewton => &["daN"],
             Unit::Kilonewton => &["kN", "千牛"],
-            Unit::PoundForce => &["lbf", "lb", "lbs"],
-            Unit::KilogramForce => &["kgf", "kp"],
+            Unit::PoundForce => &["lbf", "lb", "lbs", "pound", "pounds"],
+            Unit::KilopoundForce => &["kip", "kips", "klbf", "klb"],
+            // Many dynos write kg for the force of a load cell.
+            Unit::KilogramForce => &["kgf", "kp", "kg"],
             Unit::Celsius => &["degC", "C", "deg C", "celsius", "deg_C", "摄氏度"],
             Unit::Kelvin => &["K", "kelvin", "degK"],
             Unit::Fahrenheit => &["degF", "F", "deg F", "fahrenheit", "deg_F"],
@@ -121,9 +125,12 @@ impl Unit {
             Unit::MetrePerSecond | Unit::CentimetrePerSecond | Unit::MillimetrePerSecond | Unit::InchPerSecond => {
                 Dimension::Speed
             }
-            Unit::Newton | Unit::Decanewton | Unit::Kilonewton | Unit::PoundForce | Unit::KilogramForce => {
-                Dimension::Force
-            }
+            Unit::Newton
+            | Unit::Decanewton
+            | Unit::Kilonewton
+            | Unit::PoundForce
+            | Unit::KilopoundForce
+            | Unit::KilogramForce => Dimension::Force,
             Unit::Celsius | Unit::Kelvin | Unit::Fahrenheit => Dimension::Temperature,
         }
     }
@@ -141,6 +148,7 @@ impl Unit {
             Unit::Decanewton => value * 10.0,
             Unit::Kilonewton => value * 1e3,
             Unit::PoundForce => value * POUND_FORCE,
+            Unit::KilopoundForce => value * 1e3 * POUND_FORCE,
             Unit::KilogramForce => value * KILOGRAM_FORCE,
             Unit::Kelvin => value - 273.15,
             Unit::Fahrenheit => (value - 32.0) / 1.8,
@@ -208,6 +216,7 @@ mod tests {
         near(Unit::Millimetre, 12.5, 0.0125);
         near(Unit::Inch, 1.0, 0.0254);
         near(Unit::PoundForce, 100.0, 444.822_161_526_05);
+        near(Unit::KilopoundForce, 2.0, 8_896.443_230_521);
         near(Unit::Kilonewton, 1.5, 1500.0);
         near(Unit::Fahrenheit, 212.0, 100.0);
         near(Unit::Kelvin, 300.0, 26.85);

@@ -37,6 +37,7 @@ impl RecordError {
         use RecordError as E;
         match self {
             E::UnknownType { .. }
+            | E::NotRead { .. }
             | E::EmptyFile { .. }
             | E::Workbook { .. }
             | E::Rpc { .. }

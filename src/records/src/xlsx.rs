@@ -5,11 +5,13 @@ use std::path::Path;
 
 use calamine::{Data, DataRef, Reader, Xlsx, open_workbook};
 
+use super::beside::Beside;
+use super::channel::Channel;
 use super::clock;
 use super::error::{Place, RecordError};
 use super::options::Options;
 use super::samples::Samples;
-use super::table::{HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
+use super::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
 
 /// Largest part of a workbook when unpacked, bytes, whatever the size of the file; the strings need several times their
 /// size in memory, so they get less.
@@ -139,6 +141,7 @@ struct Sheet<'a> {
     name: String,
     options: &'a Options,
     first_line: Option<String>,
+    beside: Beside,
     /// Rows looked at for a header.
     searched: usize,
     header: Option<(u32, Vec<String>)>,
@@ -148,7 +151,17 @@ struct Sheet<'a> {
 
 impl<'a> Sheet<'a> {
     fn new(at: Place, name: String, options: &'a Options) -> Self {
-        Sheet { at, name, options, first_line: None, searched: 0, header: None, units: None, rows: None }
+        Sheet {
+            at,
+            name,
+            options,
+            first_line: None,
+            searched: 0,
+            header: None,
+            units: None,
+            rows: None,
+            beside: Beside::default(),
+        }
     }
 
     /// The next row, with its index from 0.
@@ -179,18 +192,41 @@ impl<'a> Sheet<'a> {
                     return Ok(());
                 }
             }
-            let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
             let line = *header_index as usize + 1;
+            if !row.iter().any(|cell| !is_empty(cell) && is_figure(Some(cell))) {
+                if row.iter().all(is_empty) {
+                    return Ok(());
+                }
+                let fault = RecordError::NoData { at: self.at.clone() };
+                return self.beside.take(false, index as usize + 1, &text(), false, fault);
+            }
+            let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
             let units = self.units.as_deref();
             let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
             self.rows = Some(Rows::new(self.at.clone(), self.name.clone(), layout));
         }
         let Some(rows) = &mut self.rows else { return Ok(()) };
         let line = index as usize + 1;
-        let empty = |cell: &Data| matches!(cell, Data::Empty) || cell.to_string().trim().is_empty();
-        if !rows.layout().columns.iter().any(|c| row.get(c.index).is_some_and(|cell| !empty(cell))) {
+        let columns = &rows.layout().columns;
+        if !columns.iter().any(|c| row.get(c.index).is_some_and(|cell| !is_empty(cell))) {
             return Ok(());
         }
+        let no_number = |column: &Column, cell: &Data| RecordError::Cell {
+            at: self.at.clone(),
+            line,
+            column: column.heading.clone(),
+            text: cell.to_string().chars().take(40).collect(),
+            hint: "; format the cells as numbers",
+        };
+        let time = columns.iter().find(|c| c.channel == Channel::Time);
+        if let Some(column) = time.or_else(|| columns.iter().find(|c| !is_figure(row.get(c.index))))
+            && let Some(cell) = row.get(column.index).filter(|cell| !is_figure(Some(cell)))
+        {
+            let figures = columns.iter().filter_map(|c| row.get(c.index)).any(|c| !is_empty(c) && is_figure(Some(c)));
+            let fault = no_number(column, cell);
+            return self.beside.take(!rows.is_empty(), line, &text(), figures, fault);
+        }
+        self.beside.row()?;
         let mut values = Vec::with_capacity(rows.layout().columns.len());
         for column in &rows.layout().columns {
             values.push(match row.get(column.index) {
@@ -198,13 +234,7 @@ impl<'a> Sheet<'a> {
                 Some(Data::Float(v)) if v.is_finite() => *v,
                 Some(Data::Int(v)) => *v as f64,
                 None | Some(Data::Empty | Data::Float(_) | Data::Error(_)) => f64::NAN,
-                Some(other) => number(&other.to_string(), true).ok_or_else(|| RecordError::Cell {
-                    at: self.at.clone(),
-                    line,
-                    column: column.heading.clone(),
-                    text: other.to_string().chars().take(40).collect(),
-                    hint: "; format the cells as numbers",
-                })?,
+                Some(other) => number(&other.to_string(), true).ok_or_else(|| no_number(column, other))?,
             });
         }
         let test = rows.layout().test.map(|i| row.get(i).map(ToString::to_string).unwrap_or_default());
@@ -215,7 +245,10 @@ impl<'a> Sheet<'a> {
     /// The tests of the sheet; none where it has no header.
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
-            (Some(rows), _) => rows.finish(None),
+            (Some(mut rows), _) => {
+                self.beside.tell(&mut rows);
+                rows.finish(None)
+            }
             (None, Some((line, header))) => {
                 // The header is judged even where no row follows.
                 Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
@@ -223,6 +256,18 @@ impl<'a> Sheet<'a> {
             }
             (None, None) => Ok(Vec::new()),
         }
+    }
+}
+
+fn is_empty(cell: &Data) -> bool {
+    matches!(cell, Data::Empty) || cell.to_string().trim().is_empty()
+}
+
+/// Whether a cell holds a number or a time, or nothing, which is a missing number.
+fn is_figure(cell: Option<&Data>) -> bool {
+    match cell {
+        None | Some(Data::Empty | Data::Float(_) | Data::Int(_) | Data::Error(_)) => true,
+        Some(cell) => clock_of(cell).is_some() || number(&cell.to_string(), true).is_some(),
     }
 }
 
@@ -388,6 +433,26 @@ mod tests {
         assert!(book("", Some("uniqueCount=\"12\"")).is_ok());
         let message = book("", Some("count=\"1\" uniqueCount=\"4294967295\"")).unwrap_err().to_string();
         assert!(message.contains("4294967295 strings"), "{message}");
+    }
+
+    #[test]
+    fn text_below_the_heading_and_below_the_table_is_told_and_not_read() {
+        let rows: &[&[&str]] = &[
+            &["time_s", "x_mm", "F_N"],
+            &["clock", "LVDT", "U9B"],
+            &["0", "1", "10"],
+            &["1", "2", "20"],
+            &["Max", "2", "20"],
+            &["end of test"],
+        ];
+        let test = read_bytes(&workbook(&[("one", rows)])).unwrap().remove(0);
+        assert_eq!((test.time.as_slice(), test.force.as_slice()), ([0.0, 1.0].as_slice(), [10.0, 20.0].as_slice()));
+        let told: Vec<&str> = test.notes.iter().map(|n| n.text.as_str()).collect();
+        assert!(told.contains(&"line 2, below the heading, holds no figures: 'clock LVDT U9B'"), "{told:?}");
+        assert!(told.contains(&"from line 5 on, below the table, not read: 'Max 2 20'"), "{told:?}");
+        let broken: Vec<&[&str]> = rows.iter().chain(&rows[2..4]).copied().collect();
+        let error = read_bytes(&workbook(&[("one", &broken)])).unwrap_err().to_string();
+        assert!(error.contains("line 5") && error.contains("'Max' is no number"), "{error}");
     }
 
     #[test]

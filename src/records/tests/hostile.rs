@@ -182,7 +182,17 @@ fn seeds() -> Vec<(&'static str, Vec<u8>)> {
     let mts =
         [b"MTS793|BTW|ENU|1|2|.|/|:|1|0|0|A\n".to_vec(), text("\t", "Time Sec\tAxial Displacement mm\tAxial Force N")]
             .concat();
+    let labview = [
+        b"LabVIEW Measurement\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\n\nChannels\t2\nY_Unit_Label\tmm\tN\nDelta_X\t0.01\n\
+          ***End_of_Header***\n"
+            .to_vec(),
+        text("\t", "X_Value\tDisplacement\tForce"),
+    ]
+    .concat();
+    let beside = [text(",", "# t_s,x_mm,F_N\nVoltage,LVDT,U9B"), b"\nMax,1,2\nMin,1,2\n".to_vec()].concat();
     vec![
+        ("o.lvm", labview),
+        ("p.asc", beside),
         ("a.csv", text(",", "time_s,displacement_mm,force_N")),
         ("b.txt", text("   ", "Zeit [s]   Weg [mm]   Kraft [N]")),
         ("c.dat", [mts.clone(), mts].concat()),

@@ -24,10 +24,39 @@ pub struct ParameterRow {
     pub high: Option<f64>,
     /// Where the value comes from: identified, measured, default, given.
     pub source: String,
-    /// Remark; may be empty.
-    pub note: String,
+    /// Remark.
+    pub remark: Remark,
     /// Whether the data could not determine it.
     pub missing: bool,
+}
+
+/// What a table says of a parameter beside its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Remark {
+    /// What it means, in the kernel's words.
+    Meaning(&'static str),
+    /// At which velocity a force of the FV table stands, m/s.
+    AtVelocity(f64),
+    /// At which displacement a force of the lookup spring stands, m.
+    AtDisplacement(f64),
+    /// Nothing.
+    Nothing,
+}
+
+impl Remark {
+    fn of(name: &str) -> Remark {
+        parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.meaning))
+    }
+
+    /// In words.
+    fn said(self, words: &Words) -> String {
+        match self {
+            Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
+            Remark::AtVelocity(v) => fill(words.parameter_at, &[("place", &format!("{v:.4} m/s"))]),
+            Remark::AtDisplacement(x) => fill(words.parameter_at, &[("place", &format!("{x:.4} m"))]),
+            Remark::Nothing => String::new(),
+        }
+    }
 }
 
 /// The table of parameters; `None` without any.
@@ -46,7 +75,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
                 known(row.low),
                 known(row.high),
                 row.source.as_str().into(),
-                if row.missing { words.not_identified.into() } else { row.note.as_str().into() },
+                if row.missing { words.not_identified.into() } else { row.remark.said(words).into() },
             ]
         })
         .collect();
@@ -93,16 +122,16 @@ pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
                     low,
                     high,
                     source: id.sources.get(p.name).cloned().unwrap_or_default(),
-                    note: p.meaning.to_owned(),
+                    remark: Remark::Meaning(p.meaning),
                     missing,
                 });
             }
             (Shape::List(_), Some(Interval::List(pairs))) => {
                 for (k, (value, [low, high])) in values.iter().zip(pairs).enumerate() {
                     let at = match p.name {
-                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| format!("at {v:.4} m/s")),
+                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| Remark::AtVelocity(*v)),
                         "spring_force" => {
-                            model.params.list("spring_displacement").get(k).map(|x| format!("at {x:.4} m"))
+                            model.params.list("spring_displacement").get(k).map(|x| Remark::AtDisplacement(*x))
                         }
                         _ => None,
                     };
@@ -113,7 +142,7 @@ pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
                         low: Some(*low),
                         high: Some(*high),
                         source: String::new(),
-                        note: at.unwrap_or_default(),
+                        remark: at.unwrap_or(Remark::Nothing),
                         missing: false,
                     });
                 }
@@ -157,7 +186,7 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
         low: e.low,
         high: e.high,
         source: String::new(),
-        note: parameter::find(e.name).map_or_else(String::new, |row| row.parameter.meaning.to_owned()),
+        remark: Remark::of(e.name),
         missing: e.standing == Standing::NotIdentified,
     }
 }

@@ -2,13 +2,9 @@
 
 use crate::session::outputs::write;
 use anyhow::{Context as _, bail};
-use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::{Model, Params};
-use dashpot_hosts::adams::folder;
-use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
-use dashpot_hosts::{fmu, runtimes};
+use dashpot_hosts::{fmu, handed_out, runtimes};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_rig::Matrix;
 use dashpot_simulation::chatter;
 use std::path::Path;
 
@@ -69,13 +65,11 @@ impl Export {
 
     fn fmu(&self, path: &Path, version: fmu::Version, four: bool) -> anyhow::Result<Vec<String>> {
         let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
-        let library = std::env::current_exe()?.with_file_name("libdashpot.a");
+        let library = handed_out::static_library()?;
         if !holds_one && !library.is_file() {
             bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
         }
-        let stem =
-            Path::new(&self.name).file_stem().map_or_else(|| "damper".into(), |s| s.to_string_lossy().into_owned());
-        let name = if four { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") };
+        let name = handed_out::fmu_name(Path::new(&self.name), four);
         let remarks = chatter::remarks(&self.params, chatter::Host::USUAL);
         let corners = fmu::corners(&[self.params], four)?;
         let options = fmu::Options {
@@ -93,38 +87,13 @@ impl Export {
     }
 
     fn property(&self, path: &Path, model: &Model) -> anyhow::Result<Vec<String>> {
-        let params = &self.params;
-        if !params.is_on("fv_curve") {
-            bail!("the element fv_curve is off, so there is no curve to export");
-        }
-        let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-        let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
-        let left_out: Vec<&str> =
-            GROUPS[..elements::COUNT].iter().map(|g| g.name).filter(|n| params.is_on(n) && !held(n)).collect();
-        let named = if self.name.is_ascii() && !self.name.is_empty() { &self.name } else { "a model in the window" };
-        let mut notes = vec![format!(
-            "{}{} from {named} (check sum {:08x}). Rebound and tension are positive.",
-            dashpot_output::WRITTEN,
-            env!("CARGO_PKG_VERSION"),
-            fmu::check_sum(self.text.as_bytes())
-        )];
-        let mut said = Vec::new();
-        if !left_out.is_empty() {
-            said.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
-        }
-        // What chatters is the curve, which is all that the file holds.
-        let mut alone = *params;
-        alone.disable_all();
-        alone.enable("fv_curve", true).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
-        said.extend(chatter::remarks(&alone, chatter::Host::USUAL));
-        notes.extend(said.iter().cloned());
-        let gas_force = if xml && params.is_on("gas_preload") { params.scalar("gas_force") } else { 0.0 };
-        let properties = Properties { curve: Curve::of(params, model), straight: false, gas_force, notes };
-        let written = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });
+        let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::USUAL);
+        let of = (self.name.as_str(), self.text.as_bytes());
+        let made = handed_out::property_file(&self.params, model, path, of, &chatters)?;
         dashpot_output::check([path])?;
-        dashpot_output::replace_file(path, written.as_bytes())
+        dashpot_output::replace_file(path, made.text.as_bytes())
             .with_context(|| format!("cannot write {}", path.display()))?;
-        Ok(said)
+        Ok(made.remarks)
     }
 
     fn adams(&self, path: &Path, model: &Model) -> anyhow::Result<Vec<String>> {
@@ -133,28 +102,13 @@ impl Export {
             let path = path.join(name);
             dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
         };
-        put("damper.toml", self.text.as_bytes())?;
-        let name = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
-        let beside = std::env::current_exe()?.with_file_name(name);
-        let mut libraries: Vec<(&str, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
-            .into_iter()
-            .filter_map(|(platform, name)| Some((name, runtimes::compiled(platform, name)?.to_vec())))
-            .collect();
-        if libraries.is_empty() && beside.is_file() {
-            libraries.push((name, std::fs::read(&beside)?));
-        }
-        let mut said = chatter::remarks(&self.params, chatter::Host::USUAL);
-        if libraries.is_empty() {
-            said.insert(0, format!("THE LIBRARY IS NOT HERE. {}", runtimes::HOW));
-        }
-        let (files, no_native) = folder::files(&self.params, model, "damper.toml", LENGTH, &Matrix::default());
-        for file in files {
-            let text = if file.name == "README.txt" { folder::above(&said, &file.text) } else { file.text };
-            put(file.name, text.as_bytes())?;
-        }
-        libraries.iter().try_for_each(|(name, content)| put(name, content))?;
-        said.extend(no_native.map(|reason| format!("There is no native.adm, because {reason}")));
-        Ok(said)
+        let libraries = handed_out::adams_libraries()?;
+        let missing = libraries.is_empty().then(|| format!("THE LIBRARY IS NOT HERE. {}", runtimes::HOW));
+        let chatters = chatter::remarks(&self.params, chatter::Host::USUAL);
+        let made = handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, &chatters);
+        made.files.iter().try_for_each(|(name, content)| put(name, content))?;
+        let native = made.no_native.map(|reason| format!("There is no native.adm, because {reason}"));
+        Ok(missing.into_iter().chain(chatters).chain(native).collect())
     }
 }
 

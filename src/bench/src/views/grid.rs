@@ -2,12 +2,19 @@
 //!
 //! Steps of ten alone leave a narrow plot of ±25 mm with nothing but its zero.
 
-use egui_plot::{GridInput, GridMark};
+use egui_plot::{AxisHints, GridInput, GridMark};
 
-/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): below 80 px its numbers fade.
-pub const ACROSS: f64 = 10.0;
+/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): seven letters have room.
+pub const ACROSS: f64 = 7.0;
+/// Distances, px, between which the numbers of the lower axis come up; egui_plot's own 60 to 80 leave a window of 1280 px with zeros alone.
+const COME_UP: std::ops::RangeInclusive<f32> = 44.0..=55.0;
 /// The same up the other axis, where a number needs a line's height alone: below 30 px they fade.
 pub const UPWARDS: f64 = 4.0;
+
+/// The lower axis with its label.
+pub fn lower(label: String) -> AxisHints<'static> {
+    AxisHints::new_x().label(label).label_spacing(COME_UP)
+}
 
 /// The lines of an axis whose numbers lie at least `apart` of the least distance from each other.
 pub fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
@@ -46,12 +53,10 @@ mod tests {
         for pixels in [240.0, 320.0, 517.0, 900.0] {
             for range in [0.004, 0.05, 0.7, 1.3, 6.0, 52.0, 3.1e4] {
                 for middle in [0.0, 0.3 * range] {
-                    let shown = numbers((middle - 0.5 * range, middle + 0.5 * range), pixels, ACROSS, 80.0);
-                    assert!(
-                        shown.len() >= 2 || pixels < 300.0 && !shown.is_empty(),
-                        "{range} over {pixels} px: {shown:?}"
-                    );
-                    assert!(shown.len() as f64 <= pixels / 80.0 + 1.0, "{range} over {pixels} px: {shown:?}");
+                    let fades = f64::from(*COME_UP.end());
+                    let shown = numbers((middle - 0.5 * range, middle + 0.5 * range), pixels, ACROSS, fades);
+                    assert!(shown.len() >= 2, "{range} over {pixels} px: {shown:?}");
+                    assert!(shown.len() as f64 <= pixels / fades + 1.0, "{range} over {pixels} px: {shown:?}");
                 }
             }
         }
@@ -59,9 +64,11 @@ mod tests {
 
     #[test]
     fn fifty_millimetres_in_a_narrow_plot() {
-        let shown = numbers((-26.0, 26.0), 320.0, ACROSS, 80.0);
-        assert_eq!(shown, [-20.0, 0.0, 20.0]);
-        assert_eq!(numbers((0.0, 100.0), 800.0, ACROSS, 80.0)[..4], [0.0, 10.0, 20.0, 30.0]);
+        let shown = |bounds, pixels| numbers(bounds, pixels, ACROSS, 55.0);
+        assert_eq!(shown((-26.0, 26.0), 320.0), [-20.0, -10.0, 0.0, 10.0, 20.0]);
+        assert_eq!(shown((0.0, 100.0), 800.0)[..4], [0.0, 10.0, 20.0, 30.0]);
+        // Peak velocities in a window of 1280 px.
+        assert_eq!(shown((-1.9, 1.9), 277.0), [-1.0, 0.0, 1.0]);
     }
 
     #[test]

@@ -31,11 +31,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let width = ((ui.available_width() - 60.0) / columns - 2.0).clamp(30.0, 64.0);
     let mut chosen: Option<Vec<usize>> = None;
     egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {
+        // Wide buttons would push the last columns out of a window of 1280 px.
+        ui.spacing_mut().button_padding.x = 1.0;
         egui::Grid::new("matrix").spacing([2.0, 2.0]).min_col_width(width).show(ui, |ui| {
-            ui.weak(match view.across {
+            let of = match view.across {
                 Across::Velocity => "mm \\ m/s",
                 Across::Frequency => "mm \\ Hz",
-            });
+            };
+            ui.label(RichText::new(of).small().weak());
             for column in &grid.columns {
                 ui.label(RichText::new(short(*column)).small());
             }

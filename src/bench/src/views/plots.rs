@@ -45,7 +45,7 @@ fn plot<'a>(id: &'static str, axes: Axes, linked: bool) -> Plot<'a> {
         })
     };
     let plot = Plot::new(id)
-        .x_axis_label(Axes::label(axes.x))
+        .custom_x_axes(vec![grid::lower(Axes::label(axes.x))])
         .y_axis_label(Axes::label(axes.y))
         .label_formatter(read_out)
         .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))

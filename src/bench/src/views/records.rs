@@ -74,6 +74,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         field(w.displacement_zero, &mut reading.displacement_zero_m, 1e3, "mm", 0.05);
         field(w.gain, &mut reading.gain, 1.0, "", 0.001);
         field(w.rig_mass, &mut reading.rig_mass_kg, 1.0, "kg", 0.01);
+        // Nothing where the files have a column of time.
+        let mut rate = reading.sample_rate_hz.unwrap_or(0.0);
+        field(w.sample_rate, &mut rate, 1.0, "Hz", 1.0);
+        reading.sample_rate_hz = (rate != 0.0).then_some(rate);
     });
     if !reading.exclude.is_empty() {
         ui.label(w.excluded);

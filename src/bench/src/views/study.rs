@@ -137,7 +137,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
             ui.selectable_value(&mut chosen, None, w.none);
             for group in GROUPS[..elements::COUNT].iter().filter(|g| !model.params().is_on(g.name)) {
                 ui.selectable_value(&mut chosen, Some(group.name), group.name.replace('_', " "))
-                    .on_hover_text(group.meaning);
+                    .on_hover_text(w.meaning(group.meaning));
             }
         });
     named_list(list, w.effect_look);
@@ -148,7 +148,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     }
     if let Some(name) = chosen {
         let group = GROUPS.iter().find(|g| g.name == name);
-        ui.add(egui::Label::new(RichText::new(group.map_or("", |g| g.meaning)).small().weak()).wrap());
+        ui.add(egui::Label::new(RichText::new(group.map_or("", |g| w.meaning(g.meaning))).small().weak()).wrap());
     }
     view.effect = chosen.map(|name| (name, strength));
 }
@@ -168,7 +168,7 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
         (0..force.len().min(seen.cycle_samples)).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
     };
     Plot::new("study")
-        .x_axis_label(format!("{} [m/s]", w.velocity))
+        .custom_x_axes(vec![grid::lower(format!("{} [m/s]", w.velocity))])
         .y_axis_label(format!("{} [N]", w.force))
         .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
         .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))

@@ -86,16 +86,16 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, g: usize, on: bool, ro
         .show_header(ui, |ui| {
             let label = group.name.replace('_', " ");
             ui.checkbox(&mut switched, if on { RichText::new(label).strong() } else { RichText::new(label) })
-                .on_hover_text(group.meaning);
+                .on_hover_text(w.meaning(group.meaning));
         })
         .body(|ui| {
-            ui.add(egui::Label::new(RichText::new(group.meaning).small().weak()).wrap());
+            ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
             ui.add_enabled_ui(on, |ui| {
                 let table = session.model.as_ref().is_some_and(|m| m.params().scalar("fv_form") == 0.0);
                 for row in rows.iter().filter(|r| r.group == g && is_of_form(r, table)) {
                     match row.parameter.shape {
                         Shape::Scalar => number(ui, session, w, row, 0),
-                        Shape::Choice(words) => choice(ui, session, row, words),
+                        Shape::Choice(words) => choice(ui, session, w, row, words),
                         Shape::List(_) => list(ui, session, w, row),
                     }
                 }
@@ -132,7 +132,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
     } else {
         RichText::new(&name).small()
     };
-    ui.label(title).on_hover_text(p.meaning);
+    ui.label(title).on_hover_text(w.meaning(p.meaning));
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = WIDTH;
         let mut value = now;
@@ -190,12 +190,12 @@ fn marks(ui: &Ui, rect: Rect, reach: &Reach, usual: Option<[f64; 2]>, interval: 
     band([identified, identified], 6.0, 0.0, IDENTIFIED);
 }
 
-fn choice(ui: &mut Ui, session: &mut Session, row: &Row, words: &[&str]) {
+fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&str]) {
     let Some(model) = &session.model else { return };
     let now = model.params().get(row).first().copied().unwrap_or(0.0) as usize;
     let mut chosen = now;
     ui.horizontal(|ui| {
-        ui.label(RichText::new(row.parameter.name).small()).on_hover_text(row.parameter.meaning);
+        ui.label(RichText::new(row.parameter.name).small()).on_hover_text(w.meaning(row.parameter.meaning));
         let shown = words.get(now).copied().unwrap_or("");
         let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
             for (k, word) in words.iter().enumerate() {

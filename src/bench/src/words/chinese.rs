@@ -3,6 +3,7 @@
 use super::Words;
 
 pub const WORDS: Words = Words {
+    of: super::Language::Chinese,
     file: "文件",
     open_folder: "打开试验数据文件夹…",
     open_files: "打开试验数据文件…",
@@ -138,6 +139,7 @@ pub const WORDS: Words = Words {
     displacement_zero: "位移零点",
     gain: "力的系数",
     rig_mass: "力传感器上的质量",
+    sample_rate: "采样率（无时间列时）",
     unit_of: "单位：",
     as_file_says: "按文件",
     excluded: "按名称排除",

@@ -3,6 +3,7 @@
 use super::Words;
 
 pub const WORDS: Words = Words {
+    of: super::Language::English,
     file: "File",
     open_folder: "Open folder of records…",
     open_files: "Open record files…",
@@ -138,6 +139,7 @@ pub const WORDS: Words = Words {
     displacement_zero: "Displacement zero",
     gain: "Factor on the force",
     rig_mass: "Mass on the load cell",
+    sample_rate: "Sample rate, without a time column",
     unit_of: "Unit:",
     as_file_says: "as the file says",
     excluded: "Left out by name",

@@ -3,6 +3,7 @@
 use super::Words;
 
 pub const WORDS: Words = Words {
+    of: super::Language::French,
     file: "Fichier",
     open_folder: "Ouvrir un dossier de mesures…",
     open_files: "Ouvrir des fichiers de mesure…",
@@ -138,6 +139,7 @@ pub const WORDS: Words = Words {
     displacement_zero: "Zéro du déplacement",
     gain: "Facteur sur la force",
     rig_mass: "Masse sur le capteur de force",
+    sample_rate: "Fréquence d’échantillonnage, sans colonne de temps",
     unit_of: "Unité :",
     as_file_says: "comme dans le fichier",
     excluded: "Omis par nom",

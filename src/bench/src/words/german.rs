@@ -3,6 +3,7 @@
 use super::Words;
 
 pub const WORDS: Words = Words {
+    of: super::Language::German,
     file: "Datei",
     open_folder: "Ordner mit Messungen öffnen…",
     open_files: "Messdateien öffnen…",
@@ -138,6 +139,7 @@ pub const WORDS: Words = Words {
     displacement_zero: "Weg-Nullpunkt",
     gain: "Faktor auf die Kraft",
     rig_mass: "Masse an der Kraftmessdose",
+    sample_rate: "Abtastrate, ohne Zeitspalte",
     unit_of: "Einheit:",
     as_file_says: "wie in der Datei",
     excluded: "Nach Namen ausgelassen",

@@ -41,6 +41,11 @@ fn of_locale(locale: &str) -> Language {
 }
 
 impl Words {
+    /// What an element or a parameter means; the reports say it with the same words.
+    pub fn meaning(&self, english: &'static str) -> &'static str {
+        self.of.words().meaning(english)
+    }
+
     /// The name of a channel.
     pub fn channel(&self, channel: Channel) -> &'static str {
         match channel {
@@ -57,6 +62,7 @@ impl Words {
 /// The texts; the English ones say what each is.
 #[allow(missing_docs)] // the texts are their meaning
 pub struct Words {
+    pub of: Language,
     pub file: &'static str,
     pub open_folder: &'static str,
     pub open_files: &'static str,
@@ -192,6 +198,7 @@ pub struct Words {
     pub displacement_zero: &'static str,
     pub gain: &'static str,
     pub rig_mass: &'static str,
+    pub sample_rate: &'static str,
     pub unit_of: &'static str,
     pub as_file_says: &'static str,
     pub excluded: &'static str,

@@ -23,6 +23,9 @@ pub struct DataArgs {
     columns: ColumnArgs,
     #[command(flatten)]
     sensors: SensorArgs,
+    /// Samples per second of files that have no column of time
+    #[arg(long, value_name = "HZ")]
+    sample_rate: Option<f64>,
     /// Displacement at the first sample, m, where only velocity was recorded
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     initial_position: f64,
@@ -111,6 +114,7 @@ impl DataArgs {
             flip: vec![],
             columns: ColumnArgs::default(),
             sensors: SensorArgs::NONE,
+            sample_rate: None,
             initial_position: 0.0,
             exclude: vec![],
             strict: false,
@@ -121,6 +125,7 @@ impl DataArgs {
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options {
             positive: self.positive,
+            sample_rate_hz: self.sample_rate,
             initial_position: self.initial_position,
             exclude: self.exclude.clone(),
             strict: self.strict,

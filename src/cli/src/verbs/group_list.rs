@@ -2,8 +2,8 @@
 //! `dashpot diagnose --group tests.csv:clicks`.
 
 use anyhow::{Context, bail};
-use dashpot_records::Record;
 use dashpot_records::glob::matches as glob_matches;
+use dashpot_records::{Record, delimiter};
 use std::path::{Path, PathBuf};
 
 /// A line of the list: what it is about, and the group.
@@ -45,11 +45,8 @@ impl GroupList {
     fn of_text(text: &str, path: &Path, column: &str) -> anyhow::Result<GroupList> {
         let at = || path.display();
         let text = text.trim_start_matches('\u{feff}');
-        let heading = text.lines().next().unwrap_or_default();
-        let count = |c: char| heading.matches(c).count();
-        let separator = [',', ';', '\t'].into_iter().max_by_key(|c| count(*c)).unwrap_or(',');
-        let mut rows =
-            csv::ReaderBuilder::new().delimiter(separator as u8).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let separator = delimiter::of(text.lines().next().unwrap_or_default());
+        let mut rows = csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::All).from_reader(text.as_bytes());
         let columns: Vec<String> =
             rows.headers().with_context(|| format!("{}", at()))?.iter().map(str::to_owned).collect();
         let Some(place) = columns.iter().skip(1).position(|c| c.eq_ignore_ascii_case(column)) else {

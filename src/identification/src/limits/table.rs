@@ -1,6 +1,6 @@
 //! The file of limits: one window a row, as a table that a spreadsheet writes.
 
-use dashpot_records::{Dimension, Unit};
+use dashpot_records::{Dimension, Unit, delimiter};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -102,9 +102,10 @@ pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
 pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let wrong = |line: u64, cause: String| LimitError::Line { file: file.into(), line, cause };
     let text = text.trim_start_matches('\u{feff}');
-    // A spreadsheet that writes decimal commas separates by semicolons.
-    let first = text.lines().find(|l| !l.trim_start().starts_with('#')).unwrap_or_default();
-    let (delimiter, decimal_comma) = if first.contains(';') { (b';', true) } else { (b',', false) };
+    // A spreadsheet that writes decimal commas separates by semicolons or tabs.
+    let is_heading = |l: &&str| !l.trim().is_empty() && !l.trim_start().starts_with('#');
+    let delimiter = delimiter::of(text.lines().find(is_heading).unwrap_or_default());
+    let decimal_comma = delimiter != b',';
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter)
         .comment(Some(b'#'))
@@ -250,6 +251,8 @@ mod tests {
         assert_eq!((limits[2].name.as_str(), limits[2].low_n, limits[2].high_n), ("friction", Some(25.0), Some(35.0)));
         assert!(limits[1].holds(-660.0) && !limits[1].holds(-661.0));
         let german = of("quantity;velocity_m_s;low;high\nforce;0,524;900,5;1000\n").unwrap();
+        let tabs = of("# from a spreadsheet\nquantity\tvelocity_m_s\tlow\thigh\nforce\t0,524\t900,5\t1000\n").unwrap();
+        assert_eq!(tabs, german.iter().map(|l| Limit { line: l.line + 1, ..l.clone() }).collect::<Vec<_>>());
         assert_eq!((german[0].velocity_m_s, german[0].low_n), (Some(0.524), Some(900.5)));
     }
 

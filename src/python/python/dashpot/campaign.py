@@ -136,6 +136,7 @@ class Campaign(Sequence[Record]):
         displacement_zero_m: float = 0.0,
         gain: float = 1.0,
         rig_mass_kg: float = 0.0,
+        sample_rate_hz: float | None = None,
         initial_position_m: float = 0.0,
         strict: bool = False,
         progress: Progress | None = None,
@@ -156,6 +157,7 @@ class Campaign(Sequence[Record]):
         :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
         :param gain: factor on the force, after its zero was taken off.
         :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
+        :param sample_rate_hz: samples per second of files that have no column of time.
         :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
         :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
         :param progress: is told the share done and what is being done.
@@ -188,6 +190,8 @@ class Campaign(Sequence[Record]):
         }
         if positive is not None:
             mapping["positive"] = positive
+        if sample_rate_hz is not None:
+            mapping["sample_rate_hz"] = float(sample_rate_hz)
         named = [os.fspath(p) for p in paths]
         return cls(_native.Campaign.read(named, json.dumps(mapping), strict, progress), named)
 

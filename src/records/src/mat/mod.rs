@@ -44,6 +44,10 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         _ => None,
     });
     if !is_header(&header, options) {
+        if variables.is_empty() {
+            let cause = "it holds no vector of numbers; of a struct or a timeseries save the fields as variables, with save(..., '-struct', 's')";
+            return Err(RecordError::Mat { file: file.into(), cause: cause.into() });
+        }
         let all: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
         return Err(no_header(&at, &all.join(", ")));
     }
@@ -94,7 +98,29 @@ fn variables(bytes: Vec<u8>) -> Result<Vec<Variable>, String> {
     let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| cause.to_string())?;
     let is_number = |a: &Array| a.size().iter().all(|&n| n == 1);
     let of = |a: &Array| Variable { name: a.name().to_owned(), is_vector: is_vector(a), values: values(a.data()) };
-    Ok(mat.arrays().iter().filter(|a| is_vector(a) || is_number(a)).map(of).collect())
+    let mut found: Vec<Variable> = mat.arrays().iter().filter(|a| is_vector(a) || is_number(a)).map(of).collect();
+    mat.arrays().iter().for_each(|a| found.extend(columns(a)));
+    Ok(found)
+}
+
+/// The channels of a matrix such as [time, signals], in columns or rows, by names that the user can give.
+fn columns(array: &Array) -> Vec<Variable> {
+    /// A matrix with more channels is no record.
+    const MOST: usize = 32;
+    let &[rows, columns] = &array.size()[..] else { return Vec::new() };
+    let channels = rows.min(columns);
+    let values = values(array.data());
+    if !(2..=MOST).contains(&channels) || rows == columns || values.len() != rows * columns {
+        return Vec::new();
+    }
+    // The numbers stand column by column.
+    let (what, to_channel, to_next) = if columns < rows { ("column", rows, 1) } else { ("row", 1, rows) };
+    let named = |k: usize| Variable {
+        name: format!("{} {what} {}", array.name(), k + 1),
+        is_vector: true,
+        values: values.iter().skip(k * to_channel).step_by(to_next).take(rows.max(columns)).copied().collect(),
+    };
+    (0..channels).map(named).collect()
 }
 
 /// Kind of an element that is compressed.
@@ -259,6 +285,38 @@ mod tests {
         }
         let samples = read_bytes(&bytes, &options).unwrap().remove(0);
         assert_eq!(samples.displacement.unwrap(), [0.001, 0.002]);
+    }
+
+    #[test]
+    fn channels_of_a_matrix_are_named_by_the_user() {
+        // Time, displacement and force, as columns and as rows.
+        for (size, values, what) in [
+            ([4, 3], [0.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 20.0, 30.0, 40.0], "column"),
+            ([3, 4], [0.0, 5.0, 10.0, 1.0, 6.0, 20.0, 2.0, 7.0, 30.0, 3.0, 8.0, 40.0], "row"),
+        ] {
+            let mut bytes = mat(&[("log", &values)]);
+            // The size lies behind the tags of the matrix, of its flags and its own.
+            bytes[128 + 32..128 + 40].copy_from_slice(&size.map(u32::to_le_bytes).concat());
+            let mut options = Options::default();
+            for (k, channel, unit) in [
+                (1, Channel::Time, Unit::Second),
+                (2, Channel::Displacement, Unit::Millimetre),
+                (3, Channel::Force, Unit::Newton),
+            ] {
+                options.columns.insert(channel, format!("log {what} {k}"));
+                options.units.insert(channel, unit);
+            }
+            let samples = read_bytes(&bytes, &options).unwrap().remove(0);
+            assert_eq!(
+                (samples.time.as_slice(), samples.force.as_slice()),
+                (&[0.0, 1.0, 2.0, 3.0][..], &[10.0, 20.0, 30.0, 40.0][..])
+            );
+            assert_eq!(samples.displacement.unwrap(), [0.005, 0.006, 0.007, 0.008]);
+            let message = read_bytes(&bytes, &Options::default()).unwrap_err().to_string();
+            assert!(message.contains(&format!("log {what} 1, log {what} 2")), "{message}");
+        }
+        let message = read_bytes(&mat(&[]), &Options::default()).unwrap_err().to_string();
+        assert!(message.contains("no vector of numbers") && message.contains("-struct"), "{message}");
     }
 
     #[test]

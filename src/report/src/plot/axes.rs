@@ -77,7 +77,12 @@ impl Axis {
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
         let size = low.abs().max(high.abs());
         let span = high - low;
-        let margin = if span > 1e-9 * size { 0.04 * span } else { (0.5 * size).max(1e-6) };
+        let margin = match () {
+            () if span > 1e-9 * size => 0.04 * span,
+            () if size > 0.0 => (0.5 * size).max(1e-6),
+            // Of nothing but zeros the unit is as good as any range, and its numbers can be read.
+            () => 1.0,
+        };
         Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 

@@ -94,11 +94,13 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     plane(words.plot_gap, words.axis_velocity, words.axis_gap, series)
 }
 
-/// Sample ranges a loop shows; none is empty.
+/// Sample ranges a loop shows, each up to the first sample of the cycle behind it, so that loops close; none is empty.
 pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     let cycles = &compared.record.cycles;
-    let last: Vec<_> = cycles[cycles.len().saturating_sub(CYCLES_SHOWN)..].to_vec();
-    let ranges = if last.is_empty() { std::iter::once(0..compared.record.force.len()).collect() } else { last };
+    let samples = compared.record.force.len();
+    let closed = |cycle: &Range<usize>| cycle.start..(cycle.end + 1).min(samples);
+    let last: Vec<_> = cycles[cycles.len().saturating_sub(CYCLES_SHOWN)..].iter().map(closed).collect();
+    let ranges = if last.is_empty() { std::iter::once(0..samples).collect() } else { last };
     ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
 
@@ -186,7 +188,7 @@ pub mod tests {
     #[test]
     fn loops_show_the_last_whole_cycles() {
         let record = record(5, true);
-        assert_eq!(shown(&compared(&record)), [1200..1600, 1600..2000]);
+        assert_eq!(shown(&compared(&record)), [1200..1601, 1600..2000]);
     }
 
     #[test]

@@ -118,6 +118,7 @@ pub const DE: Words = Words {
     col_low: "unten",
     col_high: "oben",
     col_source: "Herkunft",
+    parameter_at: "bei {place}",
     col_note: "Bemerkung",
     not_identified: "aus diesen Daten nicht bestimmbar",
     notes_of_test: "Was Lesen und Säubern taten oder bemerkten:",

@@ -118,6 +118,7 @@ pub const EN: Words = Words {
     col_low: "low",
     col_high: "high",
     col_source: "source",
+    parameter_at: "at {place}",
     col_note: "note",
     not_identified: "not identified from this data",
     notes_of_test: "What reading and cleaning did or noticed:",

@@ -118,6 +118,7 @@ pub const FR: Words = Words {
     col_low: "bas",
     col_high: "haut",
     col_source: "origine",
+    parameter_at: "à {place}",
     col_note: "remarque",
     not_identified: "non identifiable avec ces mesures",
     notes_of_test: "Ce que la lecture et le nettoyage ont fait ou remarqué :",

@@ -2,12 +2,13 @@
 //!
 //! Every language is one value of [`Words`]: the compiler refuses a language that lacks a text. Sentences with figures carry
 //! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What a diagnosis says is made by its crate in
-//! English and looked up in [`said`]. What a reader of records and a fit noticed, and the meaning of parameters, come from other crates and
-//! stay English.
+//! English and looked up in [`said`], what a parameter means in the kernel's and looked up in [`meanings`]. What a reader of records and a fit
+//! noticed comes from other crates and stays English.
 
 mod de;
 mod en;
 mod fr;
+mod meanings;
 mod said;
 mod zh;
 
@@ -198,6 +199,7 @@ words!(
     col_low,
     col_high,
     col_source,
+    parameter_at,
     col_note,
     not_identified,
     // Single tests.

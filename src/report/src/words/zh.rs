@@ -118,6 +118,7 @@ pub const ZH: Words = Words {
     col_low: "下限",
     col_high: "上限",
     col_source: "来源",
+    parameter_at: "{place} 处",
     col_note: "备注",
     not_identified: "无法由这些数据辨识",
     notes_of_test: "读取和清理时所做或发现的：",

@@ -25,8 +25,8 @@ impl Matrix {
     ///
     /// Columns (any order, upper or lower case): `name`, `amplitude_mm`, `frequency_hz`, `peak_velocity_mm_s`,
     /// `mean_displacement_mm`, `side_force_n`, `cycles`. Needed are two of amplitude, frequency and peak velocity, the third
-    /// follows from `Vp = 2 pi A f`; the rest may be absent or empty. Comma or semicolon separates the columns (with
-    /// semicolons a decimal comma is understood); empty lines and lines that begin with `#` are skipped.
+    /// follows from `Vp = 2 pi A f`; the rest may be absent or empty. Comma, semicolon or tab separates the columns (but
+    /// for commas a decimal comma is understood); empty lines and lines that begin with `#` are skipped.
     ///
     /// # Errors
     /// [`RigError::Io`] when the file cannot be read; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], naming line and
@@ -82,13 +82,13 @@ fn rounded(value: f64) -> String {
 fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
     let file_error = |line, problem: String| RigError::MatrixFile { file: file.to_owned(), line, problem };
     let header_text = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
-    let semicolons = header_text.contains(';');
+    let delimiter = [b'\t', b';'].into_iter().find(|d| header_text.as_bytes().contains(d)).unwrap_or(b',');
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .delimiter(if semicolons { b';' } else { b',' })
+        .delimiter(delimiter)
         .from_reader(text.as_bytes());
 
     let mut header: Option<Header> = None;
@@ -107,7 +107,7 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
             header = Some(Header::read(&row).map_err(|problem| file_error(line, problem))?);
             continue;
         };
-        let row = Row { file, line, header, cells: &row, decimal_comma: semicolons };
+        let row = Row { file, line, header, cells: &row, decimal_comma: delimiter != b',' };
         let point = row.point()?;
         if let Some(first) = points.iter().position(|earlier| earlier.name.eq_ignore_ascii_case(&point.name)) {
             return Err(row.fault(
@@ -309,8 +309,10 @@ mod tests {
         assert_eq!(matrix.points()[1].name, "a01mm_v0052mm_s");
         let matrix = parsed("Frequency_Hz, NAME ,peak_velocity_mm_s\n5,x,1570.796\n").unwrap();
         assert!((matrix.points()[0].amplitude_m - 0.05).abs() < 1e-7);
-        let matrix = parsed("amplitude_mm;frequency_hz\n12,5;1\n").unwrap();
-        assert!((matrix.points()[0].amplitude_m - 0.0125).abs() < 1e-12);
+        for text in ["amplitude_mm;frequency_hz\n12,5;1\n", "amplitude_mm\tfrequency_hz\n12,5\t1\n"] {
+            let matrix = parsed(text).unwrap();
+            assert!((matrix.points()[0].amplitude_m - 0.0125).abs() < 1e-12, "{text}");
+        }
     }
 
     #[test]

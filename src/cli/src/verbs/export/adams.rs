@@ -2,11 +2,9 @@
 
 use crate::verbs::host_step::HostArgs;
 use anyhow::{Context as _, bail};
-use dashpot_hosts::adams::folder;
-use dashpot_hosts::runtimes;
+use dashpot_hosts::handed_out;
 use dashpot_identification::model_file;
 use dashpot_report::replace_file;
-use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
 /// Write everything that a run folder of Adams needs: model file, library, commands, a test rig
@@ -29,8 +27,6 @@ pub struct Args {
     host: HostArgs,
 }
 
-const LIBRARY: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
-
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     if !(args.length > 0.0 && args.length < 1e5) {
@@ -50,23 +46,15 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let path = args.output.join(name);
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
-    put("damper.toml", &text)?;
-    let (files, no_native) = folder::files(&params, &model, "damper.toml", args.length, &Matrix::default());
-    for file in files {
-        let is_first = file.name == "README.txt";
-        let missing =
-            if libraries.is_empty() { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_library()) } else { String::new() };
-        let text = if is_first { missing + &folder::above(&notes, &file.text) } else { file.text };
-        put(file.name, text.as_bytes())?;
-    }
-    if let Some(reason) = no_native {
+    let missing = libraries.is_empty();
+    let folder = handed_out::run_folder(&params, &model, &text, args.length, libraries, &notes);
+    folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
+    if let Some(reason) = folder.no_native {
         dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
     }
-    for (name, content) in &libraries {
-        put(name, content)?;
-    }
-    if libraries.is_empty() {
-        dashpot_output::say(None, &format!("note: the library is not in the folder. {}", no_library()))?;
+    if missing {
+        let how = handed_out::no_adams_library();
+        dashpot_output::say(None, &format!("note: the library is not in the folder. {how}"))?;
     }
     // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
     for note in &notes {
@@ -75,32 +63,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
 }
 
-/// How to come by a library.
-fn no_library() -> String {
-    format!(
-        "This command holds no Adams library and there is no {LIBRARY} beside it: {}; or `make -C adams-usersub` and --library FILE.",
-        runtimes::HOW
-    )
-}
-
 /// Names and contents of the libraries to write.
 fn libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
     if let Some(path) = named {
-        let content = read(path)?;
+        let content = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
         // A library for Windows keeps its name on Linux too.
         let name = if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" };
         return Ok(vec![(name.into(), content)]);
     }
-    let held: Vec<(String, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
-        .into_iter()
-        .filter_map(|(platform, name)| Some((name.to_owned(), runtimes::compiled(platform, name)?.to_vec())))
-        .collect();
-    if !held.is_empty() {
-        return Ok(held);
-    }
-    match std::env::current_exe().ok().map(|program| program.with_file_name(LIBRARY)).filter(|p| p.is_file()) {
-        Some(path) => Ok(vec![(LIBRARY.into(), read(&path)?)]),
-        None => Ok(Vec::new()),
-    }
+    handed_out::adams_libraries()
 }

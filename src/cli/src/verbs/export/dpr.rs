@@ -1,8 +1,8 @@
 //! `dashpot export dpr`: the FV curve as an Adams Car property file.
 
-use anyhow::bail;
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_hosts::adams::property::{self, Curve, Form, Properties};
+use anyhow::Context as _;
+use dashpot_core::Params;
+use dashpot_hosts::handed_out::property_file;
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
 use dashpot_simulation::chatter::{Host, remarks};
@@ -28,38 +28,14 @@ pub struct Args {
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
     let file = model_file::read(&args.model)?;
-    if !file.params.is_on("fv_curve") {
-        bail!("{}: the element fv_curve is off, so there is no curve to export", args.model.display());
-    }
     let model = prepared(&file.params)?;
-    let curve = Curve::of(&file.params, &model);
-    let xml = args.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-    let form = if xml { Form::Xml } else { Form::TeimOrbit };
-    let gas_force = if xml && file.params.is_on("gas_preload") { file.params.scalar("gas_force") } else { 0.0 };
-    let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
-    let left_out: Vec<&str> = GROUPS[..elements::COUNT]
-        .iter()
-        .map(|g| g.name)
-        .filter(|name| file.params.is_on(name) && !held(name))
-        .collect();
     let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let mut notes = vec![format!(
-        "{}{} from {} (check sum {:08x}). Rebound and tension are positive.",
-        dashpot_output::WRITTEN,
-        env!("CARGO_PKG_VERSION"),
-        if named.is_ascii() { named } else { "a model file".into() },
-        dashpot_hosts::fmu::check_sum(&std::fs::read(&args.model)?)
-    )];
-    if !left_out.is_empty() {
-        notes.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
-    }
-    let mut alone = file.params;
-    alone.disable_all();
-    alone.enable("fv_curve", true).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
-    notes.extend(remarks(&alone, Host::USUAL));
-    let points = curve.velocities.len();
-    let text = property::write(&Properties { curve, straight: false, gas_force, notes }, form);
-    dashpot_output::write(&args.output, &text)?;
-    let more = if left_out.is_empty() { String::new() } else { format!("; left out: {}", left_out.join(", ")) };
-    dashpot_output::say(Some(&args.output), &format!("{points} points in {}{more}", args.output.display()))
+    let text = std::fs::read(&args.model)?;
+    let chatters = |curve: &Params| remarks(curve, Host::USUAL);
+    let made = property_file(&file.params, &model, &args.output, (&named, &text), &chatters)
+        .with_context(|| args.model.display().to_string())?;
+    dashpot_output::write(&args.output, &made.text)?;
+    let more =
+        if made.left_out.is_empty() { String::new() } else { format!("; left out: {}", made.left_out.join(", ")) };
+    dashpot_output::say(Some(&args.output), &format!("{} points in {}{more}", made.points, args.output.display()))
 }

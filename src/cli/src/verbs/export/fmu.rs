@@ -4,7 +4,7 @@ use super::super::host_step::HostArgs;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
-use dashpot_hosts::runtimes;
+use dashpot_hosts::{handed_out, runtimes};
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
 use dashpot_report::replace_file;
@@ -106,9 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         );
     }
     let library = if compiles { Some(library(args.library.as_deref())?) } else { None };
-    let stem = args.models[0].file_stem().map_or_else(|| "damper".into(), |stem| stem.to_string_lossy().into_owned());
-    let name =
-        if corners.len() == 1 { format!("dashpot {stem}") } else { format!("dashpot vehicle, four dampers ({stem})") };
+    let name = handed_out::fmu_name(&args.models[0], corners.len() > 1);
     let made = fmu::fmu(
         &corners,
         &fmu::Options {
@@ -164,8 +162,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
 
 /// The static library: as named, or where cargo puts it.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
-    let beside = std::env::current_exe()?.with_file_name("libdashpot.a");
-    let path = named.map_or(beside, Path::to_path_buf);
+    let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {
         bail!(
             "there is no {}; build it with `cargo build --release -p dashpot-dll`, or name it with --library",

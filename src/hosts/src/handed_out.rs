@@ -1,0 +1,142 @@
+//! What the command and the window hand out alike: names, remarks and files around a model on its way to a host.
+
+use crate::adams::folder;
+use crate::adams::property::{self, Curve, Form, Properties};
+use crate::{fmu, runtimes};
+use anyhow::{Context as _, bail};
+use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::{Model, Params};
+use dashpot_rig::Matrix;
+use std::path::{Path, PathBuf};
+
+/// What an FMU is called by the name of its model file.
+pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
+    let stem = model_file.file_stem().map_or_else(|| "damper".into(), |stem| stem.to_string_lossy().into_owned());
+    if four_corners { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") }
+}
+
+/// The static library that an FMU can be compiled from, where cargo puts it: beside the program.
+///
+/// # Errors
+/// Where the program's own place is not known.
+pub fn static_library() -> anyhow::Result<PathBuf> {
+    Ok(std::env::current_exe()?.with_file_name("libdashpot.a"))
+}
+
+/// A property file ready to be written.
+pub struct PropertyFile {
+    /// Its text.
+    pub text: String,
+    /// Points of its curve.
+    pub points: usize,
+    /// Elements of the model that it has no place for.
+    pub left_out: Vec<&'static str>,
+    /// What stands in it beside the curve, and must be known.
+    pub remarks: Vec<String>,
+}
+
+/// The property file of a model by the name of the file to write.
+///
+/// `named` is what the model is called (left out where it is no ASCII, which these files are), `text` the model file; `chatters` says of
+/// the curve alone, which is all that the file holds, whether it chatters.
+///
+/// # Errors
+/// Where the model has no curve.
+pub fn property_file(
+    params: &Params,
+    model: &Model,
+    path: &Path,
+    (named, text): (&str, &[u8]),
+    chatters: &dyn Fn(&Params) -> Vec<String>,
+) -> anyhow::Result<PropertyFile> {
+    if !params.is_on("fv_curve") {
+        bail!("the element fv_curve is off, so there is no curve to export");
+    }
+    let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
+    let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
+    let on = GROUPS[..elements::COUNT].iter().map(|g| g.name).filter(|name| params.is_on(name));
+    let left_out: Vec<&str> = on.filter(|name| !held(name)).collect();
+    let mut remarks = Vec::new();
+    if !left_out.is_empty() {
+        remarks.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
+    }
+    let mut alone = *params;
+    alone.disable_all();
+    alone.enable("fv_curve", true).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+    remarks.extend(chatters(&alone));
+    let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };
+    let mut notes = vec![format!(
+        "Written by dashpot {} from {named} (check sum {:08x}). Rebound and tension are positive.",
+        env!("CARGO_PKG_VERSION"),
+        fmu::check_sum(text)
+    )];
+    notes.extend(remarks.iter().cloned());
+    let gas_force = if xml && params.is_on("gas_preload") { params.scalar("gas_force") } else { 0.0 };
+    let curve = Curve::of(params, model);
+    let points = curve.velocities.len();
+    let properties = Properties { curve, straight: false, gas_force, notes };
+    let text = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });
+    Ok(PropertyFile { text, points, left_out, remarks })
+}
+
+/// The library for Adams on this platform.
+const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
+
+/// Names and contents of the libraries for Adams: those that this program holds, or the one beside it.
+///
+/// # Errors
+/// Where the one beside it cannot be read.
+pub fn adams_libraries() -> anyhow::Result<Vec<(String, Vec<u8>)>> {
+    let held: Vec<(String, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
+        .into_iter()
+        .filter_map(|(platform, name)| Some((name.to_owned(), runtimes::compiled(platform, name)?.to_vec())))
+        .collect();
+    if !held.is_empty() {
+        return Ok(held);
+    }
+    let beside = std::env::current_exe().ok().map(|program| program.with_file_name(ADAMS)).filter(|p| p.is_file());
+    let read = |path: PathBuf| std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()));
+    Ok(beside.map(read).transpose()?.map(|content| (ADAMS.to_owned(), content)).into_iter().collect())
+}
+
+/// How to come by a library for Adams.
+pub fn no_adams_library() -> String {
+    format!(
+        "This program holds no Adams library and there is no {ADAMS} beside it: {}; or `make -C adams-usersub` and --library FILE.",
+        runtimes::HOW
+    )
+}
+
+/// A run folder of Adams ready to be written.
+pub struct RunFolder {
+    /// Names and contents of its files.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// Why there is no native.adm, where there is none.
+    pub no_native: Option<&'static str>,
+}
+
+/// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm; what must be known stands
+/// above everything else in README.txt.
+pub fn run_folder(
+    params: &Params,
+    model: &Model,
+    text: &[u8],
+    length: f64,
+    libraries: Vec<(String, Vec<u8>)>,
+    remarks: &[String],
+) -> RunFolder {
+    let (texts, no_native) = folder::files(params, model, "damper.toml", length, &Matrix::default());
+    let missing = if libraries.is_empty() {
+        format!("THE LIBRARY IS NOT HERE. {}\n\n", no_adams_library())
+    } else {
+        String::new()
+    };
+    let mut files = vec![("damper.toml".to_owned(), text.to_vec())];
+    for file in texts {
+        let is_first = file.name == "README.txt";
+        let text = if is_first { missing.clone() + &folder::above(remarks, &file.text) } else { file.text };
+        files.push((file.name.to_owned(), text.into_bytes()));
+    }
+    files.extend(libraries);
+    RunFolder { files, no_native }
+}

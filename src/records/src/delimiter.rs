@@ -1,0 +1,80 @@
+//! What stands between the columns of a text.
+
+use csv::ReaderBuilder;
+
+/// Delimiters understood, in the order in which they are tried: a comma may also be a decimal comma, so it comes last but for
+/// the bar, which hardly any program writes.
+pub(crate) const ALL: [u8; 4] = [b'\t', b';', b',', b'|'];
+
+/// The delimiter of a short table by its heading: the one that makes most columns, a comma where none is there.
+pub fn of(heading: &str) -> u8 {
+    let count = |d: u8| heading.bytes().filter(|b| *b == d).count();
+    // Of two that make as many columns the first is meant.
+    [b',', b';', b'\t', b'|'].into_iter().rev().max_by_key(|d| count(*d)).unwrap_or(b',')
+}
+
+/// Splits one line at a delimiter, honouring quotes.
+pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
+    let mut reader =
+        ReaderBuilder::new().has_headers(false).delimiter(delimiter).flexible(true).from_reader(line.as_bytes());
+    reader.records().next().and_then(Result::ok).map(|r| r.iter().map(str::to_string).collect()).unwrap_or_default()
+}
+
+/// Whether the quoted cells of a text that is separated by commas hold decimal commas: `"0,5","12,75"`. A comma before three
+/// digits alone may as well part thousands, and so does one in a number with a point.
+pub(crate) fn quotes_decimal_commas(text: &str) -> bool {
+    /// Rows that are looked at; a column of numbers shows its decimals sooner.
+    const ROWS: usize = 500;
+    let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+    let mut told = false;
+    for row in reader.records().take(ROWS).filter_map(Result::ok) {
+        for cell in row.iter().map(str::trim) {
+            let Some((whole, decimals)) = cell.split_once(',') else { continue };
+            let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+            let (mantissa, _) = decimals.split_once(['e', 'E']).unwrap_or((decimals, ""));
+            let whole = whole.trim_start_matches(['-', '+', '\u{2212}']);
+            if whole.bytes().any(|b| !b.is_ascii_digit() && b != b'.') || whole.is_empty() {
+                continue;
+            }
+            if cell.contains('.') {
+                return false;
+            }
+            told |= digits(mantissa) && mantissa.len() != 3;
+        }
+    }
+    told
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_delimiter_is_the_one_that_makes_most_columns() {
+        for (heading, wanted) in [
+            ("a,b,c", b','),
+            ("a;b (x, y);c", b';'),
+            ("a\tb\tc, d", b'\t'),
+            ("a|b|c", b'|'),
+            ("alone", b','),
+            ("a,b;c", b','),
+        ] {
+            assert_eq!(of(heading), wanted, "{heading}");
+        }
+    }
+
+    #[test]
+    fn commas_in_quotes_are_decimal_where_they_cannot_part_thousands() {
+        for (text, wanted) in [
+            ("\"t\",\"F\"\n\"0,5\",\"12,75\"\n", true),
+            ("\"t\",\"F\"\n\"0,001\",\"1,234\"\n\"0,0015\",\"1,234\"\n", true),
+            ("\"-1,5E-3\",\"2\"\n", true),
+            ("t,F\n0.5,\"1,234\"\n0.6,\"12,345\"\n", false),
+            ("t,F\n0.5,\"1,234.5\"\n0.6,\"1,23\"\n", false),
+            ("\"Time, s\",\"Force, N\"\n0,1\n", false),
+            ("", false),
+        ] {
+            assert_eq!(quotes_decimal_commas(text), wanted, "{text}");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Files that rigs write in formats that are not read here, known by how they begin: what each is, and what to save it as instead.
+
+use std::io::Read as _;
+use std::path::Path;
+
+/// How a file begins, from some byte on.
+struct Kind {
+    at: usize,
+    begins: &'static [u8],
+    is: &'static str,
+    instead: &'static str,
+}
+
+const KINDS: &[Kind] = &[
+    Kind {
+        at: 0,
+        begins: b"|CF,",
+        is: "an imc FAMOS file",
+        instead: "export it from imc FAMOS or imc STUDIO as CSV, MDF 4 or TDMS",
+    },
+    Kind {
+        at: 0,
+        begins: b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+        is: "a workbook of Excel 97 to 2003 (.xls), or a document of that time",
+        instead: "save it as .xlsx",
+    },
+    Kind { at: 30, begins: b"mimetypeapplication/vnd.oasis", is: "an OpenDocument file", instead: "save it as .xlsx" },
+    Kind {
+        at: 0,
+        begins: b"DIAEXTENDED",
+        is: "the heading of a DIAdem data set, whose numbers lie in other files",
+        instead: "save it in DIAdem as TDMS",
+    },
+    Kind { at: 0, begins: b"DIADEM", is: "a DIAdem data set", instead: "save it in DIAdem as TDMS" },
+    Kind {
+        at: 0,
+        begins: b"\x89HDF\r\n\x1a\n",
+        is: "an HDF5 file",
+        instead: "save its channels as CSV or as a MAT file",
+    },
+    Kind { at: 0, begins: b"SQLite format 3", is: "a database", instead: "export the test as CSV" },
+    Kind { at: 0, begins: b"PK\x03\x04", is: "a zip archive", instead: "unpack it, and name the folder" },
+    Kind { at: 0, begins: b"\x1f\x8b", is: "a packed file (gzip)", instead: "unpack it" },
+    Kind { at: 0, begins: b"%PDF", is: "a PDF", instead: "export the test as CSV" },
+    Kind { at: 0, begins: b"<?xml", is: "an XML file", instead: "export the test as CSV" },
+];
+
+/// First numbers of binary files of catman: its versions 5.0 to 5.99 as a 16-bit number (HBM, catman file format).
+const CATMAN: std::ops::RangeInclusive<u16> = 5000..=5999;
+
+/// What a file is that is not read, and what to do; nothing where it may be a text.
+pub(crate) fn known(file: &Path) -> Option<(&'static str, &'static str)> {
+    let mut head = Vec::new();
+    std::fs::File::open(file).ok()?.take(80).read_to_end(&mut head).ok()?;
+    of(&head)
+}
+
+fn of(head: &[u8]) -> Option<(&'static str, &'static str)> {
+    if let Some(kind) = KINDS.iter().find(|k| head.get(k.at..).is_some_and(|rest| rest.starts_with(k.begins))) {
+        return Some((kind.is, kind.instead));
+    }
+    let first = u16::from_le_bytes([*head.first()?, *head.get(1)?]);
+    // Two letters of a text may be that number; the length that follows then is no small one.
+    let second = u32::from_le_bytes(head.get(2..6)?.try_into().ok()?);
+    (CATMAN.contains(&first) && second < 1 << 24 && head.contains(&0))
+        .then_some(("a binary file of catman", "export it from catman as ASCII, MDF 4 or MAT"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foreign_formats_are_named_and_texts_are_not() {
+        for (head, wanted) in [
+            (&b"|CF,2,1,1;|CK,1,3,1,1;"[..], "imc FAMOS"),
+            (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0", ".xls"),
+            (b"DIAEXTENDED  {@:ENGLISH\r\n", "DIAdem"),
+            (b"\x93\x13\x10\x04\x00\x00\x05\x00\0\0", "catman"),
+        ] {
+            let (is, instead) = of(head).unwrap_or_else(|| panic!("{wanted}"));
+            assert!(is.contains(wanted) && !instead.is_empty(), "{is}");
+        }
+        for head in [&b"Time [s];Force [N]\n"[..], b"MTS793|MPT|ENU|1", b"", b"1", "\u{feff}Zeit".as_bytes()] {
+            assert_eq!(of(head), None);
+        }
+    }
+}
