@@ -204,7 +204,7 @@ impl Variant {
     fn starts(&self, from: &Params, segments: &[Segment]) -> Vec<Params> {
         let x = || segments.iter().flat_map(|s| s.input.iter().filter_map(|i| i.displacement));
         let stops = [("bump_stop", -1.0), ("rebound_stop", 1.0)].into_iter();
-        let Some((stop, side)) = stops.filter(|(name, _)| self.elements.contains(name)).last() else {
+        let Some((stop, side)) = stops.rev().find(|(name, _)| self.elements.contains(name)) else {
             let set = |length: &f64| {
                 let mut start = *from;
                 start.set("gas_length", *length).is_ok().then_some(start)
