@@ -3,5 +3,5 @@
 mod seeds;
 mod skips;
 
-pub use seeds::drawn;
+pub use seeds::{drawn, held};
 pub use skips::{counted, skipped};

