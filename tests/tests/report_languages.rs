@@ -117,9 +117,17 @@ fn is_name(word: &str) -> bool {
     let in_symbols = |word: &str| SYMBOLS.split_whitespace().any(|symbol| symbol == word);
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());
     let is_symbol = || in_symbols(word) || word.split(['/', '·']).all(|part| in_symbols(part) || is_figure(part));
-    // Symbols of the model's equations, which meanings of parameters name in every language: k_p, v_0, x.
-    let is_of_an_equation = word.len() == 1 || word.len() <= 5 && word.as_bytes().get(1) == Some(&b'_');
-    EFFECTS.contains(&word) || is_of_an_equation || of_measurement || is_test || is_symbol() || is_parameter() || is_tried()
+    // Symbols of the model's equations (k_p, v_0, x), which the meaning of a parameter names in every language: no word is that short.
+    let is_short = word.len() == 1 || word.as_bytes().get(1) == Some(&b'_');
+    let is_of_an_equation =
+        || is_short && parameter::table().any(|row| latin(row.parameter.meaning).any(|w| w == word));
+    EFFECTS.contains(&word)
+        || is_of_an_equation()
+        || of_measurement
+        || is_test
+        || is_symbol()
+        || is_parameter()
+        || is_tried()
 }
 
 /// What comes in English from elsewhere: meanings of parameters, and what reading noticed.
