@@ -109,6 +109,16 @@ def test_bad_campaigns_are_rows_and_the_others_have_their_numbers(campaigns: Pat
     assert "SN00013" in report and "coulomb_force" in report and "d00011" in report and report.count("<img") > 5
 
 
+def test_a_row_names_the_tests_that_were_left_out(tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "d", seed=1)
+    spoilt = tmp_path / "d" / "a5_v130.csv"
+    head, *rows = spoilt.read_text().splitlines()
+    spoilt.write_text("\n".join([head, *(row.rsplit(",", 1)[0] + ",500.0" for row in rows)]) + "\n")
+    row = examine(find_jobs([tmp_path / "d"])[0], "key", Plan(elements=tuple(ELEMENTS.split(","))))
+    assert row["status"] == "ok" and row["tests"] == 4
+    assert "a5_v130" in row["notes"][0]
+
+
 def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
     measure(damper(), tmp_path / "good", seed=99)
     out = tmp_path / "changed.parquet"

@@ -102,7 +102,8 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
             {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing}
             for e in model.fit.parameters
         ],
-        "notes": list(model.fit.notes),
+        # Tests and files that were left out first: a row must not look as if it rested on all of them.
+        "notes": [*(u.why for u in campaign.unusable), *model.fit.notes],
         "model": model.text,
     }  # fmt: skip
     low, high = model.velocity_range

@@ -134,7 +134,9 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
         rows = "".join(_row(pair) for pair in effects.most_common())
         out.append(f"<h2>What changed against the reference</h2><table>{_row(('effect', 'dampers'), 'th')}{rows}</table>")
     if failed:
-        rows = "".join(f'<li class="warn">{html.escape(f"{c}: {r}")}</li>' for c, r in failed[:REASONS])
+        # Most reasons begin with the file, and with that with the campaign.
+        told = [r if str(r).startswith(c) else f"{c}: {r}" for c, r in failed[:REASONS]]
+        rows = "".join(f'<li class="warn">{html.escape(text)}</li>' for text in told)
         more = f"<p>{len(failed) - REASONS} more are in the table.</p>" if len(failed) > REASONS else ""
         out.append(f"<h2>Campaigns that could not be identified</h2><ul>{rows}</ul>{more}")
     return "".join(out)
