@@ -24,7 +24,7 @@ use crate::input::{Input, Path, PathPoint};
 use crate::math::pair;
 use crate::model::Model;
 use crate::parameter::{Parameter, Params};
-use crate::paths::acting::{self, Alone};
+use crate::paths::acting::{self, Bends};
 use crate::state::{Output, State};
 
 /// How a host step is integrated.
@@ -34,8 +34,10 @@ pub struct Integration {
     pub method: Method,
     /// Substeps inside one host step; 0: from [`Integration::per_time`].
     pub substeps: u32,
-    /// Square of the substeps per second that the model's stiffness asks for, where few are enough.
+    /// Substeps that the model's stiffness asks for where few are enough, per second: their square, or the root of their cube.
     pub per_time: f64,
+    /// Whether it is the latter.
+    cubic: bool,
     /// The same where it takes many: substeps per second, beyond half a one.
     many_per_time: f64,
     /// Longest step, s, that is taken as one cheap step; 0 with another method.
@@ -45,12 +47,27 @@ pub struct Integration {
 /// What the frequency of a spool counts for among those that ask for substeps.
 const SPOOL: f64 = 12.0;
 
-/// Square of the substeps per unit of frequency and time for elements that act alone on the common damper: rubber, which bends
-/// the series force smoothly, by the method of fourth order; a void, and all that makes a knee in the force, by that of
-/// third, which carries a knee less far (measured over the test matrix, 0.1 % with each: core/tests/paths_accuracy.rs).
+/// The mean slope of the FV curve, N s/m over √(k_s m) in the same unit, at which the mass swings back as that of the default
+/// damper does.
+const SLACK: f64 = 0.94;
+/// The automatic choice for the mass behind a straight spring: n² ≥ `EVEN` f L^1.6 for the method of three stages and
+/// n³ ≥ `CUBIC` L f² for that of four, where f is the frequency times the step and L how far the mass swings. Measured over
+/// masses of 0.1 to 2 kg, springs of 0.3 to 30 MN/m and curves of 0.3 to 3 times the default one (the error is below a thousandth
+/// in all of them: core/tests/accuracy.rs); with less it is not.
+const EVEN: f64 = 0.4;
+const CUBIC: f64 = 0.12;
+
+/// What these are multiplied by for elements of the paths, whose forces bend within a step (measured over the test matrix,
+/// core/tests/paths_accuracy.rs): where a curve bends and no more, where there is a knee, where there is a void or several
+/// elements act, where the column turns from soft to hard with the sign of the force, and where friction turns over behind
+/// the spring. Rubber, which bends smoothly, takes the method of fourth order.
+const KNEE: f64 = 1.3;
+const SEVERAL: f64 = 2.0;
+const TURNS: f64 = 4.0;
+const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-const VOID: f64 = 2.2;
-const KINK: f64 = 1.3;
+/// Two substeps in a millisecond, however soft the spring: several elements bend the force by themselves.
+const TWO_A_MILLISECOND: f64 = 1.1e3;
 
 /// Most substeps that the automatic choice takes.
 const MOST_SUBSTEPS: u32 = 16;
@@ -60,8 +77,10 @@ const MOST_SUBSTEPS: u32 = 16;
 pub enum Method {
     /// Five stages, order 4 (Hairer & Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5).
     Fourth,
-    /// Three stages, order 3 (Alexander, SIAM J. Numer. Anal. 14, 1977).
+    /// Four stages, order 3, with the smallest γ that is L-stable.
     Third,
+    /// Three stages, order 2, with the smallest γ that is L-stable: the cheapest that is exact enough at 1 ms.
+    ThreeStage,
     /// Two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
     Second,
     /// The cheap step: linearly implicit in closed form, order 1.
@@ -73,7 +92,7 @@ impl Describe for Integration {
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::choice(
             "method",
-            &["automatic", "second_order", "euler", "third_order", "fourth_order"],
+            &["automatic", "second_order", "euler", "third_order", "fourth_order", "three_stage"],
             "method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth",
         ),
         Parameter::scalar(
@@ -88,8 +107,14 @@ impl Describe for Integration {
 
 impl Integration {
     /// One step of the method of fourth order.
-    pub const OFF: Integration =
-        Integration { method: Method::Fourth, substeps: 1, per_time: 0.0, many_per_time: 0.0, cheap_up_to: 0.0 };
+    pub const OFF: Integration = Integration {
+        method: Method::Fourth,
+        substeps: 1,
+        per_time: 0.0,
+        cubic: false,
+        many_per_time: 0.0,
+        cheap_up_to: 0.0,
+    };
 
     /// From the parameters.
     pub fn prepare(params: &Params, elements: &Elements) -> Integration {
@@ -97,42 +122,72 @@ impl Integration {
             1.0 => Method::Second,
             2.0 => Method::Euler,
             3.0 => Method::Third,
+            5.0 => Method::ThreeStage,
             _ => Method::Fourth,
         };
         let substeps = params.scalar("substeps") as u32;
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
-        // substeps needed for a given error (measured over the test matrix: 0.1 % at 2.4, 10, 20 with 1, 2, 3), and further on
-        // in proportion to them (0.1 % at 4 to 6 each, the less damping the less: tests/tests/hosts/bridge_accuracy.rs).
+        // substeps needed for a given error, and further on in proportion to them (0.1 % at 4 to 6 each, the less damping the
+        // less: tests/tests/hosts/bridge_accuracy.rs).
         let bushing = &elements.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.scalar("series_stiffness") * (1.0 + added);
         let mass = if elements.has_series() { elements.series_compliance.mass } else { params.scalar("internal_mass") };
-        // A heavy mass on a stiff spring rings on where the curve, of a few kN s/m, cannot damp it: it wants more.
-        let light = (libm::sqrt(stiffness * mass) / 3500.0).clamp(1.0, 2.5);
-        let mut frequency = light * libm::sqrt(stiffness / mass);
+        let mut frequency = libm::sqrt(stiffness / mass);
         if elements.has_spool() {
             // It swings faster than alone, since the force that it makes moves it (measured: 0.1 % with it).
             frequency = frequency.max(SPOOL * elements.valve_hysteresis.per_time);
         }
+        if params.scalar("method") == 0.0 && substeps == 0 {
+            return Integration::automatic(elements, frequency, stiffness * mass);
+        }
         // Elements in the paths bend the forces more sharply within a step; a column that turns from soft to hard as the
         // force changes its sign, more than those; and friction that turns over behind a spring, most of all.
-        let turns = !elements.aeration.is_even() || !elements.oil_compressibility.is_even();
-        let sharpness = match (elements.carries_whole(), turns, acting::is_sharp(elements)) {
-            (true, ..) => 20.0,
-            (_, true, _) => 8.0,
-            (.., true) => 2.0,
-            _ => 1.0,
+        let sharpness = match acting::bends(elements) {
+            Bends::Whole => 20.0,
+            Bends::Turning => 8.0,
+            Bends::Little if !acting::is_sharp(elements) => 1.0,
+            _ => 2.0,
         };
-        if params.scalar("method") == 0.0 && substeps == 0 {
-            let (method, per_time) = match acting::alone(elements) {
-                Alone::Rubber => (Method::Fourth, RUBBER),
-                Alone::Void => (Method::Third, VOID),
-                Alone::Kink => (Method::Third, KINK),
-                Alone::Other => (Method::Fourth, 0.4 * sharpness),
-            };
-            return Integration::new(method, 0, per_time * frequency, 0.25 * frequency);
-        }
         Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency)
+    }
+
+    /// The cheapest that keeps the error of a 1 ms step below a thousandth. `impedance` is k_s m.
+    fn automatic(elements: &Elements, frequency: f64, impedance: f64) -> Integration {
+        let (low, high) = elements.fv_curve.range();
+        let at = |u: f64| elements.fv_curve.at(u).value;
+        let mean = |from: f64, to: f64| if to > from { (at(to) - at(from)) / (to - from) } else { f64::INFINITY };
+        let (compression, rebound) = (mean(low, 0.0), mean(0.0, high));
+        let damping = if compression < rebound { compression } else { rebound };
+        let swings = (SLACK * libm::sqrt(impedance) / damping.max(1e-3)).clamp(0.25, 10.0);
+        // What bends the force does so as sharply where the mass does not swing.
+        let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
+        let many = 0.25 * frequency;
+        let three = |times: f64| {
+            let per_time = times * EVEN * frequency * libm::pow(swings, 1.6);
+            Integration::new(Method::ThreeStage, 0, per_time, many)
+        };
+        let four = |times: f64| {
+            let per_time = libm::sqrt(times * CUBIC * swings) * frequency;
+            Integration { cubic: true, ..Integration::new(Method::Third, 0, per_time, many) }
+        };
+        let cheaper = |times: f64| {
+            let (three, four) = (three(times), four(times));
+            let stages = |count: u32, of: &Integration| count * of.substeps(1e-3);
+            if stages(3, &three) <= stages(4, &four) { three } else { four }
+        };
+        let at_least_two = |by_stiffness: Integration| Integration {
+            per_time: by_stiffness.per_time.max(TWO_A_MILLISECOND),
+            ..by_stiffness
+        };
+        match acting::bends(elements) {
+            Bends::Little => cheaper(1.0),
+            Bends::Smoothly => Integration::new(Method::Fourth, 0, RUBBER * frequency, many),
+            Bends::Knee => four(KNEE),
+            Bends::Several => at_least_two(three(SEVERAL)),
+            Bends::Turning => at_least_two(four(TURNS)),
+            Bends::Whole => four(WHOLE),
+        }
     }
 
     /// So many substeps of this method, whatever the step.
@@ -146,7 +201,7 @@ impl Integration {
             (Method::Euler, 0 | 1) => LONGEST,
             _ => 0.0,
         };
-        Integration { method, substeps, per_time, many_per_time, cheap_up_to }
+        Integration { method, substeps, per_time, cubic: false, many_per_time, cheap_up_to }
     }
 
     /// Substeps in a host step of `dt`: depends on the model and `dt` alone, never on the motion.
@@ -157,7 +212,8 @@ impl Integration {
         }
         let (few, many) = (self.per_time * dt, self.many_per_time * dt - 0.5);
         let mut n = 1;
-        while n < MOST_SUBSTEPS && (((n * n) as f64) < few || f64::from(n) < many) {
+        let is_few = |n: u32| if self.cubic { f64::from(n * n * n) < few * few } else { f64::from(n * n) < few };
+        while n < MOST_SUBSTEPS && (is_few(n) || f64::from(n) < many) {
             n += 1;
         }
         n
@@ -167,64 +223,139 @@ impl Integration {
 /// Most stages of a method.
 const MOST_STAGES: usize = 5;
 
-/// Coefficients of a diagonally implicit method; the last row is the result (stiffly accurate). Constants of a type, so
+/// Coefficients of a diagonally implicit method; the last row is the result (stiffly accurate). A constant of a type, so
 /// that every stage is compiled for its own.
 trait Tableau {
     const STAGES: usize;
-    const GAMMA: f64;
-    /// Rows below the diagonal.
-    const A: [[f64; MOST_STAGES]; MOST_STAGES];
+    const ROWS: Rows;
+    /// How far from its latest stage a step through the paths may end at least, in halves of the spread of its stages: see
+    /// [`paths`]. With 1 the method of four stages was taken to be thrown at every twentieth step of free play, where it was not.
+    const ENDS_WITHIN: f64 = 1.0;
+}
+
+/// The rows of a method.
+struct Rows {
+    /// γ of each stage: the diagonal.
+    gamma: [f64; MOST_STAGES],
+    /// a_ij/γ_j below the diagonal: what a stage takes of γ_j h times the rates of those before.
+    weights: [[f64; MOST_STAGES]; MOST_STAGES],
     /// Places of the stages inside the step.
-    const C: [f64; MOST_STAGES];
+    c: [f64; MOST_STAGES],
+}
+
+impl Rows {
+    /// From the diagonal and the rows below it. The places are the sums of the rows; what is not used is 0.
+    const fn new(stages: usize, gamma: [f64; MOST_STAGES], below: [[f64; MOST_STAGES]; MOST_STAGES]) -> Rows {
+        let mut rows = Rows { gamma, weights: [[0.0; MOST_STAGES]; MOST_STAGES], c: [1.0; MOST_STAGES] };
+        let mut i = 0;
+        while i + 1 < stages {
+            let (mut j, mut sum) = (0, 0.0);
+            while j < i {
+                sum += below[i][j];
+                j += 1;
+            }
+            rows.c[i] = sum + gamma[i];
+            i += 1;
+        }
+        i = 0;
+        while i < stages {
+            let mut j = 0;
+            while j < i {
+                rows.weights[i][j] = below[i][j] / gamma[j];
+                j += 1;
+            }
+            i += 1;
+        }
+        rows
+    }
 }
 
 struct Euler;
 
 impl Tableau for Euler {
     const STAGES: usize = 1;
-    const GAMMA: f64 = 1.0;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [[0.0; 5]; 5];
-    const C: [f64; MOST_STAGES] = [1.0; 5];
+    const ROWS: Rows = Rows::new(1, [1.0; 5], [[0.0; 5]; 5]);
 }
 
 struct Second;
 
 impl Tableau for Second {
     const STAGES: usize = 2;
-    const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] =
-        [[0.0; 5], [1.0 - Self::GAMMA, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
-    const C: [f64; MOST_STAGES] = [Self::GAMMA, 1.0, 1.0, 1.0, 1.0];
+    const ROWS: Rows = {
+        let gamma = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+        Rows::new(2, [gamma; 5], [[0.0; 5], [1.0 - gamma, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]])
+    };
 }
+
+/// The smallest γ with which three stages of order 2 are L-stable, rounded up, and with it the smallest error (Hairer & Wanner,
+/// table IV.6.4).
+const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
+/// The second stage's place, which the conditions of order leave free: least error over dampers of every kind at 1 ms, flat
+/// about it.
+const THREE_STAGE_PLACE: f64 = 0.663;
+
+struct ThreeStage;
+
+impl Tableau for ThreeStage {
+    const STAGES: usize = 3;
+    const ROWS: Rows = {
+        let (gamma, c2) = (THREE_STAGE_GAMMA, THREE_STAGE_PLACE);
+        // b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂ + γ = ½.
+        let b2 = (0.5 - gamma - (1.0 - gamma) * gamma) / (c2 - gamma);
+        let below =
+            [[0.0; 5], [c2 - gamma, 0.0, 0.0, 0.0, 0.0], [1.0 - gamma - b2, b2, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5]];
+        Rows::new(3, [gamma; 5], below)
+    };
+}
+
+/// The smallest γ with which four stages of order 3 are L-stable, rounded up (the same table).
+const THIRD_GAMMA: f64 = 0.223_647_9;
+/// The places of the two inner stages, which the conditions of order leave free: as [`THREE_STAGE_PLACE`].
+const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 
 struct Third;
 
 impl Tableau for Third {
-    const STAGES: usize = 3;
-    const GAMMA: f64 = 0.435_866_521_508_459;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
-        [0.0; 5],
-        [0.282_066_739_245_770_5, 0.0, 0.0, 0.0, 0.0],
-        [1.208_496_649_176_01, -0.644_363_170_684_469_1, 0.0, 0.0, 0.0],
-        [0.0; 5],
-        [0.0; 5],
-    ];
-    const C: [f64; MOST_STAGES] = [Self::GAMMA, 0.717_933_260_754_229_5, 1.0, 1.0, 1.0];
+    const STAGES: usize = 4;
+    const ROWS: Rows = {
+        let (g, [c2, c3]) = (THIRD_GAMMA, THIRD_PLACES);
+        // Σ b = 1, Σ b c = ½, Σ b c² = ⅓ without the last stage, which has c = 1 and b = γ.
+        let sums = [1.0 - g, 0.5 - g, 1.0 / 3.0 - g];
+        const fn weight(sums: [f64; 3], own: f64, other: f64, third: f64) -> f64 {
+            (sums[2] - (other + third) * sums[1] + other * third * sums[0]) / ((own - other) * (own - third))
+        }
+        let (b1, b2, b3) = (weight(sums, g, c2, c3), weight(sums, c2, g, c3), weight(sums, c3, g, c2));
+        // Σ b_i a_ij c_j = ⅙, solved for a₃₂.
+        let others = 0.5 * g + b1 * g * g + b2 * ((c2 - g) * g + g * c2) + b3 * ((c3 - g) * g + g * c3);
+        let a32 = (1.0 / 6.0 - others) / (b3 * (c2 - g));
+        let below = [
+            [0.0; 5],
+            [c2 - g, 0.0, 0.0, 0.0, 0.0],
+            [c3 - g - a32, a32, 0.0, 0.0, 0.0],
+            [b1, b2, b3, 0.0, 0.0],
+            [0.0; 5],
+        ];
+        Rows::new(4, [g; 5], below)
+    };
 }
 
 struct Fourth;
 
 impl Tableau for Fourth {
     const STAGES: usize = 5;
-    const GAMMA: f64 = 0.25;
-    const A: [[f64; MOST_STAGES]; MOST_STAGES] = [
-        [0.0; 5],
-        [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
-        [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
-        [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
-        [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
-    ];
-    const C: [f64; MOST_STAGES] = [1.0 / 4.0, 3.0 / 4.0, 11.0 / 20.0, 1.0 / 2.0, 1.0];
+    /// Its weights reach 31.
+    const ENDS_WITHIN: f64 = 0.0;
+    const ROWS: Rows = Rows::new(
+        5,
+        [0.25; 5],
+        [
+            [0.0; 5],
+            [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
+            [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
+            [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
+            [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
+        ],
+    );
 }
 
 /// What happened in one stage: all that a derivative of the step needs.
@@ -234,11 +365,9 @@ pub struct Stage<'a> {
     pub index: usize,
     /// Whether it ends the substep.
     pub last: bool,
-    /// γh of the substep, s.
+    /// γh of the stage, s.
     pub g: f64,
-    /// γ.
-    pub gamma: f64,
-    /// The row of the method below the diagonal, for the stages before this one.
+    /// What it takes of the gains of the stages before it.
     pub row: &'a [f64],
     /// The driven end.
     pub path: PathPoint,
@@ -319,7 +448,6 @@ impl Follow for ByEnd {
         if s.index > 0 || self.moved {
             (x, v) = (self.x, self.v);
             for (a, [moved, push]) in s.row.iter().zip(&self.gains).take(s.index) {
-                let a = a * (1.0 / s.gamma);
                 x = pair(|k| x[k] + a * moved[k]);
                 v = pair(|k| v[k] + a * push[k]);
             }
@@ -370,10 +498,9 @@ struct Substep<'a> {
     part: f64,
     /// Whether its end is the end of the step.
     ends_step: bool,
-    g: f64,
-    /// m/g, and m/g + c_s + g k_s.
-    mass_rate: f64,
-    resistance: f64,
+    /// Its length, s, and 1 over it.
+    h: f64,
+    per_h: f64,
     side: (f64, f64),
     start: Mass,
     predicted: f64,
@@ -393,7 +520,9 @@ impl Substep<'_> {
             mass = self.stage::<T, 2, BENT>(follow);
         }
         if T::STAGES > 3 {
-            self.stage::<T, 3, BENT>(follow);
+            mass = self.stage::<T, 3, BENT>(follow);
+        }
+        if T::STAGES > 4 {
             mass = self.stage::<T, 4, BENT>(follow);
         }
         mass
@@ -402,13 +531,15 @@ impl Substep<'_> {
     #[inline(always)]
     fn stage<T: Tableau, const I: usize, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
         let e = &self.elements.series_compliance;
-        let g = self.g;
+        let g = T::ROWS.gamma[I] * self.h;
+        let mass_rate = e.mass * (1.0 / T::ROWS.gamma[I] * self.per_h);
+        let resistance = mass_rate + e.damping + g * e.stiffness;
         let last = I + 1 == T::STAGES;
         let point =
-            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::C[I] * self.part) };
+            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::ROWS.c[I] * self.part) };
         let mut known = [self.start.x, self.start.v];
         for j in 0..I {
-            let a = T::A[I][j] / T::GAMMA;
+            let a = T::ROWS.weights[I][j];
             known = pair(|k| known[k] + a * self.gains[j][k]);
         }
         let [known_x, known_v] = known;
@@ -419,9 +550,9 @@ impl Substep<'_> {
         // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
         let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
         let inner_slope = inner.by_v + g * inner.by_x;
-        let a = self.resistance + inner_slope;
+        let a = resistance + inner_slope;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
-        let r = self.mass_rate * known_v + drive - inner_known;
+        let r = mass_rate * known_v + drive - inner_known;
         // Three iterations are below the method's own error.
         let (mut u, mut fd) = self.elements.fv_curve.solve::<3>(a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
@@ -429,9 +560,10 @@ impl Substep<'_> {
         let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
         if BENT && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
             let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
-            self.settle(known_x, point.x, r + inner_known, &mut balance);
+            let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
+            self.settle(&held, &mut balance);
             Balance { u, fd, inner, inner_at, inner_known, inner_slope } = balance;
-            a = self.resistance + inner_slope;
+            a = resistance + inner_slope;
         }
         let moved = g * u;
         self.gains[I] = [moved, u - known_v];
@@ -443,8 +575,7 @@ impl Substep<'_> {
                 index: I,
                 last,
                 g,
-                gamma: T::GAMMA,
-                row: &T::A[I],
+                row: &T::ROWS.weights[I],
                 path: point,
                 known_velocity: known_v,
                 x_m,
@@ -490,6 +621,18 @@ struct Balance {
     inner_slope: f64,
 }
 
+/// What a stage holds still while its springs are sought.
+struct Held {
+    g: f64,
+    resistance: f64,
+    /// X.
+    known: f64,
+    /// Displacement of the driven end.
+    driven: f64,
+    /// The right side without the springs.
+    r: f64,
+}
+
 /// What the springs' straight line may miss, as a part of the forces on the mass: the error that the automatic method is held
 /// to. More lets through forces that no spring makes.
 const MISSED: f64 = 1e-3;
@@ -504,17 +647,17 @@ impl Substep<'_> {
     /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
     ///
     /// The springs rise with the place and the curve with the velocity, so what is left of the balance rises with u: each
-    /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro. `known`
-    /// is X, `r` the right side without the springs.
+    /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro.
     #[inline(never)]
-    fn settle(&self, known: f64, driven: f64, r: f64, balance: &mut Balance) {
+    fn settle(&self, held: &Held, balance: &mut Balance) {
+        let Held { g, resistance, known, driven, r } = *held;
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for round in 0..ROUNDS {
             let Balance { u, fd, .. } = *balance;
-            let (inner, held, at) = springs(self.elements, known + self.g * u, u, driven, self.side);
-            let slope = inner.by_v + self.g * inner.by_x;
+            let (inner, held, at) = springs(self.elements, known + g * u, u, driven, self.side);
+            let slope = inner.by_v + g * inner.by_x;
             *balance = Balance { u, fd, inner, inner_at: at, inner_known: held - slope * u, inner_slope: slope };
-            let left = self.resistance * u + held + fd.value - r;
+            let left = resistance * u + held + fd.value - r;
             if left.abs() <= MISSED * (held.abs() + fd.value.abs()) + ROUNDING * r.abs() {
                 break;
             }
@@ -524,7 +667,7 @@ impl Substep<'_> {
                 low = u;
             }
             let curve = &self.elements.fv_curve;
-            (balance.u, balance.fd) = curve.solve::<3>(self.resistance + slope, r - balance.inner_known);
+            (balance.u, balance.fd) = curve.solve::<3>(resistance + slope, r - balance.inner_known);
             let inside = balance.u > low && balance.u < high;
             let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
             if !inside || halved {
@@ -538,19 +681,16 @@ impl Substep<'_> {
 impl<'a> Substep<'a> {
     /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
     #[inline(always)]
-    fn new<T: Tableau>(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
-        let g = T::GAMMA * drive.path.length() * part;
-        let e = &drive.elements.series_compliance;
-        let mass_rate = e.mass / g;
+    fn new(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
+        let h = drive.path.length() * part;
         Substep {
             elements: drive.elements,
             path: drive.path,
             theta,
             part,
             ends_step,
-            g,
-            mass_rate,
-            resistance: mass_rate + e.damping + g * e.stiffness,
+            h,
+            per_h: 1.0 / h,
             side: drive.side,
             start,
             predicted: start.v,
@@ -578,7 +718,7 @@ fn move_mass<T: Tableau, const ONCE: bool>(drive: &Drive, substeps: u32, mass: M
     }
     if ONCE {
         // The common case, written out so that the places of the stages are constants.
-        return Substep::new::<T>(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
+        return Substep::new(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
     }
     move_mass_in_substeps::<T, false>(drive, substeps, mass, follow)
 }
@@ -599,7 +739,7 @@ fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new::<T>(drive, theta, part, left == 0, mass).run::<T, BENT>(follow);
+        mass = Substep::new(drive, theta, part, left == 0, mass).run::<T, BENT>(follow);
         theta += part;
     }
     mass
@@ -619,7 +759,7 @@ fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut 
         let (inner, inner_at) = (elements.inner(&at), at.displacement);
         let after = cheap::take(elements, &before, &to, inner_at, inner);
         if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
-            mass = Substep::new::<Euler>(drive, (sub - 1) as f64 * part, part, last, mass).run::<Euler, true>(follow);
+            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run::<Euler, true>(follow);
             from = to;
             continue;
         }
@@ -630,7 +770,6 @@ fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut 
                 index: 0,
                 last: true,
                 g: h,
-                gamma: 1.0,
                 row: &[],
                 path: to,
                 known_velocity: mass.v,
@@ -697,7 +836,7 @@ fn advance_memory<T: Tableau>(
 ) -> (f64, [f64; 2]) {
     let n = substeps;
     let part = 1.0 / n as f64;
-    let g = T::GAMMA * path.length() * part;
+    let h = path.length() * part;
     let (mut z, mut by_end) = (z0, [0.0; 2]);
     let mut theta = 0.0;
     for sub in 0..n {
@@ -705,13 +844,14 @@ fn advance_memory<T: Tableau>(
         let (mut now, mut d_now) = (z, by_end);
         for i in 0..T::STAGES {
             let ends_step = i + 1 == T::STAGES && sub + 1 == n;
-            let point = if ends_step { path.last() } else { path.at(theta + T::C[i] * part) };
+            let point = if ends_step { path.last() } else { path.at(theta + T::ROWS.c[i] * part) };
             let mut known = z;
-            for (push, row) in pushes.iter().zip(&T::A[i]).take(i) {
-                known += row / T::GAMMA * push;
+            for (push, weight) in pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+                known += weight * push;
             }
             let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
             let recall = element.recall(&at, known);
+            let g = T::ROWS.gamma[i] * h;
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
             pushes[i] = now - known;
@@ -719,9 +859,8 @@ fn advance_memory<T: Tableau>(
                 continue;
             }
             let mut d_known = by_end;
-            for (push, row) in d_pushes.iter().zip(&T::A[i]).take(i) {
-                let a = row / T::GAMMA;
-                d_known = pair(|k| d_known[k] + a * push[k]);
+            for (push, weight) in d_pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+                d_known = pair(|k| d_known[k] + weight * push[k]);
             }
             // Differentiated where the stage ends: there the rate depends on the input alone.
             let recall = element.recall(&at, now);
@@ -802,6 +941,8 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
     match (model.integration.method, once) {
         (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
         (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output),
+        (Method::ThreeStage, true) => answer::<ThreeStage, true>(model, state, to, dt, output),
+        (Method::ThreeStage, false) => answer::<ThreeStage, false>(model, state, to, dt, output),
         (Method::Third, _) => answer::<Third, false>(model, state, to, dt, output),
         (Method::Second, _) => answer::<Second, false>(model, state, to, dt, output),
         (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output),
@@ -830,6 +971,7 @@ pub fn advance_paths(
     match model.integration.method {
         Method::Fourth => advance_paths_by::<Fourth, _>(model, state, to, dt, follow, output),
         Method::Third => advance_paths_by::<Third, _>(model, state, to, dt, follow, output),
+        Method::ThreeStage => advance_paths_by::<ThreeStage, _>(model, state, to, dt, follow, output),
         Method::Second => advance_paths_by::<Second, _>(model, state, to, dt, follow, output),
         Method::Euler => advance_paths_by::<Euler, _>(model, state, to, dt, follow, output),
     }
@@ -989,6 +1131,7 @@ pub fn advance(
     match model.integration.method {
         Method::Fourth => advance_by::<Fourth, _, false>(model, to, dt, follow, state, output),
         Method::Third => advance_by::<Third, _, false>(model, to, dt, follow, state, output),
+        Method::ThreeStage => advance_by::<ThreeStage, _, false>(model, to, dt, follow, state, output),
         Method::Second => advance_by::<Second, _, false>(model, to, dt, follow, state, output),
         Method::Euler => advance_by::<Euler, _, false>(model, to, dt, follow, state, output),
     }
@@ -1063,4 +1206,87 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     output.force = force;
     output.force_by_displacement = by_x;
     output.force_by_velocity = by_v;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    /// The matrix of a method, the diagonal included.
+    fn matrix<T: Tableau>() -> Vec<Vec<f64>> {
+        let rows = T::ROWS;
+        let entry = |i: usize, j: usize| match i.cmp(&j) {
+            core::cmp::Ordering::Less => 0.0,
+            core::cmp::Ordering::Equal => rows.gamma[i],
+            core::cmp::Ordering::Greater => rows.weights[i][j] * rows.gamma[j],
+        };
+        (0..T::STAGES).map(|i| (0..T::STAGES).map(|j| entry(i, j)).collect()).collect()
+    }
+
+    /// How far a method is from the conditions up to an order.
+    fn misses<T: Tableau>(order: usize) -> f64 {
+        let a = matrix::<T>();
+        let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
+        let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+        let through = |y: &[f64]| a.iter().map(|row| dot(row, y)).collect::<Vec<f64>>();
+        let power = |n: i32| c.iter().map(|c| c.powi(n)).collect::<Vec<f64>>();
+        // The last row is the result.
+        let b = &a[a.len() - 1];
+        let both: Vec<f64> = c.iter().zip(through(&c)).map(|(c, ac)| c * ac).collect();
+        let conditions = [
+            (1, dot(b, &power(0)), 1.0),
+            (2, dot(b, &c), 1.0 / 2.0),
+            (3, dot(b, &power(2)), 1.0 / 3.0),
+            (3, dot(b, &through(&c)), 1.0 / 6.0),
+            (4, dot(b, &power(3)), 1.0 / 4.0),
+            (4, dot(b, &both), 1.0 / 8.0),
+            (4, dot(b, &through(&power(2))), 1.0 / 12.0),
+            (4, dot(b, &through(&through(&c))), 1.0 / 24.0),
+        ];
+        conditions
+            .iter()
+            .filter(|(of, ..)| *of <= order)
+            .map(|(_, got, wanted)| (got - wanted).abs())
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_methods_have_the_orders_that_they_are_named_after() {
+        assert!(misses::<Euler>(1) < 1e-14 && misses::<Euler>(2) > 1e-3);
+        assert!(misses::<Second>(2) < 1e-14 && misses::<Second>(3) > 1e-3);
+        assert!(misses::<ThreeStage>(2) < 1e-14 && misses::<ThreeStage>(3) > 1e-3);
+        assert!(misses::<Third>(3) < 1e-13 && misses::<Third>(4) > 1e-4);
+        assert!(misses::<Fourth>(4) < 1e-13);
+    }
+
+    /// Largest growth of an oscillation of any frequency, and how much of an infinitely stiff motion is left.
+    fn growth<T: Tableau>() -> (f64, f64) {
+        let a = matrix::<T>();
+        let after = |y: f64| {
+            // Complex numbers by hand: z = iy, k_i = 1 + z Σ a_ij k_j.
+            let mut stages: Vec<(f64, f64)> = Vec::new();
+            for (i, row) in a.iter().enumerate() {
+                let sum = row.iter().zip(&stages).fold((0.0, 0.0), |s, (a, k)| (s.0 + a * k.0, s.1 + a * k.1));
+                let known = (1.0 - y * sum.1, y * sum.0);
+                let (re, im) = (1.0, -y * row[i]);
+                let size = re * re + im * im;
+                stages.push(((known.0 * re + known.1 * im) / size, (known.1 * re - known.0 * im) / size));
+            }
+            let (re, im) = stages[stages.len() - 1];
+            re.hypot(im)
+        };
+        let most = (0..4000).map(|k| after(10f64.powf(-2.0 + 1e-3 * f64::from(k)))).fold(0.0, f64::max);
+        (most, after(1e9))
+    }
+
+    /// On the imaginary axis, and with all poles to the right of it since every γ is above 0: in the whole left half.
+    #[test]
+    fn the_methods_are_l_stable() {
+        for (most, left) in
+            [growth::<Euler>(), growth::<Second>(), growth::<ThreeStage>(), growth::<Third>(), growth::<Fourth>()]
+        {
+            assert!(most <= 1.0 + 1e-12 && left < 1e-6, "grows by {most}, leaves {left}");
+        }
+    }
 }

@@ -100,10 +100,12 @@ proptest! {
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
                     // A bushing's friction sets in over millimetres per second: a short step turns micrometres into that.
                     let fine = if params.scalar("bushing_slip") < 1.0 { 0.03 } else { 1.0 };
-                    let by_x = difference(|h| force(Some(x1 + h), v1), fine * 1e-7);
-                    let by_v = difference(|h| force(Some(x1), v1 + h), 1e-4);
+                    // Twice, so that a knee of an element that lies inside the wider difference does not count.
+                    let widths = [fine, 0.03 * fine];
+                    let by_x = widths.map(|fine| difference(|h| force(Some(x1 + h), v1), fine * 1e-7));
+                    let by_v = [1.0, 0.03].map(|fine| difference(|h| force(Some(x1), v1 + h), fine * 1e-4));
                     let alone = step(&model, &from, &input(None, v1), dt).1.force_by_velocity;
-                    let by_v_alone = difference(|h| force(None, v1 + h), 1e-4);
+                    let by_v_alone = [1.0, 0.03].map(|fine| difference(|h| force(None, v1 + h), fine * 1e-4));
                     let k = params.scalar("series_stiffness");
                     for (what, got, wanted, scale) in [
                         ("dF/dx", output.force_by_displacement, by_x, k),
@@ -116,8 +118,8 @@ proptest! {
                             true => 1e-4,
                             false => 1e-6,
                         };
-                        let tolerance = share * (wanted.abs() + scale);
-                        prop_assert!((got - wanted).abs() <= tolerance, "{name} {method:?} {substeps} {dt}: {what} {got} {wanted} x {x1} v {v1} u {}", end.mass_velocity);
+                        let agrees = |wanted: &f64| (got - wanted).abs() <= share * (wanted.abs() + scale);
+                        prop_assert!(wanted.iter().any(agrees), "{name} {method:?} {substeps} {dt}: {what} {got} {wanted:?} x {x1} v {v1} u {}", end.mass_velocity);
                     }
                 }
             }

@@ -2,8 +2,8 @@
 
 mod common;
 use common::*;
-use dashpot_core::Model;
 use dashpot_core::step::{Integration, Method};
+use dashpot_core::{Model, Params};
 use std::f64::consts::TAU;
 
 #[test]
@@ -31,4 +31,79 @@ fn a_millisecond_step_is_within_a_thousandth() {
         missed += usize::from(worst.0 > allowed.0 || worst.1 > allowed.1);
     }
     assert!(missed == 0, "{missed} missed:\n{table}");
+}
+
+/// A name, an element, and the numbers that make its form.
+type Form = (&'static str, &'static str, &'static [(&'static str, f64)]);
+
+/// Elements and forms of them, by two of which a pair is made.
+const PAIRED: &[Form] = &[
+    ("play", "free_play", &[]),
+    ("bushing", "bushing", &[]),
+    ("oil", "oil_compressibility", &[]),
+    ("uneven oil", "oil_compressibility", &[("oil_compression", 0.3)]),
+    ("air", "aeration", &[]),
+    ("void", "cavitation", &[]),
+    ("early void", "cavitation", &[("cavitation_force", 900.0)]),
+    ("foot valve", "cavitation", &[("cavitation_form", 1.0), ("cavitation_side", 1.0), ("cavitation_velocity", 0.1)]),
+    ("position", "position_dependent_damping", &[("bypass_half_width", 0.01)]),
+    ("groove", "position_dependent_damping", &[("bypass_form", 1.0), ("bypass_half_width", 0.01)]),
+    ("fade", "temperature_fade", &[]),
+    ("filter", "frequency_selective_damping", &[]),
+    ("passage", "frequency_selective_damping", &[("fsd_form", 2.0)]),
+    ("stroke", "frequency_selective_damping", &[("fsd_form", 1.0)]),
+    ("valve", "valve_hysteresis", &[]),
+    ("valve with play", "valve_hysteresis", &[("valve_form", 1.0)]),
+    ("valve with mass", "valve_hysteresis", &[("valve_form", 2.0)]),
+    ("friction behind the spring", "coulomb_friction", &[("series_load", 1.0)]),
+    ("presliding", "presliding_friction", &[]),
+    ("gas", "gas_spring", &[]),
+];
+
+/// How many pairs there are with this spring and mass, and how far each that misses the promise is from it.
+fn pairs_beyond(stiffness: f64, mass: f64) -> (usize, Vec<(f64, String)>) {
+    let (mut count, mut beyond) = (0, Vec::new());
+    for (i, (first, one, by_one)) in PAIRED.iter().enumerate() {
+        for (second, other, by_other) in PAIRED.iter().skip(i + 1).filter(|(_, other, _)| other != one) {
+            let mut params: Params = params(&[("series_stiffness", stiffness), ("internal_mass", mass)]);
+            for (element, changes) in [(one, by_one), (other, by_other)] {
+                params.enable(element, true).unwrap();
+                changes.iter().for_each(|(name, value)| params.set(name, *value).unwrap());
+            }
+            let model = Model::new(&params).unwrap();
+            let fine = model.with_integration(Integration::fixed(Method::Fourth, 1));
+            let mut worst = (0.0f64, 0.0f64);
+            for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {
+                let motion = sine(amplitude, peak / (TAU * amplitude));
+                let exact: Vec<f64> =
+                    step_forces(&fine, &motion, 2e-5, 3000, false).into_iter().skip(49).step_by(50).collect();
+                let (rms, largest) = errors(&step_forces(&model, &motion, 1e-3, 60, false), &exact);
+                worst = (worst.0.max(rms), worst.1.max(largest));
+            }
+            let allowed = if params.is_on("cavitation") { (5e-3, 2e-2) } else { (1e-3, 1e-2) };
+            let share = (worst.0 / allowed.0).max(worst.1 / allowed.1);
+            count += 1;
+            if !(share <= 1.0) {
+                beyond.push((share, format!("{first} and {second}: rms {:.1e} largest {:.1e}", worst.0, worst.1)));
+            }
+        }
+    }
+    (count, beyond)
+}
+
+#[test]
+fn pairs_of_elements_are_within_it_behind_the_default_spring() {
+    let (_, beyond) = pairs_beyond(3e6, 0.5);
+    // Air in an oil that is softer than the default series spring: 1.3 thousandths.
+    assert!(beyond.iter().all(|(share, _)| *share < 1.3) && beyond.len() <= 1, "{beyond:#?}");
+}
+
+/// The figures of the book.
+#[test]
+#[ignore = "a measurement: prints which pairs of elements miss the promise behind four springs"]
+fn pairs_behind_four_springs() {
+    for (stiffness, mass) in [(3e6, 0.5), (1e6, 1.0), (1e7, 0.1), (3e6, 0.2)] {
+        let (count, beyond) = pairs_beyond(stiffness, mass);
+        println!("{stiffness:e} N/m, {mass} kg: {} of {count} beyond: {beyond:#?}", beyond.len());
+    }
 }

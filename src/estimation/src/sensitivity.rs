@@ -37,21 +37,25 @@ struct Tangent<'a> {
     x: Vec<f64>,
     v: Vec<f64>,
     stages: Vec<(Vec<f64>, Vec<f64>)>,
+    /// γh of each stage of the substep, s.
+    lengths: [f64; 5],
 }
 
 impl Follow for Tangent<'_> {
     fn stage(&mut self, elements: &Elements, s: &Stage) {
         let e = &elements.series_compliance;
-        let per_gamma = 1.0 / s.gamma;
         let divide = 1.0 / s.denominator;
         let stiffness = e.stiffness + s.inner.by_x;
+        if let Some(length) = self.lengths.get_mut(s.index) {
+            *length = s.g;
+        }
         let (done, now) = self.stages.split_at_mut(s.index);
         let (du, push) = &mut now[0];
         // Known parts are kept in the stage's own slots until the direct shares are added.
         du.copy_from_slice(&self.x);
         push.copy_from_slice(&self.v);
-        for ((u, pushed), a) in done.iter().zip(s.row) {
-            let (a, ag) = (a * per_gamma, a * per_gamma * s.g);
+        for (((u, pushed), g), a) in done.iter().zip(&self.lengths).zip(s.row) {
+            let ag = a * g;
             for ((x, v), (u, pushed)) in du.iter_mut().zip(push.iter_mut()).zip(u.iter().zip(pushed)) {
                 *x += ag * u;
                 *v += a * pushed;
@@ -329,6 +333,7 @@ impl Run {
             x: vec![0.0; p],
             v: vec![0.0; p],
             stages: vec![(vec![0.0; p], vec![0.0; p]); 8],
+            lengths: [0.0; 5],
         };
         let series = model.elements().series_compliance;
         let has_series = model.elements().has_series();

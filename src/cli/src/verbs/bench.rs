@@ -40,8 +40,13 @@ struct Row {
     nanoseconds: f64,
 }
 
-const METHODS: [(&str, Method); 3] =
-    [("euler", Method::Euler), ("second_order", Method::Second), ("fourth_order", Method::Fourth)];
+const METHODS: [(&str, Method); 5] = [
+    ("euler", Method::Euler),
+    ("second_order", Method::Second),
+    ("three_stage", Method::ThreeStage),
+    ("third_order", Method::Third),
+    ("fourth_order", Method::Fourth),
+];
 /// Host step of the comparison, s.
 const STEP: f64 = 1e-3;
 /// Steps in a timing.
@@ -60,14 +65,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         .collect();
     let counted = count("euler", 1).is_some();
     let models: [(&str, f64, f64); 2] = [("default", 3e6, 0.5), ("stiff", 1e7, 0.1)];
-    let choices: [(&str, Method, u32); 7] = [
-        ("euler", Method::Euler, 1),
-        ("second_order", Method::Second, 1),
-        ("second_order", Method::Second, 3),
-        ("fourth_order", Method::Fourth, 1),
-        ("fourth_order", Method::Fourth, 2),
-        ("fourth_order", Method::Fourth, 4),
-        ("fourth_order", Method::Fourth, 0),
+    let choices: [(Method, u32); 9] = [
+        (Method::Euler, 1),
+        (Method::Second, 1),
+        (Method::Second, 3),
+        (Method::ThreeStage, 1),
+        (Method::ThreeStage, 2),
+        (Method::Third, 1),
+        (Method::Third, 2),
+        (Method::Fourth, 1),
+        (Method::Fourth, 4),
     ];
     let progress = Progress::new("measuring");
     let mut rows = Vec::new();
@@ -79,10 +86,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let Ok(model) = Model::new(&params) else { bail!("the built-in model {name} is refused") };
         progress.say((k as f64 + 0.1) / models.len() as f64, "solving the reference");
         let references = References::solve(&model, &tests, 0.25 * STEP);
-        for (method_name, method, substeps) in choices {
+        let chosen = model.integration();
+        let last = [(chosen.method, chosen.substeps(STEP), true)];
+        for (method, substeps, automatic) in
+            choices.map(|(method, substeps)| (method, substeps, false)).into_iter().chain(last)
+        {
+            let Some((method_name, _)) = METHODS.into_iter().find(|(_, each)| *each == method) else { continue };
             progress.say((k as f64 + 0.5) / models.len() as f64, method_name);
-            let automatic = substeps == 0;
-            let substeps = if automatic { model.integration().substeps(STEP) } else { substeps };
             let run = if automatic { model } else { model.with_integration(Integration::fixed(method, substeps)) };
             let exact = worst(&references.compare(&run, STEP, Given::Motion));
             rows.push(Row {

@@ -77,28 +77,38 @@ pub(crate) fn is_sharp(e: &Elements) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
-/// What bends the forces of a damper, where one element does so alone and the series path carries the hydraulic force alone.
+/// How sharply the elements of the paths bend the forces of a damper within a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Alone {
-    /// A bushing.
-    Rubber,
-    /// Cavitation.
-    Void,
-    /// Free play, oil, position, frequency, a valve without mass.
-    Kink,
-    /// Nothing, or several, or one that asks for more than these.
-    Other,
+pub(crate) enum Bends {
+    /// Hardly: no element at all, one that scales the FV curve slowly, or a flow or a valve that softens its own knee.
+    Little,
+    /// Rubber alone.
+    Smoothly,
+    /// Free play, an even column of oil, position, frequency, or a valve with play or mass alone: a knee in the force.
+    Knee,
+    /// A void, air, or several elements.
+    Several,
+    /// A column that turns from soft to hard with the sign of the force, or a column beside other elements.
+    Turning,
+    /// Friction that turns over behind the series spring.
+    Whole,
 }
 
-/// Which element acts alone.
-pub(crate) fn alone(e: &Elements) -> Alone {
-    let bends = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
-    match bends {
-        BUSHING => Alone::Rubber,
-        CAVITATION => Alone::Void,
-        COLUMN if !e.oil_compressibility.is_even() => Alone::Other,
-        FREE_PLAY | COLUMN | POSITION | GROOVE | PASSAGE | SELECTIVE | VALVE => Alone::Kink,
-        _ => Alone::Other,
+/// How sharply those of an element set do.
+pub(crate) fn bends(e: &Elements) -> Bends {
+    let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
+    let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
+    match acting {
+        _ if e.carries_whole() => Bends::Whole,
+        _ if turns => Bends::Turning,
+        _ if acting & COLUMN != 0 && acting & !(COLUMN | AIR | CAVITATION) != 0 && acting & CAVITATION == 0 => {
+            Bends::Turning
+        }
+        VALVE if e.valve_hysteresis.holds_force() => Bends::Knee,
+        0 | GROOVE | PASSAGE | VALVE => Bends::Little,
+        BUSHING => Bends::Smoothly,
+        FREE_PLAY | COLUMN | POSITION | SELECTIVE => Bends::Knee,
+        _ => Bends::Several,
     }
 }
 

@@ -12,7 +12,7 @@
 
 mod stage;
 
-use super::{Euler, MOST_STAGES, REACH, Second, Tableau};
+use super::{Euler, MOST_STAGES, REACH, Rows, Second, Tableau};
 use crate::elements::Elements;
 use crate::input::Path;
 use crate::model::Model;
@@ -33,7 +33,6 @@ const LONGEST: f64 = 100.0;
 struct Known<'a> {
     index: usize,
     last: bool,
-    gamma: f64,
     row: &'a [f64],
     g: f64,
     /// Time over which a stage takes a late valve: g, or all since the substep began.
@@ -95,7 +94,7 @@ impl Carried {
     /// here.
     #[inline(always)]
     pub fn over<const ON: u32>(&mut self, _: &Elements, stage: &PathsStage<ON>, mut seed: Seed) {
-        seed.known = known_part::<ON>(&self.states, stage.row, stage.gamma, &self.gains, stage.index);
+        seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
         if stage.valve_jumps {
             seed.known[place::VALVE] = self.states[place::VALVE];
         }
@@ -150,19 +149,16 @@ impl FollowPaths for PathsByEnd {
     }
 }
 
-/// The known part of a stage: the start plus Σ a_ij/γ gains_j over the stages before it.
+/// The known part of a stage: the start plus Σ a_ij/γ_j gains_j over the stages before it.
 #[inline(always)]
 fn known_part<const ON: u32>(
     start: &[f64; STATES],
     row: &[f64],
-    gamma: f64,
     gains: &[[f64; STATES]],
     index: usize,
 ) -> [f64; STATES] {
     let mut known = *start;
-    let per_gamma = 1.0 / gamma;
     for (a, gain) in row.iter().zip(gains).take(index) {
-        let a = a * per_gamma;
         for place in 0..STATES {
             if moves::<ON>(place) {
                 known[place] += a * gain[place];
@@ -224,20 +220,22 @@ pub(super) fn held(dt: f64) -> f64 {
 #[derive(Clone, Copy)]
 pub(super) struct Table {
     stages: usize,
-    gamma: f64,
-    a: &'static [[f64; MOST_STAGES]; MOST_STAGES],
-    c: &'static [f64; MOST_STAGES],
+    rows: &'static Rows,
+    /// The latest stage before the end; 0 where its end is not watched.
+    latest: usize,
     /// How far a straight line goes on from the latest stage to the end, in parts of the spread of the stages before.
     goes_on: f64,
 }
 
-/// The latest stage before the end: of both methods whose end is watched the second.
-const LATEST: usize = 1;
-
 impl Table {
     pub fn of<T: Tableau>() -> Table {
-        let goes_on = if T::STAGES > LATEST + 1 { (1.0 - T::C[LATEST]) / (T::C[LATEST] - T::C[0]) } else { 0.0 };
-        Table { stages: T::STAGES, gamma: T::GAMMA, a: &T::A, c: &T::C, goes_on }
+        let c = &T::ROWS.c;
+        let mut latest = 0;
+        for (index, place) in c.iter().enumerate().take(T::STAGES - 1) {
+            latest = if *place > c[latest] { index } else { latest };
+        }
+        let goes_on = if latest > 0 { ((1.0 - c[latest]) / (c[latest] - c[0])).max(T::ENDS_WITHIN) } else { 0.0 };
+        Table { stages: T::STAGES, rows: &T::ROWS, latest, goes_on }
     }
 }
 
@@ -409,17 +407,18 @@ impl Substep<'_> {
     ) -> Ended {
         let e = self.elements;
         let h = self.path.length() * self.part;
-        let g = method.gamma * h;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
         let mut now = *from;
         let mut overshot = false;
         let (mut least, mut most, mut latest) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-        for (index, (row, place_of)) in method.a.iter().zip(method.c).enumerate().take(method.stages) {
+        let Rows { gamma, weights, c } = method.rows;
+        for (index, ((row, place_of), gamma)) in weights.iter().zip(c).zip(gamma).enumerate().take(method.stages) {
+            let g = gamma * h;
             let last = index + 1 == method.stages;
             let ends = last && self.ends_step;
             let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
-            let mut known = known_part::<ON>(&from.states, row, method.gamma, &gains, index);
+            let mut known = known_part::<ON>(&from.states, row, &gains, index);
             if valve_jumps {
                 known[place::VALVE] = from.states[place::VALVE];
             }
@@ -429,31 +428,20 @@ impl Substep<'_> {
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
-            let known = Known {
-                index,
-                last,
-                gamma: method.gamma,
-                row,
-                g,
-                since,
-                valve_jumps,
-                raised: now.raised,
-                states: known,
-                kept,
-            };
+            let known = Known { index, last, row, g, since, valve_jumps, raised: now.raised, states: known, kept };
             let stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
                 least = if balance.force < least { balance.force } else { least };
                 most = if balance.force > most { balance.force } else { most };
-                latest = if index == LATEST { balance.force } else { latest };
+                latest = if index == method.latest { balance.force } else { latest };
             } else if WATCHED {
                 let void = from.states[place::VOID];
                 if acts::<ON>(e, CAVITATION) && void > 0.0 && (overshot || balance.states[place::VOID] < CLOSING) {
                     return Ended::VoidClosed;
                 }
                 let near = THROWN * method.goes_on * (most - least) + BESIDE * (most.abs() + least.abs());
-                if index > LATEST && !((balance.force - latest).abs() <= near) {
+                if method.latest > 0 && !((balance.force - latest).abs() <= near) {
                     return Ended::Thrown;
                 }
             }

@@ -8,7 +8,7 @@ use dashpot_core::{Input, Model, Params, State, evaluate};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-pub const METHODS: [Method; 3] = [Method::Euler, Method::Second, Method::Fourth];
+pub const METHODS: [Method; 5] = [Method::Euler, Method::Second, Method::Fourth, Method::Third, Method::ThreeStage];
 
 /// The elements with private states.
 pub const WITH_STATES: [&str; 11] = [

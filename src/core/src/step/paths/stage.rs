@@ -26,9 +26,7 @@ pub struct PathsStage<'a, const ON: u32> {
     pub index: usize,
     /// Whether it ends the substep.
     pub last: bool,
-    /// γ.
-    pub gamma: f64,
-    /// The row of the method below the diagonal, for the stages before this one.
+    /// What it takes of the gains of the stages before it.
     pub row: &'a [f64],
     /// The driven end.
     pub path: PathPoint,
@@ -171,7 +169,6 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             elements,
             index: known.index,
             last: known.last,
-            gamma: known.gamma,
             row: known.row,
             path,
             oil_velocity: w + step,
