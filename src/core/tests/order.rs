@@ -16,7 +16,6 @@ fn smooth_paths() -> Model {
     params.set("oil_stiffness", 3e5).unwrap();
     params.set("fade_source", 1.0).unwrap();
     params.set("heat_capacity", 1e5).unwrap();
-    params.set("fade_coefficient", 3e-4).unwrap();
     Model::new(&params).unwrap()
 }
 
