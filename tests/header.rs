@@ -4,11 +4,11 @@
 //! section, its module documentation the text that opens it. What C alone needs (guards, initialisers) comes from
 //! `src/abi/header/`; the last section is the parameter table.
 
+use dashpot_core::parameter::{Element, Params, Shape};
 use std::path::{Path, PathBuf};
 
 use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
 use dashpot_core::elements::{GROUPS, names};
-use dashpot_core::parameter::{Params, Shape};
 
 /// The sections in order, by source file.
 const SECTIONS: [&str; 9] = ["lib", "version", "status", "params", "model", "input", "state", "step", "evaluate"];
@@ -111,7 +111,9 @@ fn parameters() -> String {
     let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");
     for group in GROUPS {
         let on = match names().any(|name| name == group.name) {
-            true if defaults.is_on(group.name) => " (element, on by default)",
+            true if Element::find(group.name).is_ok_and(|element| defaults.is_on(element)) => {
+                " (element, on by default)"
+            }
             true => " (element, off by default)",
             false => "",
         };

@@ -1,5 +1,7 @@
 //! Campaigns measured on the kernel itself, with steps finer than the samples: the truth is then known exactly.
 
+use dashpot_core::number;
+use dashpot_core::parameter::Element;
 use dashpot_core::{Input, Model, Params, State, evaluate, step};
 use dashpot_records::{Noise, Record};
 use std::f64::consts::TAU;
@@ -39,10 +41,10 @@ pub fn base() -> Params {
     let mut params = Params::new();
     params.disable_all();
     for name in ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"] {
-        params.enable(name, true).unwrap();
+        params.enable(Element::find(name).unwrap(), true);
     }
-    params.set("spring_quadratic", 0.0).unwrap();
-    params.set("spring_linear", 800.0).unwrap();
+    params.set(number!("spring_quadratic"), 0.0).unwrap();
+    params.set(number!("spring_linear"), 800.0).unwrap();
     params
 }
 

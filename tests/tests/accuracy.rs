@@ -1,5 +1,6 @@
 //! The fixed step against the converged solution, over the whole test matrix up to 25 Hz.
 
+use dashpot_core::number;
 use dashpot_core::{Model, Params};
 use dashpot_rig::Matrix;
 use dashpot_simulation::accuracy::{Given, References, Sine, radau::reference_forces, worst};
@@ -16,9 +17,9 @@ fn matrix() -> Vec<Sine> {
 
 fn model(stiffness: f64, damping: f64, mass: f64) -> Model {
     let mut params = Params::new();
-    params.set("series_stiffness", stiffness).unwrap();
-    params.set("series_damping", damping).unwrap();
-    params.set("internal_mass", mass).unwrap();
+    params.set(number!("series_stiffness"), stiffness).unwrap();
+    params.set(number!("series_damping"), damping).unwrap();
+    params.set(number!("internal_mass"), mass).unwrap();
     Model::new(&params).unwrap()
 }
 

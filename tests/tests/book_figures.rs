@@ -1,6 +1,7 @@
 //! The figures of the elements in the book are drawn by the kernel; `UPDATE_DOCS=1` draws them anew.
 
 use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Input, Model, Params, step};
 use dashpot_tests::library::root;
 use std::f64::consts::TAU;
@@ -90,8 +91,9 @@ fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
 fn model(on: &[&str], set: &[(&str, f64)]) -> Params {
     let mut params = Params::new();
     params.disable_all();
-    on.iter().for_each(|element| params.enable(element, true).expect("an element"));
-    set.iter().for_each(|(name, value)| params.set(name, *value).expect("a parameter"));
+    on.iter().for_each(|element| params.enable(Element::find(element).expect("an element"), true));
+    set.iter()
+        .for_each(|(name, value)| params.set(Number::find(name).expect("a parameter"), *value).expect("in bounds"));
     params
 }
 

@@ -1,6 +1,7 @@
 //! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
 
 use dashpot_core::Params;
+use dashpot_core::parameter::{Element, Number};
 use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
 use dashpot_identification::model_file;
 use dashpot_records::Record;
@@ -78,9 +79,9 @@ fn nothing_is_missing_where_nothing_is() {
 /// Hides one element in the data and asks for its name; the gap that it closes.
 fn names(effect: &str, set: &[(&str, f64)]) -> f64 {
     let mut truth = base();
-    truth.enable(effect, true).unwrap();
+    truth.enable(Element::find(effect).unwrap(), true);
     for (name, value) in set {
-        truth.set(name, *value).unwrap();
+        truth.set(Number::find(name).unwrap(), *value).unwrap();
     }
     let found = diagnosed(&truth, &base(), 11);
     println!("{effect}: {}", told(&found));

@@ -4,6 +4,7 @@
 //! The readers of records are in `src/records/tests/hostile.rs`, those in C in `tests/tests/hosts/damaged.rs`. With DASHPOT_HOSTILE=100 each
 //! reads a hundred times as many.
 
+use dashpot_core::parameter::Element;
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
 use dashpot_hosts::adams::property;
@@ -92,10 +93,10 @@ fn record(amplitude: f64, frequency: f64) -> Record {
 /// A model file with every element and every parameter written out, with tables behind it as a fit leaves them.
 fn whole_model() -> String {
     let mut params = Params::new();
-    for group in dashpot_core::elements::names() {
+    for element in Element::all() {
         // Elements that exclude each other stay as they are.
         let before = params;
-        let _ = params.enable(group, true);
+        params.enable(element, true);
         if prepared(&params).is_err() {
             params = before;
         }

@@ -1,6 +1,8 @@
 //! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
 
+use dashpot_core::parameter::{Element, List, Number};
 use dashpot_core::{Model, Params};
+use dashpot_core::{element, list, number};
 use dashpot_estimation::samples::segments;
 use dashpot_identification::{Fit, FitOptions, Standing, first_guess, fit};
 use dashpot_records::Record;
@@ -38,13 +40,13 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
 /// of this campaign will choose: a table at other places is another curve between them.
 fn truth() -> Params {
     let mut params = Params::new();
-    params.enable("viscous_friction", false).unwrap();
+    params.enable(element!("viscous_friction"), false);
     let records = campaign(&params, 1, 0.0, |_| None);
     let velocities = first_guess::velocities(&segments(&records.iter().collect::<Vec<_>>()));
     let model = Model::new(&params).unwrap();
     let forces: Vec<f64> = velocities.iter().map(|v| model.elements().fv_curve.at(*v).value).collect();
-    params.set_list("fv_velocity", &velocities).unwrap();
-    params.set_list("fv_force", &forces).unwrap();
+    params.set_list(list!("fv_velocity"), &velocities).unwrap();
+    params.set_list(list!("fv_force"), &forces).unwrap();
     params
 }
 
@@ -66,12 +68,12 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
         for e in found.estimates.iter().filter(|e| e.standing == Standing::Identified) {
             let (low, high) = (e.low.unwrap(), e.high.unwrap());
             let value = match e.index {
-                None => truth.scalar(e.name),
+                None => truth.number(Number::find(e.name).unwrap()),
                 Some(k) => {
                     model
                         .elements()
                         .fv_curve
-                        .at(found.params.list(e.name.replace("force", "velocity").as_str())[k])
+                        .at(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
                         .value
                 }
             };
@@ -142,9 +144,9 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
                 assert!((m.value / of(m.name) - 1.0).abs() < 0.3, "case {case}, seed {seed}: {m:?}");
                 assert!(found.notes.contains(&m.in_words()));
             }
-            for name in ["series_stiffness", "gas_force"] {
+            for name in [number!("series_stiffness"), number!("gas_force")] {
                 assert!(
-                    (found.params.scalar(name) / truth.scalar(name) - 1.0).abs() < 0.05,
+                    (found.params.number(name) / truth.number(name) - 1.0).abs() < 0.05,
                     "case {case}, seed {seed}: {name}"
                 );
             }
@@ -177,14 +179,14 @@ fn what_the_data_cannot_show_is_named() {
         assert!(found.notes.iter().any(|n| n.contains(name)), "no note on {name}: {:?}", found.notes);
     }
     let gas = found.estimates.iter().find(|e| e.name == "gas_force").unwrap();
-    assert!((gas.value - truth.scalar("gas_force")).abs() < 1.0, "{gas:?}");
+    assert!((gas.value - truth.number(number!("gas_force"))).abs() < 1.0, "{gas:?}");
 }
 
 #[test]
 fn the_side_force_slope_comes_from_tests_with_side_force() {
     let mut truth = truth();
-    truth.enable("side_force_friction", true).unwrap();
-    truth.set("side_force_coefficient", 0.06).unwrap();
+    truth.enable(element!("side_force_friction"), true);
+    truth.set(number!("side_force_coefficient"), 0.06).unwrap();
     let records = campaign(&truth, 5, 0.01, |k| Some([0.0, 150.0, 300.0][k % 3]));
     let found = fitted(&records);
     let e = found.estimates.iter().find(|e| e.name == "side_force_coefficient").unwrap();
@@ -203,8 +205,8 @@ fn the_comparison_models_fit_too_and_are_worse() {
     let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
     assert!(thesis.misfit < 0.8, "{}", thesis.misfit);
     assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);
-    assert!(fv.params.is_on("fv_curve") && !fv.params.is_on("series_compliance"));
-    assert!(lag.params.is_on("lagged_polynomial"));
+    assert!(fv.params.is_on(element!("fv_curve")) && !fv.params.is_on(element!("series_compliance")));
+    assert!(lag.params.is_on(element!("lagged_polynomial")));
 }
 
 #[test]
@@ -214,7 +216,7 @@ fn an_element_left_out_on_purpose_stays_out() {
     let options = FitOptions { elements: Some(elements), ..FitOptions::default() };
     let found = fit(&records.iter().collect::<Vec<_>>(), &options, |_| ()).unwrap();
     for name in ["parallel_spring", "coulomb_friction", "stribeck_friction"] {
-        assert!(!found.params.is_on(name), "{name}");
+        assert!(!found.params.is_on(Element::find(name).unwrap()), "{name}");
     }
     let unknown = FitOptions { elements: Some(vec!["warp_drive".into()]), ..FitOptions::default() };
     assert!(
@@ -232,14 +234,17 @@ fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
     // A spring of a table takes a stop up, and what it leaves hides every friction from the choice.
     for (side, at) in [("bump_stop", 0.038), ("rebound_stop", 0.033)] {
         let mut truth = truth();
-        truth.enable(side, true).unwrap();
+        truth.enable(Element::find(side).unwrap(), true);
         for (name, value) in [("clearance", at), ("stiffness", 4e4), ("damping", 0.0)] {
-            truth.set(&format!("{side}_{name}"), value).unwrap();
+            truth.set(Number::find(&format!("{side}_{name}")).unwrap(), value).unwrap();
         }
         let records = campaign(&truth, 11, 0.01, |_| None);
         let found = fitted(&records);
-        assert!(found.params.is_on(side), "{side}: {:?}", found.choices);
-        assert!((found.params.scalar(&format!("{side}_clearance")) - at).abs() < 0.002, "{side}");
+        assert!(found.params.is_on(Element::find(side).unwrap()), "{side}: {:?}", found.choices);
+        assert!(
+            (found.params.number(Number::find(&format!("{side}_clearance")).unwrap()) - at).abs() < 0.002,
+            "{side}"
+        );
         assert_eq!(
             chosen(&found, "friction"),
             chosen(&fitted(&campaign(&self::truth(), 11, 0.01, |_| None)), "friction")
@@ -256,7 +261,11 @@ fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
         ];
         let options = FitOptions { elements: Some(every.map(String::from).to_vec()), ..FitOptions::default() };
         let without = fit(&records.iter().collect::<Vec<_>>(), &options, |_| ()).unwrap();
-        assert!(!without.params.is_on(side) && without.misfit > 1.2 * found.misfit, "{side}: {}", without.misfit);
+        assert!(
+            !without.params.is_on(Element::find(side).unwrap()) && without.misfit > 1.2 * found.misfit,
+            "{side}: {}",
+            without.misfit
+        );
     }
 }
 
@@ -269,8 +278,12 @@ fn a_stop_by_the_law_of_others_is_found_too_and_a_damper_without_one_gets_none()
     for stop in ["bump_stop", "rebound_stop"] {
         // Foam that buckles and relaxes.
         let found = fitted(&read(&plain.clone().hiding(&format!("{stop}:foam"), 1.0)));
-        assert!(found.params.is_on(stop), "{stop}: {:?}", found.choices);
+        assert!(found.params.is_on(Element::find(stop).unwrap()), "{stop}: {:?}", found.choices);
     }
     let found = fitted(&read(&plain));
-    assert!(!found.params.is_on("bump_stop") && !found.params.is_on("rebound_stop"), "{:?}", found.choices);
+    assert!(
+        !found.params.is_on(element!("bump_stop")) && !found.params.is_on(element!("rebound_stop")),
+        "{:?}",
+        found.choices
+    );
 }

@@ -1,15 +1,15 @@
 //! The page of elements and parameters follows the kernel's table; `UPDATE_DOCS=1` rewrites it.
 
 use dashpot_core::Params;
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Shape};
+use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::priors::{self, PRIORS, Usual};
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// What is usual of a parameter, in words; empty where nothing is known.
-fn usual(name: &str) -> String {
-    match priors::of(name).map(|p| p.usual) {
+fn usual(row: Row) -> String {
+    match Number::try_from(row).ok().and_then(priors::of).map(|p| p.usual) {
         Some(Usual::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
         Some(Usual::Strength(median, factor)) => format!("strength {median} × {factor}"),
         Some(Usual::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
@@ -30,12 +30,10 @@ fn page() -> String {
          (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. Sources stand below.\n",
     );
     for (g, group) in GROUPS.iter().enumerate() {
-        let on = if g >= elements::COUNT {
-            "no element: always there"
-        } else if default.is_on(group.name) {
-            "on by default"
-        } else {
-            "off by default"
+        let on = match Element::of_group(g) {
+            None => "no element: always there",
+            Some(element) if default.is_on(element) => "on by default",
+            Some(_) => "off by default",
         };
         let _ = write!(out, "\n## `{}`\n\n{}; {on}.\n\n", group.name, group.meaning);
         out += "| parameter | meaning | unit | default | bounds | usual |\n|---|---|---|---|---|---|\n";
@@ -55,7 +53,7 @@ fn page() -> String {
                 p.name,
                 p.meaning.replace('|', "\\|"),
                 p.unit.replace('|', "\\|"),
-                usual(p.name)
+                usual(row)
             );
         }
     }
@@ -68,7 +66,7 @@ fn page() -> String {
     }
     for source in sources {
         let names: Vec<String> =
-            PRIORS.iter().filter(|p| p.source == source).map(|p| format!("`{}`", p.name)).collect();
+            PRIORS.iter().filter(|p| p.source == source).map(|p| format!("`{}`", p.number)).collect();
         let _ = writeln!(out, "| {} | {source} |", names.join(", "));
     }
     out

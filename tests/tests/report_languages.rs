@@ -1,6 +1,7 @@
 //! The report of a real diagnosis in every language: what stays English in it is listed here, and nothing else does.
 
 use dashpot_core::{Params, parameter};
+use dashpot_core::{element, number};
 use dashpot_diagnosis::{Diagnosis, EFFECTS, Options, choose_held_out, diagnose};
 use dashpot_records::Record;
 use dashpot_report::diagnosis::DiagnosisReport;
@@ -48,9 +49,9 @@ fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| {
         let mut rubbing = base();
-        rubbing.enable("presliding_friction", true).unwrap();
+        rubbing.enable(element!("presliding_friction"), true);
         let mut firmer = base();
-        firmer.set("coulomb_force", 60.0).unwrap();
+        firmer.set(number!("coulomb_force"), 60.0).unwrap();
         let good = campaign(&base(), &tests()[1..], 3, 0.01);
         let only = |names: &[&str]| Some(names.iter().map(ToString::to_string).collect());
         let of = |truth: &Params, max_effects: usize, reference: Vec<Record>| {

@@ -7,13 +7,12 @@ use core::ffi::c_char;
 use core::mem::{align_of, offset_of, size_of};
 
 use dashpot_core::model_file;
-use dashpot_core::parameter::{Shape, find, table};
-use dashpot_core::{Fault, Model, Params, elements};
+use dashpot_core::parameter::{Element, Row, table};
+use dashpot_core::{Fault, Model, Params};
 
 use crate::pointer::{array, exclusive, one_of, shared, usable};
 use crate::status::{
-    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME,
-    DASHPOT_WRONG_SHAPE, Refused, status,
+    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, Refused, status,
 };
 use crate::table::parameter_name;
 use crate::text;
@@ -97,22 +96,22 @@ unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, 
     Ok(unsafe { &mut (*params.cast::<Filled>()).values })
 }
 
-/// The parameter of that name.
+/// The row of that name.
 ///
 /// # Safety
 /// As [`one_of`].
-unsafe fn parameter(name: *const c_char) -> Result<&'static str, Refused> {
+unsafe fn parameter(name: *const c_char) -> Result<Row, Refused> {
     // SAFETY: the caller's promise is that of `one_of`.
-    unsafe { one_of(name, table().map(|row| row.parameter.name)) }
+    unsafe { one_of(name, table(), |row| row.parameter.name) }
 }
 
 /// The element of that name.
 ///
 /// # Safety
 /// As [`one_of`].
-unsafe fn element(name: *const c_char) -> Result<&'static str, Refused> {
+unsafe fn element(name: *const c_char) -> Result<Element, Refused> {
     // SAFETY: the caller's promise is that of `one_of`.
-    unsafe { one_of(name, elements::names()) }
+    unsafe { one_of(name, Element::all(), |element| element.name()) }
 }
 
 fn fill(report: &mut dashpot_fault, status: i32, line: u32, parameter: Option<&str>) {
@@ -147,8 +146,8 @@ pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
-        params.set(name, value)?;
+        let (params, row) = unsafe { (values_mut(params)?, parameter(name)?) };
+        params.set(row.try_into()?, value)?;
         Ok(DASHPOT_OK)
     })())
 }
@@ -165,10 +164,10 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, name) = unsafe { (values_mut(params)?, parameter(name)?) };
+        let (params, row) = unsafe { (values_mut(params)?, parameter(name)?) };
         // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
         let values = unsafe { array(values, count as usize) }?;
-        params.set_list(name, values)?;
+        params.set_list(row.try_into()?, values)?;
         Ok(DASHPOT_OK)
     })())
 }
@@ -183,12 +182,8 @@ pub unsafe extern "C" fn dashpot_params_get(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, name, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
-        let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
-        if matches!(row.parameter.shape, Shape::List(_)) {
-            return Err(Refused(DASHPOT_WRONG_SHAPE));
-        }
-        *value = params.scalar(name);
+        let (params, row, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
+        *value = params.number(row.try_into()?);
         Ok(DASHPOT_OK)
     })())
 }
@@ -206,12 +201,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, name, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
-        let row = find(name).ok_or(Refused(DASHPOT_UNKNOWN_NAME))?;
-        if !matches!(row.parameter.shape, Shape::List(_)) {
-            return Err(Refused(DASHPOT_WRONG_SHAPE));
-        }
-        let list = params.get(&row);
+        let (params, row, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
+        let list = params.list(row.try_into()?);
         if !values.is_null() {
             usable(values)?;
             if list.len() > capacity as usize {
@@ -234,7 +225,7 @@ pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, elem
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
         let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
-        params.enable(element, on != 0)?;
+        params.enable(element, on != 0);
         Ok(DASHPOT_OK)
     })())
 }

@@ -73,13 +73,14 @@ pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a
 ///
 /// # Safety
 /// Null or a zero-terminated string.
-pub(crate) unsafe fn one_of(
+pub(crate) unsafe fn one_of<T>(
     pointer: *const c_char,
-    mut known: impl Iterator<Item = &'static str>,
-) -> Result<&'static str, Refused> {
+    mut known: impl Iterator<Item = T>,
+    name: impl Fn(&T) -> &'static str,
+) -> Result<T, Refused> {
     usable(pointer)?;
     // SAFETY: not null; that it is zero-terminated is the caller's promise.
-    known.find(|name| unsafe { spells(pointer, name.as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+    known.find(|one| unsafe { spells(pointer, name(one).as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
 }
 
 /// Whether the C string is `name`.

@@ -1,10 +1,11 @@
 //! A model: parameters checked and made ready for evaluation.
 
 use crate::elements::Elements;
-use crate::fault::{Fault, NO_PARAMETER, Reason};
-use crate::parameter::{Params, find};
+use crate::fault::{Fault, Reason};
+use crate::parameter::{Element, Params};
 use crate::paths;
 use crate::step::Integration;
+use crate::{element, number};
 
 /// Displacements within which the springs on the mass must stay softer than the series spring, m.
 const STROKE: f64 = 0.1;
@@ -12,8 +13,8 @@ const STROKE: f64 = 0.1;
 const PLACES: i32 = 200;
 
 /// Units of the private states of the elements beside the damper; "-" for those that are not here.
-const MEMORY_UNITS: [(&str, &str); 3] =
-    [("lagged_polynomial", "N"), ("presliding_friction", "m"), ("moving_mass", "m/s")];
+const MEMORY_UNITS: [(Element, &str); 3] =
+    [(element!("lagged_polynomial"), "N"), (element!("presliding_friction"), "m"), (element!("moving_mass"), "m/s")];
 
 /// A prepared damper. Constant while it runs; one model serves any number of states.
 #[derive(Clone, Copy, Debug)]
@@ -48,9 +49,9 @@ impl Model {
         // spring decides where the mass can be.
         let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));
         let too_stiff = |stiffness: f64| Elements::steepest_inner(params, places).map(|steepest| steepest > stiffness);
-        if params.is_on("series_compliance") && too_stiff(params.scalar("series_stiffness"))? {
-            let parameter = find("series_stiffness").map_or(NO_PARAMETER, |row| row.index as u16);
-            return Err(Fault { parameter, reason: Reason::SofterThanInner });
+        let stiffness = number!("series_stiffness");
+        if params.is_on(element!("series_compliance")) && too_stiff(params.number(stiffness))? {
+            return Err(stiffness.fault(Reason::SofterThanInner));
         }
         Ok(())
     }
@@ -83,7 +84,10 @@ impl Model {
         let (mut at, mut found) = (2 + e.slots().count(), None);
         e.each_memory_name(|name| {
             if at == index {
-                found = Some((name, MEMORY_UNITS.iter().find(|(n, _)| *n == name).map_or("-", |(_, unit)| *unit)));
+                found = Some((
+                    name,
+                    MEMORY_UNITS.iter().find(|(element, _)| element.name() == name).map_or("-", |(_, unit)| *unit),
+                ));
             }
             at += 1;
         });
@@ -116,22 +120,23 @@ impl Model {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elements::names;
+    use crate::list;
+    use crate::parameter::Number;
 
     /// The counter before and after preparing agree, whatever is on.
     #[test]
     fn states_are_counted_alike_before_and_after() {
-        let all: std::vec::Vec<_> = names().collect();
+        let all: std::vec::Vec<_> = Element::all().collect();
         let (mut fit, mut too_many) = (0, 0);
         for seed in 0u64..4000 {
             let mut params = Params::new();
             let bits = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-            for (i, name) in all.iter().enumerate() {
-                params.enable(name, *name == "series_compliance" || bits >> (i + 7) & 1 == 1).unwrap();
+            for (i, element) in all.iter().enumerate() {
+                params.enable(*element, *element == element!("series_compliance") || bits >> (i + 7) & 1 == 1);
             }
-            params.set("valve_form", (bits >> 40 & 3).min(2) as f64).unwrap();
-            params.set("fade_source", (bits >> 42 & 1) as f64).unwrap();
-            params.set("bushing_slow_stiffness", (bits >> 43 & 1) as f64).unwrap();
+            params.set(number!("valve_form"), (bits >> 40 & 3).min(2) as f64).unwrap();
+            params.set(number!("fade_source"), (bits >> 42 & 1) as f64).unwrap();
+            params.set(number!("bushing_slow_stiffness"), (bits >> 43 & 1) as f64).unwrap();
             match Model::new(&params) {
                 Ok(model) => {
                     assert_eq!(paths::states_of(&params), model.elements.slots().count());
@@ -155,10 +160,10 @@ mod tests {
         let mut params = Params::new();
         let mut model = Model::new(&params).unwrap();
         let before = std::format!("{model:?}");
-        params.set("spring_linear", 5e6).unwrap();
+        params.set(number!("spring_linear"), 5e6).unwrap();
         assert_eq!(model.set(&params).unwrap_err().reason, Reason::SofterThanInner);
-        params.set("spring_linear", 0.0).unwrap();
-        params.set_list("fv_force", &[1.0]).unwrap();
+        params.set(number!("spring_linear"), 0.0).unwrap();
+        params.set_list(list!("fv_force"), &[1.0]).unwrap();
         assert_eq!(model.set(&params).unwrap_err().reason, Reason::CurveLengths);
         assert_eq!(std::format!("{model:?}"), before);
     }
@@ -166,29 +171,29 @@ mod tests {
     /// The guard looks at the slope of the springs on the mass to both sides of their zero, all of the stroke.
     #[test]
     fn a_series_spring_softer_than_what_it_drives_is_refused() {
-        let fault = |changes: &[(&str, f64)], lookup: Option<(&[f64], &[f64])>| {
+        let fault = |changes: &[(Number, f64)], lookup: Option<(&[f64], &[f64])>| {
             let mut params = Params::new();
-            params.set("spring_quadratic", 0.0).unwrap();
-            for (name, value) in changes {
-                params.set(name, *value).unwrap();
+            params.set(number!("spring_quadratic"), 0.0).unwrap();
+            for (number, value) in changes {
+                params.set(*number, *value).unwrap();
             }
             if let Some((x, f)) = lookup {
-                params.set_list("spring_displacement", x).unwrap();
-                params.set_list("spring_force", f).unwrap();
+                params.set_list(list!("spring_displacement"), x).unwrap();
+                params.set_list(list!("spring_force"), f).unwrap();
             }
             Model::new(&params).err().map(|fault| {
-                assert_eq!(fault.parameter, find("series_stiffness").unwrap().index as u16);
+                assert_eq!(fault, number!("series_stiffness").fault(fault.reason));
                 fault.reason
             })
         };
         let softer = Some(Reason::SofterThanInner);
-        let k = ("series_stiffness", 1e5);
-        assert_eq!(fault(&[k, ("spring_linear", 0.99e5)], None), None);
-        assert_eq!(fault(&[k, ("spring_linear", 1e5)], None), None);
-        assert_eq!(fault(&[k, ("spring_linear", 1.01e5)], None), softer);
+        let k = (number!("series_stiffness"), 1e5);
+        assert_eq!(fault(&[k, (number!("spring_linear"), 0.99e5)], None), None);
+        assert_eq!(fault(&[k, (number!("spring_linear"), 1e5)], None), None);
+        assert_eq!(fault(&[k, (number!("spring_linear"), 1.01e5)], None), softer);
         // 2 k |x| at 0.1 m.
-        assert_eq!(fault(&[k, ("spring_quadratic", 4.9e5)], None), None);
-        assert_eq!(fault(&[k, ("spring_quadratic", 5.1e5)], None), softer);
+        assert_eq!(fault(&[k, (number!("spring_quadratic"), 4.9e5)], None), None);
+        assert_eq!(fault(&[k, (number!("spring_quadratic"), 5.1e5)], None), softer);
         // Steep on one side alone.
         let (x, f) = ([-0.2, -0.06, -0.05, 0.2], [-20e3, -2e3, 0.0, 0.0]);
         assert_eq!(fault(&[k], Some((&x, &f))), softer);
@@ -199,8 +204,8 @@ mod tests {
         assert_eq!(fault(&[k], Some((&x, &f))), None);
         // Without the series spring nothing is driven.
         let mut params = Params::new();
-        params.set("spring_linear", 1e7).unwrap();
-        params.enable("series_compliance", false).unwrap();
+        params.set(number!("spring_linear"), 1e7).unwrap();
+        params.enable(element!("series_compliance"), false);
         assert!(Model::new(&params).is_ok());
     }
 }

@@ -15,7 +15,7 @@
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
-use crate::parameter::{COUNT, Params, Row, Shape, table};
+use crate::parameter::{COUNT, Element, List, Number, Params, Row, Shape, table};
 
 /// Number that the key `format` must have.
 pub const FORMAT: f64 = 1.0;
@@ -119,9 +119,9 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                 }
                 has_elements = true;
                 reader.list(|value, line| match value {
-                    Value::Word(word) => crate::elements::names()
-                        .find(|name| name.as_bytes() == word)
-                        .and_then(|name| read.enable(name, true).ok())
+                    Value::Word(word) => Element::all()
+                        .find(|element| element.name().as_bytes() == word)
+                        .map(|element| read.enable(element, true))
                         .ok_or(ReadError { line, parameter: NO_PARAMETER, problem: Problem::UnknownElement }),
                     Value::Number(_) => Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Value }),
                 })?;
@@ -185,19 +185,19 @@ impl<'a> Reader<'a> {
                     count += 1;
                     Ok(())
                 })?;
-                read.set_list(row.parameter.name, numbers.get(..count).unwrap_or(&[]))
+                List::try_from(row).and_then(|list| read.set_list(list, numbers.get(..count).unwrap_or(&[])))
             }
             Shape::Choice(words) => {
                 let Some(Value::Word(word)) = self.value() else { return Err(at(Problem::Value)) };
                 let place = words.iter().position(|w| w.as_bytes() == word).ok_or(fault(Reason::NotAChoice))?;
-                read.set(row.parameter.name, place as f64)
+                Number::try_from(row).and_then(|choice| read.set(choice, place as f64))
             }
             Shape::Scalar => {
                 if self.peek() == Some(b'[') {
                     return Err(fault(Reason::WrongShape));
                 }
                 let Some(Value::Number(number)) = self.value() else { return Err(at(Problem::Value)) };
-                read.set(row.parameter.name, number)
+                Number::try_from(row).and_then(|of| read.set(of, number))
             }
         };
         set.map_err(|f| fault(f.reason))
@@ -285,6 +285,7 @@ impl<'a> Reader<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{element, list};
 
     const SMALL: &str = "\u{feff}# a damper\r\nformat = 1\nelements = [\"fv_curve\", # why\n \"gas_preload\",]\n\
         gas_force = 12.5 # N\nfv_interpolation = \"linear\"\nfv_velocity = [-1, 0,\n 1.0]\nfv_force=[-1e3,0.0,2_000]\n\
@@ -294,12 +295,16 @@ mod tests {
     fn reads_every_kind_of_value() {
         let mut params = Params::new();
         read(SMALL.as_bytes(), &mut params).unwrap();
-        assert!(params.is_on("fv_curve") && params.is_on("gas_preload") && !params.is_on("series_compliance"));
-        assert_eq!(params.scalar("gas_force"), 12.5);
-        assert_eq!(params.scalar("fv_interpolation"), 1.0);
-        assert_eq!(params.list("fv_velocity"), [-1.0, 0.0, 1.0]);
-        assert_eq!(params.list("fv_force"), [-1000.0, 0.0, 2000.0]);
-        assert_eq!(params.scalar("series_stiffness"), Params::new().scalar("series_stiffness"));
+        assert!(
+            params.is_on(element!("fv_curve"))
+                && params.is_on(element!("gas_preload"))
+                && !params.is_on(element!("series_compliance"))
+        );
+        assert_eq!(params.number(number!("gas_force")), 12.5);
+        assert_eq!(params.number(number!("fv_interpolation")), 1.0);
+        assert_eq!(params.list(list!("fv_velocity")), [-1.0, 0.0, 1.0]);
+        assert_eq!(params.list(list!("fv_force")), [-1000.0, 0.0, 2000.0]);
+        assert_eq!(params.number(number!("series_stiffness")), Params::new().number(number!("series_stiffness")));
     }
 
     #[test]

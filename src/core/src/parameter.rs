@@ -1,10 +1,24 @@
-//! The one parameter table, and the values a user fills in.
+//! The one parameter table.
 //!
 //! Every element brings its rows (name, unit, default, bounds, meaning); the table is their sequence. It drives the C
 //! setter, the model file, the bounds of the identification and the documentation.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`id`] | which row or element is meant, checked when the code is compiled |
+//! | [`own`] | the same for an element's own rows, and what it sees of a parameter set |
+//! | [`values`] | the values a user fills in |
 
-use crate::elements::{self, GROUPS};
-use crate::fault::{Fault, NO_PARAMETER, Reason};
+pub mod id;
+pub mod own;
+pub mod values;
+
+pub use id::{Element, Id, List, Number};
+pub use own::{Own, View};
+pub use values::Params;
+
+use crate::elements::GROUPS;
+use crate::fault::{Fault, Reason};
 
 /// What a parameter holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,244 +147,28 @@ pub struct Row {
     pub parameter: &'static Parameter,
 }
 
-/// Finds a row by name.
+impl PartialEq for Row {
+    fn eq(&self, other: &Row) -> bool {
+        self.index == other.index
+    }
+}
+
+impl Eq for Row {}
+
+impl Row {
+    /// The element it belongs to; `None` for the settings.
+    pub fn element(&self) -> Option<Element> {
+        Element::of_group(self.group)
+    }
+
+    /// A fault that names this row.
+    pub const fn fault(&self, reason: Reason) -> Fault {
+        Fault { parameter: self.index as u16, reason }
+    }
+}
+
+/// Finds a row by a name that is known only when the program runs; code that knows the name takes [`crate::number!`] or
+/// [`crate::list!`].
 pub fn find(name: &str) -> Option<Row> {
     table().find(|row| row.parameter.name == name)
-}
-
-/// A full set of parameter values, and which elements are on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Params {
-    elements: u64,
-    lengths: [u32; COUNT],
-    values: [f64; SLOTS],
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params::new()
-    }
-}
-
-impl Params {
-    /// The defaults of the table, with the elements of the thesis's model on.
-    pub fn new() -> Params {
-        let mut params = Params { elements: elements::DEFAULT_ON, lengths: [0; COUNT], values: [0.0; SLOTS] };
-        for row in table() {
-            params.store(&row, row.parameter.default);
-        }
-        params
-    }
-
-    fn store(&mut self, row: &Row, values: &[f64]) {
-        if let Some(length) = self.lengths.get_mut(row.index) {
-            *length = values.len() as u32;
-        }
-        for (to, from) in self.values.iter_mut().skip(row.slot).zip(values) {
-            *to = *from;
-        }
-    }
-
-    /// The values of a row.
-    pub fn get(&self, row: &Row) -> &[f64] {
-        let length = self.lengths.get(row.index).map_or(0, |l| *l as usize);
-        let tail = self.values.get(row.slot..).unwrap_or(&[]);
-        tail.get(..length.min(row.parameter.slots())).unwrap_or(&[])
-    }
-
-    /// The value of the scalar called `name`; NaN when there is none.
-    pub fn scalar(&self, name: &str) -> f64 {
-        find(name).and_then(|row| self.get(&row).first().copied()).unwrap_or(f64::NAN)
-    }
-
-    /// The values of the list called `name`; empty when there is none.
-    pub fn list(&self, name: &str) -> &[f64] {
-        match find(name) {
-            Some(row) => self.get(&row),
-            None => &[],
-        }
-    }
-
-    /// Sets one number or choice.
-    ///
-    /// # Errors
-    /// Unknown name, a list parameter, a non-finite or out-of-bounds value. Nothing is changed then.
-    pub fn set(&mut self, name: &str, value: f64) -> Result<(), Fault> {
-        let row = find(name).ok_or(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName })?;
-        if matches!(row.parameter.shape, Shape::List(_)) {
-            return Err(Fault { parameter: row.index as u16, reason: Reason::WrongShape });
-        }
-        self.set_row(&row, &[value])
-    }
-
-    /// Sets a list.
-    ///
-    /// # Errors
-    /// Unknown name, a scalar parameter, too many numbers, a non-finite or out-of-bounds number. Nothing is changed
-    /// then.
-    pub fn set_list(&mut self, name: &str, values: &[f64]) -> Result<(), Fault> {
-        let row = find(name).ok_or(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName })?;
-        if !matches!(row.parameter.shape, Shape::List(_)) {
-            return Err(Fault { parameter: row.index as u16, reason: Reason::WrongShape });
-        }
-        self.set_row(&row, values)
-    }
-
-    fn set_row(&mut self, row: &Row, values: &[f64]) -> Result<(), Fault> {
-        check(row, values)?;
-        self.store(row, values);
-        Ok(())
-    }
-
-    /// Checks every value against the table: for sets that did not come through the setters.
-    ///
-    /// # Errors
-    /// The first parameter that the table does not allow.
-    pub fn check(&self) -> Result<(), Fault> {
-        for row in table() {
-            if self.lengths.get(row.index).is_none_or(|l| *l as usize > row.parameter.slots()) {
-                return Err(Fault { parameter: row.index as u16, reason: Reason::PointCount });
-            }
-            check(&row, self.get(&row))?;
-        }
-        Ok(())
-    }
-
-    /// Switches an element on or off.
-    ///
-    /// # Errors
-    /// No element has that name.
-    pub fn enable(&mut self, element: &str, on: bool) -> Result<(), Fault> {
-        let bit = elements::bit(element).ok_or(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName })?;
-        if on {
-            self.elements |= bit;
-        } else {
-            self.elements &= !bit;
-        }
-        Ok(())
-    }
-
-    /// Switches every element off.
-    pub fn disable_all(&mut self) {
-        self.elements = 0;
-    }
-
-    /// Whether an element is on.
-    pub fn is_on(&self, element: &str) -> bool {
-        elements::bit(element).is_some_and(|bit| self.elements & bit != 0)
-    }
-
-    /// The elements that are on, one bit each in the order of the table's groups.
-    pub(crate) fn elements(&self) -> u64 {
-        self.elements
-    }
-}
-
-fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
-    let p = row.parameter;
-    let fault = |reason| Err(Fault { parameter: row.index as u16, reason });
-    if values.len() > p.slots() || (values.is_empty() && !matches!(p.shape, Shape::List(_))) {
-        return fault(Reason::PointCount);
-    }
-    for value in values {
-        if !value.is_finite() {
-            return fault(Reason::NotFinite);
-        }
-        if matches!(p.shape, Shape::Choice(_)) {
-            let whole = *value >= p.low && *value <= p.high && *value == (*value as i64) as f64;
-            if !whole {
-                return fault(Reason::NotAChoice);
-            }
-        } else if *value < p.low || *value > p.high {
-            return fault(Reason::OutOfBounds);
-        }
-    }
-    Ok(())
-}
-
-/// What an element sees of a parameter set when it prepares itself: its own rows, by their place among them.
-#[derive(Clone, Copy)]
-pub struct View<'a> {
-    params: &'a Params,
-    group: usize,
-}
-
-impl<'a> View<'a> {
-    /// The rows of group `group`.
-    pub fn new(params: &'a Params, group: usize) -> View<'a> {
-        View { params, group }
-    }
-
-    fn row(&self, local: usize) -> Option<Row> {
-        table().filter(|row| row.group == self.group).nth(local)
-    }
-
-    /// The number in row `local` of the element.
-    pub fn number(&self, local: usize) -> f64 {
-        self.row(local).and_then(|row| self.params.get(&row).first().copied()).unwrap_or(0.0)
-    }
-
-    /// The list in row `local` of the element.
-    pub fn list(&self, local: usize) -> &'a [f64] {
-        match self.row(local) {
-            Some(row) => self.params.get(&row),
-            None => &[],
-        }
-    }
-
-    /// A fault that names row `local` of the element.
-    pub fn fault(&self, local: usize, reason: Reason) -> Fault {
-        Fault { parameter: self.row(local).map_or(NO_PARAMETER, |row| row.index as u16), reason }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_unique_and_defaults_allowed() {
-        for (i, row) in table().enumerate() {
-            assert_eq!(find(row.parameter.name).unwrap().index, i, "{} appears twice", row.parameter.name);
-            check(&row, row.parameter.default).unwrap_or_else(|_| panic!("default of {}", row.parameter.name));
-            assert!(row.parameter.low <= row.parameter.high);
-        }
-        assert_eq!(table().count(), COUNT);
-        Params::new().check().unwrap();
-    }
-
-    #[test]
-    fn setting_one_row_leaves_all_others() {
-        let before = Params::new();
-        for row in table() {
-            let mut after = before;
-            let p = row.parameter;
-            match p.shape {
-                Shape::List(_) => after.set_list(p.name, &[p.low]).unwrap(),
-                _ => after.set(p.name, p.high).unwrap(),
-            }
-            for other in table().filter(|o| o.index != row.index) {
-                assert_eq!(before.get(&other), after.get(&other), "{} disturbed {}", p.name, other.parameter.name);
-            }
-        }
-    }
-
-    #[test]
-    fn refusals_change_nothing_and_name_the_row() {
-        let before = Params::new();
-        let mut params = before;
-        let row = find("series_stiffness").unwrap().index as u16;
-        for (value, reason) in
-            [(f64::NAN, Reason::NotFinite), (-1.0, Reason::OutOfBounds), (f64::INFINITY, Reason::NotFinite)]
-        {
-            assert_eq!(params.set("series_stiffness", value), Err(Fault { parameter: row, reason }));
-        }
-        assert_eq!(params.set("no_such", 1.0).unwrap_err().reason, Reason::UnknownName);
-        assert_eq!(params.set("fv_interpolation", 0.5).unwrap_err().reason, Reason::NotAChoice);
-        assert_eq!(params.set("fv_force", 0.5).unwrap_err().reason, Reason::WrongShape);
-        assert_eq!(params.set_list("fv_force", &[0.0; 64]).unwrap_err().reason, Reason::PointCount);
-        assert_eq!(params.enable("no_such", true).unwrap_err().reason, Reason::UnknownName);
-        assert_eq!(params, before);
-    }
 }

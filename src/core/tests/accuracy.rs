@@ -2,6 +2,7 @@
 
 mod common;
 use common::*;
+use dashpot_core::list;
 
 /// Largest rms and largest single error, as shares of the largest force.
 fn worst(changes: &[(&str, f64)], dt: f64, velocity_only: bool) -> (f64, f64) {
@@ -70,8 +71,8 @@ fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
             (3e7, 0.5),
         ] {
             let mut params = params(&[("series_stiffness", stiffness), ("internal_mass", mass)]);
-            let forces: Vec<f64> = params.list("fv_force").iter().map(|force| scale * force).collect();
-            params.set_list("fv_force", &forces).unwrap();
+            let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| scale * force).collect();
+            params.set_list(list!("fv_force"), &forces).unwrap();
             let model = dashpot_core::Model::new(&params).unwrap();
             // Short enough for the classical method to be stable with the steepest of the curves.
             let rate = (scale * 7e3 / mass).max((stiffness / mass).sqrt());

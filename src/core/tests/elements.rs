@@ -3,9 +3,10 @@
 mod common;
 use common::*;
 use dashpot_core::elements::{Motion, names};
-use dashpot_core::parameter::{Shape, table};
+use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_core::{element, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
@@ -21,7 +22,7 @@ proptest! {
         for element in ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"] {
             let mut p = params;
             p.disable_all();
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
             let model = Model::new(&p).unwrap();
             prop_assert_eq!(force(&model, v), -force(&model, -v), "{} at {}", element, v);
             prop_assert_eq!(force(&model, 0.0), 0.0);
@@ -36,7 +37,7 @@ proptest! {
         for element in names() {
             let mut p = params;
             p.disable_all();
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
             // The random set need not suit an element that was off in it.
             let Ok(model) = Model::new(&p) else { continue };
             let e = model.elements();
@@ -58,21 +59,21 @@ proptest! {
     fn an_element_that_is_off_contributes_nothing(params in any_params(), x in -0.02..0.02f64, v in -1.0..1.0f64) {
         for (group, element) in names().enumerate() {
             let mut p = params;
-            p.enable(element, false).unwrap();
+            p.enable(Element::find(element).unwrap(), false);
             if element == "series_compliance" {
-                p.enable("free_play", false).unwrap();
-                p.enable("bushing", false).unwrap();
+                p.enable(element!("free_play"), false);
+                p.enable(element!("bushing"), false);
             }
             let before = Model::new(&p).unwrap();
             for row in table().filter(|row| row.group == group) {
                 match row.parameter.shape {
-                    Shape::List(_) => p.set_list(row.parameter.name, &[]).unwrap(),
+                    Shape::List(_) => p.set_list(List::find(row.parameter.name).unwrap(), &[]).unwrap(),
                     Shape::Choice(_) => {}
-                    Shape::Scalar => p.set(row.parameter.name, row.parameter.high).unwrap(),
+                    Shape::Scalar => p.set(Number::find(row.parameter.name).unwrap(), row.parameter.high).unwrap(),
                 }
             }
             // The integration chooses its substeps from stiffness and mass even where they are off.
-            p.set("substeps", 1.0).unwrap();
+            p.set(number!("substeps"), 1.0).unwrap();
             let after = Model::new(&p).unwrap();
             let one = Integration::fixed(Method::Fourth, 1);
             let run = |m: Model| {
@@ -86,16 +87,16 @@ proptest! {
     #[test]
     fn without_series_compliance_the_damper_is_algebraic(params in any_params(), x in -0.02..0.02f64, v in -1.0..1.0f64, dt in 1e-5..1e-2f64) {
         let mut p = params;
-        p.enable("series_compliance", false).unwrap();
+        p.enable(element!("series_compliance"), false);
         for element in WITH_STATES.into_iter().chain(["free_play"]) {
-            p.enable(element, false).unwrap();
+            p.enable(Element::find(element).unwrap(), false);
         }
         let model = Model::new(&p).unwrap();
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.settled(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
         // What flows past the valves is found by rounds, to a ten-millionth of the velocity.
-        let grooved = p.is_on("position_dependent_damping") && p.scalar("bypass_form") == 1.0;
+        let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
         let allowed = if grooved { 1e-6 } else { 1e-12 };
         prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));
     }
@@ -144,10 +145,10 @@ proptest! {
 fn lag_answers_a_velocity_step_as_the_exponential() {
     let mut p = Params::new();
     p.disable_all();
-    p.enable("lagged_polynomial", true).unwrap();
-    p.set("lag_slow", 0.004).unwrap();
-    p.set("lag_v1", 0.5).unwrap();
-    p.set("lag_v2", 0.6).unwrap();
+    p.enable(element!("lagged_polynomial"), true);
+    p.set(number!("lag_slow"), 0.004).unwrap();
+    p.set(number!("lag_v1"), 0.5).unwrap();
+    p.set(number!("lag_v2"), 0.6).unwrap();
     let target = 3000.0 * 0.2;
     for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
@@ -190,7 +191,7 @@ fn play_in_an_eye_is_where_the_force_is_nothing() {
             ("series_load", load),
         ]);
         for (element, on) in [("free_play", true), ("coulomb_friction", true), ("stribeck_friction", false)] {
-            p.enable(element, on).unwrap();
+            p.enable(Element::find(element).unwrap(), on);
         }
         travel_without_force(&Model::new(&p).unwrap())
     };

@@ -2,20 +2,22 @@
 
 mod common;
 use common::*;
+use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
+use dashpot_core::{list, number};
 
 /// The same with elements of both paths that are as smooth; their own heat damps with the temperature of a stage before,
 /// which is of the first order and far below these errors.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {
-        params.enable(element, true).unwrap();
+        params.enable(Element::find(element).unwrap(), true);
     }
-    params.set("bushing_hardening", 0.02).unwrap();
-    params.set("oil_stiffness", 3e5).unwrap();
-    params.set("fade_source", 1.0).unwrap();
-    params.set("heat_capacity", 1e5).unwrap();
+    params.set(number!("bushing_hardening"), 0.02).unwrap();
+    params.set(number!("oil_stiffness"), 3e5).unwrap();
+    params.set(number!("fade_source"), 1.0).unwrap();
+    params.set(number!("heat_capacity"), 1e5).unwrap();
     Model::new(&params).unwrap()
 }
 
@@ -29,14 +31,14 @@ fn smooth_params() -> Params {
     let mut params = Params::new();
     params.disable_all();
     for element in ["fv_curve", "series_compliance", "parallel_spring"] {
-        params.enable(element, true).unwrap();
+        params.enable(Element::find(element).unwrap(), true);
     }
-    params.set_list("fv_velocity", &[-2.0, 2.0]).unwrap();
-    params.set_list("fv_force", &[-1500.0, 1500.0]).unwrap();
-    params.set("spring_quadratic", 0.0).unwrap();
-    params.set("spring_cubic", 5e6).unwrap();
-    params.set("series_stiffness", 2e5).unwrap();
-    params.set("internal_mass", 2.0).unwrap();
+    params.set_list(list!("fv_velocity"), &[-2.0, 2.0]).unwrap();
+    params.set_list(list!("fv_force"), &[-1500.0, 1500.0]).unwrap();
+    params.set(number!("spring_quadratic"), 0.0).unwrap();
+    params.set(number!("spring_cubic"), 5e6).unwrap();
+    params.set(number!("series_stiffness"), 2e5).unwrap();
+    params.set(number!("internal_mass"), 2.0).unwrap();
     params
 }
 

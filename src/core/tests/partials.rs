@@ -3,8 +3,10 @@
 mod common;
 use common::*;
 use dashpot_core::evaluate::partials;
+use dashpot_core::parameter::{Element, Number};
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_core::{element, list, number};
 use dashpot_test_support::held;
 use proptest::prelude::*;
 
@@ -20,20 +22,20 @@ fn variants() -> Vec<(&'static str, Params)> {
     let with = |changes: &[(&str, f64)], on: &[&str]| {
         let mut p = base;
         for (name, value) in changes {
-            p.set(name, *value).unwrap();
+            p.set(Number::find(name).unwrap(), *value).unwrap();
         }
         for element in on {
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
         }
         p
     };
     let lookup = |mut p: Params| {
-        p.set_list("spring_displacement", &[-0.1, -0.04, 0.0, 0.03, 0.09]).unwrap();
-        p.set_list("spring_force", &[-400.0, -150.0, 0.0, 100.0, 700.0]).unwrap();
+        p.set_list(list!("spring_displacement"), &[-0.1, -0.04, 0.0, 0.03, 0.09]).unwrap();
+        p.set_list(list!("spring_force"), &[-400.0, -150.0, 0.0, 100.0, 700.0]).unwrap();
         p
     };
     let mut algebraic = with(&[], &["lagged_polynomial"]);
-    algebraic.enable("series_compliance", false).unwrap();
+    algebraic.enable(element!("series_compliance"), false);
     let mut all = paths();
     all.extend([
         ("thesis", base),
@@ -84,7 +86,7 @@ proptest! {
     #[test]
     fn step_slopes(x in -0.03..0.03f64, v in -1.2..1.2f64, dx in -2e-5..2e-5f64, dv in -0.3..0.3f64) {
         for (name, params) in variants() {
-            let knees = [params.list("fv_velocity"), &[-0.13, 0.13, 0.4]].concat();
+            let knees = [params.list(list!("fv_velocity")), &[-0.13, 0.13, 0.4]].concat();
             let ramp = [0.0, 0.05, -0.05, 0.5, -0.5];
             for method in METHODS {
                 for (substeps, dt) in [(1, 1e-3), (3, 1e-3), (1, 1e-4)] {
@@ -99,14 +101,14 @@ proptest! {
                     }
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
                     // A bushing's friction sets in over millimetres per second: a short step turns micrometres into that.
-                    let fine = if params.scalar("bushing_slip") < 1.0 { 0.03 } else { 1.0 };
+                    let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
                     // Twice, so that a knee of an element that lies inside the wider difference does not count.
                     let widths = [fine, 0.03 * fine];
                     let by_x = widths.map(|fine| difference(|h| force(Some(x1 + h), v1), fine * 1e-7));
                     let by_v = [1.0, 0.03].map(|fine| difference(|h| force(Some(x1), v1 + h), fine * 1e-4));
                     let alone = step(&model, &from, &input(None, v1), dt).1.force_by_velocity;
                     let by_v_alone = [1.0, 0.03].map(|fine| difference(|h| force(None, v1 + h), fine * 1e-4));
-                    let k = params.scalar("series_stiffness");
+                    let k = params.number(number!("series_stiffness"));
                     for (what, got, wanted, scale) in [
                         ("dF/dx", output.force_by_displacement, by_x, k),
                         ("dF/dv", output.force_by_velocity, by_v, k * dt),
@@ -114,7 +116,7 @@ proptest! {
                     ] {
                         // The paths bend within a few micrometres and millimetres per second: differences are no better there.
                         let share = match model.elements().has_paths() {
-                            true if params.is_on("cavitation") => 1e-3,
+                            true if params.is_on(element!("cavitation")) => 1e-3,
                             true => 1e-4,
                             false => 1e-6,
                         };
@@ -134,7 +136,7 @@ proptest! {
         let x = if left { -x } else { x };
         for (name, params) in variants() {
             let model = Model::new(&params).unwrap();
-            let knees = [params.list("fv_velocity"), &[0.0, -0.13, 0.13, 0.4, 0.05, -0.05, 0.5, -0.5]].concat();
+            let knees = [params.list(list!("fv_velocity")), &[0.0, -0.13, 0.13, 0.4, 0.05, -0.05, 0.5, -0.5]].concat();
             if near(u, &knees, 0.003) || near(v, &knees, 0.003) || near(e, &[0.0], 1e-5) {
                 continue;
             }

@@ -2,8 +2,10 @@
 
 mod common;
 use common::*;
+use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
+use dashpot_core::{element, list, number};
 use dashpot_test_support::held;
 use proptest::prelude::*;
 
@@ -23,20 +25,20 @@ proptest! {
         let mut params = params;
         for element in dashpot_core::elements::names() {
             // More than all that is below would be too many states: those stay as they were drawn.
-            let drawn = WITH_STATES.contains(&element) && params.is_on(element);
+            let drawn = WITH_STATES.contains(&element) && params.is_on(Element::find(element).unwrap());
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
-            params.enable(element, keep && (drawn || !WITH_STATES.contains(&element))).unwrap();
+            params.enable(Element::find(element).unwrap(), keep && (drawn || !WITH_STATES.contains(&element)));
         }
         // A bushing that hardens within a millimetre rings faster than steps can tell its work.
-        params.set("bushing_hardening", 1.0).unwrap();
+        params.set(number!("bushing_hardening"), 1.0).unwrap();
         // A FV curve through the origin takes energy by itself; an offset would be a preload.
-        let (u, f) = (params.list("fv_velocity").to_vec(), params.list("fv_force").to_vec());
+        let (u, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
         let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
-        params.set_list("fv_force", &odd).unwrap();
-        params.set("fv_interpolation", 1.0).unwrap();
+        params.set_list(list!("fv_force"), &odd).unwrap();
+        params.set(number!("fv_interpolation"), 1.0).unwrap();
         // Friction that falls below the Coulomb level by a negative peak is no friction.
-        let (peak, level) = (params.scalar("stribeck_breakaway_force"), params.scalar("stribeck_coulomb_force"));
-        params.set("stribeck_breakaway_force", peak.max(level)).unwrap();
+        let (peak, level) = (params.number(number!("stribeck_breakaway_force")), params.number(number!("stribeck_coulomb_force")));
+        params.set(number!("stribeck_breakaway_force"), peak.max(level)).unwrap();
 
         let Ok(model) = Model::new(&params) else { return Ok(()) };
         let frequency = 1.0 / (per_cycle as f64 * dt);
@@ -70,8 +72,8 @@ proptest! {
 /// Energy of the series spring and the mass.
 fn stored(params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = s.displacement - s.mass_displacement;
-    0.5 * params.scalar("series_stiffness") * e * e
-        + 0.5 * params.scalar("internal_mass") * s.mass_velocity * s.mass_velocity
+    0.5 * params.number(number!("series_stiffness")) * e * e
+        + 0.5 * params.number(number!("internal_mass")) * s.mass_velocity * s.mass_velocity
 }
 
 /// Straight interpolation.
@@ -84,8 +86,8 @@ fn at(u: &[f64], f: &[f64], v: f64) -> f64 {
 #[test]
 fn free_motion_dies_with_every_method() {
     let mut p = params(&[]);
-    p.enable("stribeck_friction", false).unwrap();
-    p.enable("viscous_friction", false).unwrap();
+    p.enable(element!("stribeck_friction"), false);
+    p.enable(element!("viscous_friction"), false);
     for method in METHODS {
         for dt in [1e-5, 1e-4, 1e-3, 1e-2] {
             let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));

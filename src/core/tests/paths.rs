@@ -2,9 +2,10 @@
 
 mod common;
 use common::*;
-use dashpot_core::parameter::Params;
+use dashpot_core::parameter::{Element, Params};
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
+use dashpot_core::{element, list, number};
 use std::f64::consts::TAU;
 
 /// Input and answer at each step.
@@ -26,10 +27,10 @@ fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p: Params = params(changes);
     p.disable_all();
     for element in ["fv_curve"].iter().chain(elements) {
-        p.enable(element, true).unwrap();
+        p.enable(Element::find(element).unwrap(), true);
     }
-    p.set_list("fv_velocity", &[-2.0, 2.0]).unwrap();
-    p.set_list("fv_force", &[-4000.0, 4000.0]).unwrap();
+    p.set_list(list!("fv_velocity"), &[-2.0, 2.0]).unwrap();
+    p.set_list(list!("fv_force"), &[-4000.0, 4000.0]).unwrap();
     Model::new(&p).unwrap()
 }
 
@@ -97,10 +98,10 @@ fn free_play_is_a_dead_band_of_its_length() {
         let mut p = params(&[("free_play_gap", gap), ("free_play_force", f0), ("series_stiffness", k)]);
         p.disable_all();
         for element in ["free_play", "series_compliance", "parallel_spring"] {
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
         }
-        p.set("spring_linear", 1e5).unwrap();
-        p.set("spring_quadratic", 0.0).unwrap();
+        p.set(number!("spring_linear"), 1e5).unwrap();
+        p.set(number!("spring_quadratic"), 0.0).unwrap();
         Model::new(&p).unwrap()
     };
     // Between large forces of both signs the deflection is the spring's and the whole gap.
@@ -470,13 +471,13 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
 fn series_elements_without_series_are_refused_and_too_many_states_too() {
     for element in ["free_play", "bushing"] {
         let mut p = params(&[]);
-        p.enable(element, true).unwrap();
-        p.enable("series_compliance", false).unwrap();
+        p.enable(Element::find(element).unwrap(), true);
+        p.enable(element!("series_compliance"), false);
         assert_eq!(Model::new(&p).unwrap_err().reason, Reason::NeedsSeries);
     }
     let mut p = params(&[("fade_source", 1.0)]);
     for element in WITH_STATES {
-        p.enable(element, true).unwrap();
+        p.enable(Element::find(element).unwrap(), true);
     }
     assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
 }
@@ -490,7 +491,7 @@ fn settled_states_rest() {
             let input = Input::motion(x, v);
             let state = model.settled(&input);
             let rate = evaluate(&model, &state, &input).1;
-            let moving = if params.is_on("series_compliance") { v } else { 0.0 };
+            let moving = if params.is_on(element!("series_compliance")) { v } else { 0.0 };
             assert!((rate.mass_displacement - moving).abs() < 1e-9, "{name} at {x} {v}: {rate:?}");
             assert!(rate.mass_velocity.abs() < 1e-2, "{name} at {x} {v}: {rate:?}");
             if v == 0.0 {
@@ -517,7 +518,7 @@ fn a_step_ends_where_evaluation_finds_it() {
                 let direct = evaluate(&model, &next, &Input::motion(x, v)).0;
                 let force = output.force.abs().max(100.0);
                 // A void without an oil column has force and closing in one equation, which turns on micrometres.
-                let void = params.is_on("cavitation");
+                let void = params.is_on(element!("cavitation"));
                 assert!(
                     void || (output.force - direct.force).abs() < 1e-6 * force,
                     "{name} {method:?} {i}: {} {}",
@@ -543,10 +544,10 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
     ] {
         let mut p = params(changes);
         for element in elements {
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
         }
-        p.set_list("fv_velocity", &[-0.003, 0.0, 0.001, 0.01, 0.06, 0.09]).unwrap();
-        p.set_list("fv_force", &[-360.0, 0.0, 620.0, 625.0, 700.0, 740.0]).unwrap();
+        p.set_list(list!("fv_velocity"), &[-0.003, 0.0, 0.001, 0.01, 0.06, 0.09]).unwrap();
+        p.set_list(list!("fv_force"), &[-360.0, 0.0, 620.0, 625.0, 700.0, 740.0]).unwrap();
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(METHODS[2], 1));
         let mut state = model.settled(&Input::motion(0.0, 0.0));
         let mut ends = 0;

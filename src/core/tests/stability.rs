@@ -4,6 +4,7 @@ mod common;
 use common::*;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
+use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
@@ -18,7 +19,7 @@ fn run(
     velocity_only: bool,
 ) -> Result<(), TestCaseError> {
     let model = Model::new(params).unwrap();
-    let (k, m) = (params.scalar("series_stiffness"), params.scalar("internal_mass"));
+    let (k, m) = (params.number(number!("series_stiffness")), params.number(number!("internal_mass")));
     let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
     let start = dashpot_core::evaluate(&model, &state, &Input::motion(motion[0].0, 0.0)).0;
     let mut length =
@@ -50,7 +51,7 @@ fn run(
     prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
     let still = (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
     // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`). A bent contact stays bent.
-    let bends = params.is_on("presliding_friction");
+    let bends = params.is_on(element!("presliding_friction"));
     if !bends && end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
         let scale = 2e4 + wanted.force.abs() + wanted.spring_force.abs();
@@ -77,7 +78,7 @@ proptest! {
         let travel: f64 = motion.iter().map(|(_, v)| v.abs() * dt).sum();
         let scale = if velocity_only { (0.1 / travel).min(1.0) } else { 1.0 };
         // A jump that the series spring answers with 100 kN is as far as a damper's data can be wrong.
-        let jump = (1e5 / params.scalar("series_stiffness") / 0.2).min(1.0);
+        let jump = (1e5 / params.number(number!("series_stiffness")) / 0.2).min(1.0);
         let motion: Vec<_> = motion.iter().map(|(x, v)| (x * jump, v * scale)).collect();
         run(&params, &motion, dt, velocity_only)?;
     }
@@ -109,10 +110,10 @@ proptest! {
             ("series_stiffness", k), ("internal_mass", m), ("coulomb_steepness", 1e5), ("coulomb_force", 1e4),
             ("method", method as f64), ("substeps", substeps as f64),
         ]);
-        p.enable("coulomb_friction", true).unwrap();
-        p.set_list("fv_velocity", &[-1.0, -0.02, -0.01, 0.0, 0.01, 0.02, 1.0]).unwrap();
+        p.enable(element!("coulomb_friction"), true);
+        p.set_list(list!("fv_velocity"), &[-1.0, -0.02, -0.01, 0.0, 0.01, 0.02, 1.0]).unwrap();
         let f = [-0.05, -0.03, -0.01, 0.0, 0.01, 0.03, 0.05].map(|s| s * slope);
-        p.set_list("fv_force", &f).unwrap();
+        p.set_list(list!("fv_force"), &f).unwrap();
         run(&p, &motion, dt, false)?;
     }
 }
@@ -140,9 +141,9 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
         ("spring_quartic", 5250072.0),
         ("fv_interpolation", 1.0),
     ]);
-    p.enable("oil_compressibility", true).unwrap();
-    p.set_list("fv_velocity", &[-3.0, -2.9993821161933023, 3.0]).unwrap();
-    p.set_list("fv_force", &[-2e4, 2e4, 2e4]).unwrap();
+    p.enable(element!("oil_compressibility"), true);
+    p.set_list(list!("fv_velocity"), &[-3.0, -2.9993821161933023, 3.0]).unwrap();
+    p.set_list(list!("fv_force"), &[-2e4, 2e4, 2e4]).unwrap();
     let model = Model::new(&p).unwrap();
     let mut state = model.settled(&Input::motion(0.0, 0.0));
     for _ in 0..100 {

@@ -49,6 +49,7 @@ pub fn settle(
 mod tests {
     use super::*;
     use dashpot_core::Params;
+    use dashpot_core::{element, number};
     use dashpot_estimation::hypothesis::number;
     use dashpot_estimation::unknowns::Unknown;
     use nalgebra::{DMatrix, DVector};
@@ -56,9 +57,9 @@ mod tests {
     #[test]
     fn a_jump_is_found_where_no_derivative_tells_of_it() {
         let mut base = Params::new();
-        base.enable("free_play", false).unwrap();
-        base.set("free_play_gap", 1e-4).unwrap();
-        let number = number(&base, Unknown::Log("free_play_gap"));
+        base.enable(element!("free_play"), false);
+        base.set(number!("free_play_gap"), 1e-4).unwrap();
+        let number = number(&base, Unknown::Log(number!("free_play_gap")));
         let hypothesis = Hypothesis { base, numbers: vec![number], heating: None };
         // The force jumps at a sample that the gap says, and is the same on either side of it.
         let jump = |theta: &[f64]| (4e5 * theta[0].exp()) as usize;

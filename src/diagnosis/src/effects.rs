@@ -3,6 +3,7 @@
 use super::phrases;
 use super::sentence::{Sentence, Template};
 use super::situation::Situation;
+use dashpot_core::element;
 use dashpot_core::elements::GROUPS;
 
 /// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the
@@ -36,100 +37,118 @@ const HEAT: f64 = 500.0;
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {
-    (!s.base.is_on("series_compliance")).then(|| phrases::NEEDS_SERIES.into())
+    (!s.base.is_on(element!("series_compliance"))).then(|| phrases::NEEDS_SERIES.into())
 }
 
 /// All cards, in the order of the way that the force takes.
 pub const CARDS: &[Card] = &[
     Card {
-        name: "gas_preload",
+        name: element!("gas_preload").name(),
         path: "gas and springs",
         family: "constant force",
         remedy: phrases::SHOW_ZERO,
         missing: nothing,
     },
     Card {
-        name: "gas_spring",
+        name: element!("gas_spring").name(),
         path: "gas and springs",
         family: "spring",
         remedy: phrases::SHOW_SPRING,
         missing: nothing,
     },
     Card {
-        name: "coulomb_friction",
+        name: element!("coulomb_friction").name(),
         path: "friction",
         family: "dry friction",
         remedy: phrases::SHOW_SLOW,
         missing: nothing,
     },
     Card {
-        name: "stribeck_friction",
+        name: element!("stribeck_friction").name(),
         path: "friction",
         family: "dry friction",
         remedy: phrases::SHOW_SLOW,
         missing: nothing,
     },
     Card {
-        name: "presliding_friction",
+        name: element!("presliding_friction").name(),
         path: "friction",
         family: "dry friction",
         remedy: phrases::SHOW_PRESLIDING,
         missing: nothing,
     },
     Card {
-        name: "viscous_friction",
+        name: element!("viscous_friction").name(),
         path: "friction",
         family: "viscous friction",
         remedy: phrases::SHOW_SLOW,
-        missing: |s| (!s.base.is_on("viscous_friction")).then(|| phrases::NEEDS_FIXED_CURVE.into()),
+        missing: |s| (!s.base.is_on(element!("viscous_friction"))).then(|| phrases::NEEDS_FIXED_CURVE.into()),
     },
     Card {
-        name: "side_force_friction",
+        name: element!("side_force_friction").name(),
         path: "friction",
         family: "friction under load",
         remedy: phrases::SHOW_SIDE_FORCE,
         missing: |s| (s.side_force_span < SIDE_FORCE).then(|| phrases::NEEDS_SIDE_FORCE.into()),
     },
-    Card { name: "series_compliance", path: "series", family: "mount", remedy: phrases::SHOW_MOUNT, missing: nothing },
-    Card { name: "bushing", path: "series", family: "mount", remedy: phrases::SHOW_MOUNT, missing: behind_series },
     Card {
-        name: "parallel_spring",
+        name: element!("series_compliance").name(),
+        path: "series",
+        family: "mount",
+        remedy: phrases::SHOW_MOUNT,
+        missing: nothing,
+    },
+    Card {
+        name: element!("bushing").name(),
+        path: "series",
+        family: "mount",
+        remedy: phrases::SHOW_MOUNT,
+        missing: behind_series,
+    },
+    Card {
+        name: element!("parallel_spring").name(),
         path: "gas and springs",
         family: "spring",
         remedy: phrases::SHOW_SPRING,
         missing: nothing,
     },
     Card {
-        name: "oil_compressibility",
+        name: element!("oil_compressibility").name(),
         path: "hydraulic",
         family: "oil column",
         remedy: phrases::SHOW_OIL,
         missing: nothing,
     },
     Card {
-        name: "aeration",
+        name: element!("aeration").name(),
         path: "hydraulic",
         family: "oil column",
         remedy: phrases::SHOW_AERATION,
         missing: nothing,
     },
-    Card { name: "cavitation", path: "hydraulic", family: "void", remedy: phrases::SHOW_CAVITATION, missing: nothing },
     Card {
-        name: "temperature_fade",
+        name: element!("cavitation").name(),
+        path: "hydraulic",
+        family: "void",
+        remedy: phrases::SHOW_CAVITATION,
+        missing: nothing,
+    },
+    Card {
+        name: element!("temperature_fade").name(),
         path: "hydraulic",
         family: "oil temperature",
         remedy: phrases::SHOW_FADE,
         missing: |s| (!s.temperature_measured && s.heat_span < HEAT).then(|| phrases::NEEDS_TEMPERATURE.into()),
     },
     Card {
-        name: "position_dependent_damping",
+        name: element!("position_dependent_damping").name(),
         path: "hydraulic",
         family: "valves",
         remedy: phrases::SHOW_POSITION,
         missing: |s| (s.places_span < PLACES).then(|| phrases::NEEDS_PLACES.into()),
     },
     Card {
-        name: "bump_stop",
+        name: element!("bump_stop").name(),
         path: "gas and springs",
         family: "stop",
         remedy: phrases::SHOW_BUMP_STOP,
@@ -140,7 +159,7 @@ pub const CARDS: &[Card] = &[
         },
     },
     Card {
-        name: "rebound_stop",
+        name: element!("rebound_stop").name(),
         path: "gas and springs",
         family: "stop",
         remedy: phrases::SHOW_REBOUND_STOP,
@@ -151,34 +170,40 @@ pub const CARDS: &[Card] = &[
         },
     },
     Card {
-        name: "free_play",
+        name: element!("free_play").name(),
         path: "series",
         family: "mount",
         remedy: phrases::SHOW_FREE_PLAY,
         missing: behind_series,
     },
     Card {
-        name: "frequency_selective_damping",
+        name: element!("frequency_selective_damping").name(),
         path: "hydraulic",
         family: "valves",
         remedy: phrases::SHOW_FREQUENCY,
         missing: |s| (s.frequency_ratio < FREQUENCIES).then(|| phrases::NEEDS_FREQUENCIES.into()),
     },
     Card {
-        name: "valve_hysteresis",
+        name: element!("valve_hysteresis").name(),
         path: "hydraulic",
         family: "valves",
         remedy: phrases::SHOW_VALVE,
         missing: nothing,
     },
-    Card { name: "moving_mass", path: "rig", family: "mass", remedy: phrases::SHOW_MASS, missing: nothing },
+    Card {
+        name: element!("moving_mass").name(),
+        path: "rig",
+        family: "mass",
+        remedy: phrases::SHOW_MASS,
+        missing: nothing,
+    },
     Card { name: "channel_delay", path: "rig", family: "timing", remedy: phrases::SHOW_DELAY, missing: nothing },
     Card {
         name: "force_offset",
         path: "rig",
         family: "load cell",
         remedy: phrases::SHOW_ZERO,
-        missing: |s| (s.base.is_on("gas_preload") && s.pauses.is_empty()).then(|| phrases::NEEDS_ZERO.into()),
+        missing: |s| (s.base.is_on(element!("gas_preload")) && s.pauses.is_empty()).then(|| phrases::NEEDS_ZERO.into()),
     },
     Card {
         name: "force_drift",

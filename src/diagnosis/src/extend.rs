@@ -2,7 +2,8 @@
 
 use super::vocabulary::{Candidate, DrawnOn, Fresh, Start};
 use dashpot_core::Params;
-use dashpot_core::parameter::find;
+use dashpot_core::list;
+use dashpot_core::parameter;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Number, number};
 use dashpot_estimation::spring_end::straighten;
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
@@ -11,11 +12,10 @@ use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in candidate.elements {
-        // Only elements of the kernel's own list are candidates.
-        let _ = to.base.enable(element, true);
+        to.base.enable(*element, true);
     }
-    for (name, value) in &candidate.fixed {
-        set(&mut to.base, name, *value);
+    for (number, value) in &candidate.fixed {
+        set(&mut to.base, *number, *value);
     }
     for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
         if let Free::Model(unknown) = &fresh.free {
@@ -25,8 +25,8 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
     for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
         to.numbers.push(fresh_number(&to.base, fresh, *value));
     }
-    for (name, factor) in &start.moves {
-        scale(&mut to, name, *factor);
+    for (number, factor) in &start.moves {
+        scale(&mut to, *number, *factor);
     }
     if let Some(drawn) = &start.unbend {
         unbend(&mut to, drawn);
@@ -41,15 +41,13 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
 }
 
 /// Sets a scalar, held inside its bounds.
-fn set(params: &mut Params, name: &str, value: f64) {
-    if let Some(row) = find(name) {
-        let _ = params.set(name, value.clamp(row.parameter.low, row.parameter.high));
-    }
+fn set(params: &mut Params, number: parameter::Number, value: f64) {
+    let _ = params.set(number, number.inside(value));
 }
 
 fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     match unknown {
-        Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => set(params, name, value),
+        Unknown::Log(n) | Unknown::Linear(n) | Unknown::Above(n, _) => set(params, *n, value),
         Unknown::Rise { .. } | Unknown::Entry(..) => {}
     }
 }
@@ -57,7 +55,7 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
 fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
     match &fresh.free {
         Free::Model(unknown) => {
-            let mut number = number(base, unknown.clone());
+            let mut number = number(base, *unknown);
             if let Unknown::Linear(_) = unknown {
                 let (low, high) = fresh.plausible;
                 number.step = (0.3 * value.abs()).max(0.02 * (high - low).abs().min(10.0 * value.abs().max(1e-6)));
@@ -77,12 +75,12 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
 }
 
 /// Multiplies a free number of the base.
-fn scale(to: &mut Hypothesis, name: &str, factor: f64) {
+fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     for number in &mut to.numbers {
         let (low, high) = number.bounds;
         match &number.free {
-            Free::Model(Unknown::Log(n)) if *n == name => number.start = (number.start + factor.ln()).clamp(low, high),
-            Free::Model(Unknown::Linear(n)) if *n == name => number.start = (number.start * factor).clamp(low, high),
+            Free::Model(Unknown::Log(n)) if *n == which => number.start = (number.start + factor.ln()).clamp(low, high),
+            Free::Model(Unknown::Linear(n)) if *n == which => number.start = (number.start * factor).clamp(low, high),
             _ => {}
         }
     }
@@ -107,7 +105,7 @@ fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)>
 
 /// Takes so much force out of the innermost rises of the FV curve, on both strokes.
 fn level(to: &mut Hypothesis, force: f64) {
-    let velocity = to.base.list("fv_velocity").to_vec();
+    let velocity = to.base.list(list!("fv_velocity")).to_vec();
     for stroke in [1.0, -1.0] {
         let mut left = force;
         for (place, _) in branch(to, &velocity, stroke) {
@@ -121,7 +119,7 @@ fn level(to: &mut Hypothesis, force: f64) {
 
 /// Draws one stroke's branch of the FV curve on from where it is trusted.
 fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
-    let velocity = to.base.list("fv_velocity").to_vec();
+    let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);
     let (mut force, mut slope) = (0.0, None);
     for (place, point) in branch(to, &velocity, drawn.stroke) {

@@ -4,6 +4,7 @@
 use super::screening::Projection;
 use dashpot_core::Model;
 use dashpot_core::curve::MAX_POINTS;
+use dashpot_core::list;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, number};
 use dashpot_estimation::refit::{Effort, Refit, refit};
 use dashpot_estimation::samples::Test;
@@ -43,7 +44,7 @@ pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f
 
 /// The middle of every interval of the FV curve, by ratio, as the points themselves are spread.
 fn middles(from: &Hypothesis) -> Vec<f64> {
-    let velocity = from.base.list("fv_velocity");
+    let velocity = from.base.list(list!("fv_velocity"));
     velocity
         .windows(2)
         .map(|pair| {
@@ -59,11 +60,11 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
 /// The middles that promise a fall of χ² worth a point each, once everything else has given way to first order, and what
 /// they promise together: one after the other, the best first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
-    let room = MAX_POINTS - from.base.list("fv_velocity").len();
+    let room = MAX_POINTS - from.base.list(list!("fv_velocity")).len();
     let middles = middles(from);
     let all = with_points(from, &at.theta, &middles)?;
     let jacobian = all.jacobian(Accuracy::Cheap, tests, &all.start())?;
-    let velocity = all.base.list("fv_velocity").to_vec();
+    let velocity = all.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);
     let rise = |point: usize| {
         let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
@@ -105,12 +106,12 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
     let curve = Model::new(&params).ok()?.elements().fv_curve;
-    let mut velocity = params.list("fv_velocity").to_vec();
+    let mut velocity = params.list(list!("fv_velocity")).to_vec();
     velocity.extend_from_slice(points);
     velocity.sort_by(f64::total_cmp);
     let force: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
-    params.set_list("fv_velocity", &velocity).ok()?;
-    params.set_list("fv_force", &force).ok()?;
+    params.set_list(list!("fv_velocity"), &velocity).ok()?;
+    params.set_list(list!("fv_force"), &force).ok()?;
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     let rises = Unknowns::rises(&params, CurveName::Fv).into_iter().map(|rise| number(&params, rise));
     let kept = from.clone().starting_at(theta).numbers;
@@ -133,8 +134,8 @@ mod tests {
         let from = Hypothesis { base, numbers: base_numbers(&base), heating: None };
         let theta = from.start();
         let to = with_points(&from, &theta, &middles(&from)).unwrap();
-        assert_eq!(to.base.list("fv_velocity").len(), 2 * base.list("fv_velocity").len() - 1);
-        assert_eq!(to.numbers.len() - from.numbers.len(), base.list("fv_velocity").len() - 1);
+        assert_eq!(to.base.list(list!("fv_velocity")).len(), 2 * base.list(list!("fv_velocity")).len() - 1);
+        assert_eq!(to.numbers.len() - from.numbers.len(), base.list(list!("fv_velocity")).len() - 1);
         let [a, b] = [from.params(&theta), to.params(&to.start())].map(|p| Model::new(&p).unwrap());
         let top = a.elements().fv_curve.at(1.0).value;
         for i in -100..=100 {

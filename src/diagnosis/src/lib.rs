@@ -56,7 +56,7 @@ pub use tree::Branch;
 
 use answer::{explained, judge, rivals};
 use dashpot_core::Params;
-use dashpot_core::parameter::find;
+use dashpot_core::number;
 use dashpot_estimation::deviations::deviations;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use dashpot_estimation::heating::Heating;
@@ -462,17 +462,17 @@ impl Answer<'_> {
         let (last, end) = &self.found.found.last;
         let (of_there, of_here) = (deviations(reference, there), deviations(last, end));
         let one = |(k, n): (usize, &dashpot_estimation::hypothesis::Number)| {
-            let Free::Model(Unknown::Log(name) | Unknown::Linear(name)) = &n.free else { return None };
+            let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
             let place = last.place_of(&n.free)?;
             let deviation = of_there[k].hypot(of_here[place]);
             let (before, after) = (there.theta[k], end.theta[place]);
             ((after - before).abs() > CHANGED * deviation).then(|| Change {
-                parameter: name,
+                parameter: number.name(),
                 reference: physical(&n.free, before),
                 value: physical(&n.free, after),
                 low: physical(&n.free, after - 1.96 * deviation),
                 high: physical(&n.free, after + 1.96 * deviation),
-                unit: find(name).map_or("", |row| row.parameter.unit),
+                unit: number.parameter().unit,
             })
         };
         reference.numbers.iter().enumerate().filter_map(one).collect()
@@ -490,13 +490,13 @@ impl Answer<'_> {
             .iter()
             .enumerate()
             .filter_map(|(k, n)| {
-                let Free::Model(Unknown::Log(name) | Unknown::Linear(name)) = &n.free else { return None };
+                let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
                 let after = end.theta[last.place_of(&n.free)?];
                 ((after - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
-                    parameter: name,
+                    parameter: number.name(),
                     before: physical(&n.free, first.theta[k]),
                     after: physical(&n.free, after),
-                    unit: find(name).map_or("", |row| row.parameter.unit),
+                    unit: number.parameter().unit,
                 })
             })
             .collect()
@@ -584,13 +584,17 @@ pub fn first_look(records: &[&Record], held_out: &[bool], params: &Params) -> Op
 
 fn name_of(free: &Free) -> (&'static str, &'static str) {
     match free {
-        Free::Model(Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) | Unknown::Entry(name, _)) => {
-            (name, find(name).map_or("", |row| row.parameter.unit))
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+            (number.name(), number.parameter().unit)
         }
-        Free::Model(Unknown::Rise { curve, .. }) => (curve.forces(), "N"),
+        Free::Model(Unknown::Entry(list, _)) => (list.name(), list.parameter().unit),
+        Free::Model(Unknown::Rise { curve, .. }) => (curve.forces().name(), "N"),
         Free::Rig(artefact) => (artefact.parameter(), artefact.unit()),
         Free::Cooling => ("cooling_rate", "1/s"),
-        Free::HeatCapacity => ("heat_capacity", "J/K"),
+        Free::HeatCapacity => {
+            let number = number!("heat_capacity");
+            (number.name(), number.parameter().unit)
+        }
     }
 }
 

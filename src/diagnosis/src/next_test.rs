@@ -6,6 +6,7 @@ use super::outcome::NextTest;
 use super::phrases;
 use super::sentence::Sentence;
 use dashpot_core::Input;
+use dashpot_core::element;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::segment::Segment;
@@ -102,7 +103,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
     }
     let zero = [0.0];
-    let side_matters = rivals.iter().any(|r| r.effect == "side_force_friction");
+    let side_matters = rivals.iter().any(|r| r.effect == element!("side_force_friction").name());
     let sides = if side_matters && !rig.side_forces.is_empty() { &rig.side_forces[..] } else { &zero };
     let mut designs = Vec::new();
     let middle = 0.5 * (rig.reach.0 + rig.reach.1);

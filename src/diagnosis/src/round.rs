@@ -245,6 +245,7 @@ fn choose(screened: &[Screened], list: &[Candidate]) -> Vec<usize> {
 pub(crate) mod tests {
     use super::*;
     use dashpot_core::Params;
+    use dashpot_core::element;
     use nalgebra::{DMatrix, DVector};
 
     /// Tests of a campaign, as many as a small one has.
@@ -261,7 +262,7 @@ pub(crate) mod tests {
         let candidate = Candidate {
             effect,
             form,
-            elements: &["gas_spring"],
+            elements: &[element!("gas_spring")],
             fixed: Vec::new(),
             fresh: Vec::new(),
             starts: Vec::new(),

@@ -8,7 +8,6 @@ use super::finer_curve::with_enough_points;
 use super::round::{Ground, Round, Tried, look};
 use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
-use dashpot_core::parameter::find;
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::priors::implausibility;
 use dashpot_estimation::refit::{Effort, Refit, refit};
@@ -326,13 +325,11 @@ pub fn physical(free: &Free, value: f64) -> f64 {
 pub fn without(from: &Hypothesis, theta: &[f64], added: &Added) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in added.candidate.elements {
-        let _ = to.base.enable(element, false);
+        to.base.enable(*element, false);
     }
     // What it fixed elsewhere was for it alone.
-    for row in added.candidate.fixed.iter().filter_map(|(name, _)| find(name)) {
-        if let [usual] = row.parameter.default {
-            let _ = to.base.set(row.parameter.name, *usual);
-        }
+    for (number, _) in &added.candidate.fixed {
+        let _ = to.base.set(*number, number.default());
     }
     to.numbers.drain(added.numbers.clone());
     to
@@ -344,9 +341,9 @@ mod tests {
     use crate::extend::extend;
     use crate::situation::Situation;
     use crate::vocabulary::{base_numbers, candidates};
-    use dashpot_core::elements::GROUPS;
     use dashpot_core::parameter::{Shape, table};
     use dashpot_core::{Model, Params};
+    use dashpot_core::{element, number};
 
     #[test]
     fn a_name_is_looked_for_only_where_something_is_missing_for_sure() {
@@ -365,12 +362,12 @@ mod tests {
     #[test]
     fn an_effect_that_is_taken_out_leaves_the_damper_as_it_was() {
         let mut params = Params::new();
-        params.enable("stribeck_friction", false).unwrap();
-        params.enable("coulomb_friction", true).unwrap();
+        params.enable(element!("stribeck_friction"), false);
+        params.enable(element!("coulomb_friction"), true);
         let base = Hypothesis { base: params, numbers: base_numbers(&params), heating: None };
         let theta = base.start();
         let all = candidates(&Situation::new(&params, &[], &[]));
-        assert!(all.iter().any(|c| c.fixed.contains(&("series_load", 1.0))));
+        assert!(all.iter().any(|c| c.fixed.contains(&(number!("series_load"), 1.0))));
         for candidate in all {
             let to = extend(&base, &theta, &candidate, &candidate.starts[0]);
             assert!(Model::new(&to.base).is_ok(), "{} {}", candidate.effect, candidate.form);
@@ -379,10 +376,10 @@ mod tests {
             let back = without(&to, &to.start(), &added);
             assert_eq!(back.numbers.len(), base.numbers.len());
             for row in table() {
-                let (name, group) = (row.parameter.name, GROUPS[row.group].name);
-                assert_eq!(back.base.is_on(group), params.is_on(group), "{group} after {}", candidate.effect);
-                if params.is_on(group) && !matches!(row.parameter.shape, Shape::List(_)) {
-                    assert_eq!(back.base.scalar(name), params.scalar(name), "{name} after {}", candidate.effect);
+                let (name, Some(element)) = (row.parameter.name, row.element()) else { continue };
+                assert_eq!(back.base.is_on(element), params.is_on(element), "{element} after {}", candidate.effect);
+                if params.is_on(element) && !matches!(row.parameter.shape, Shape::List(_)) {
+                    assert_eq!(back.base.get(&row), params.get(&row), "{name} after {}", candidate.effect);
                 }
             }
         }

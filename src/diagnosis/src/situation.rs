@@ -1,6 +1,7 @@
 //! What a base model and its tests look like from far: figures from which searches start.
 
 use dashpot_core::Params;
+use dashpot_core::{element, list, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::samples::Test;
 use dashpot_records::Record;
@@ -95,13 +96,13 @@ impl Situation {
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let fastest = span(&mut inputs().map(|i| i.velocity));
         let mut friction = 0.0;
-        if base.is_on("coulomb_friction") {
-            friction += base.scalar("coulomb_force");
+        if base.is_on(element!("coulomb_friction")) {
+            friction += base.number(number!("coulomb_force"));
         }
-        if base.is_on("stribeck_friction") {
-            friction += base.scalar("stribeck_coulomb_force");
+        if base.is_on(element!("stribeck_friction")) {
+            friction += base.number(number!("stribeck_coulomb_force"));
         }
-        let (v, f) = (base.list("fv_velocity"), base.list("fv_force"));
+        let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
         // The knee: where the slope has fallen to half its largest, counted from standstill.
         let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
         let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
@@ -146,6 +147,6 @@ impl Situation {
 
     /// What the FV curve has at a speed, N.
     pub fn driven(&self, speed: f64) -> f64 {
-        at(self.base.list("fv_velocity"), self.base.list("fv_force"), speed)
+        at(self.base.list(list!("fv_velocity")), self.base.list(list!("fv_force")), speed)
     }
 }

@@ -5,6 +5,7 @@
 
 use super::evidence::{effective_count, noise_chi2};
 use dashpot_core::curve::{Curve, Interpolation};
+use dashpot_core::{element, list, number};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::{Effort, Refit, refit};
 use dashpot_estimation::samples::Test;
@@ -32,13 +33,14 @@ const YIELDS: f64 = 0.2;
 /// takes up a fair share of the stroke.
 pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
     let model = hypothesis.params(theta);
-    if !model.is_on("series_compliance") {
+    if !model.is_on(element!("series_compliance")) {
         return false;
     }
-    let stiffness = model.scalar("series_stiffness");
-    let critical = 2.0 * (stiffness * model.scalar("internal_mass")).sqrt();
+    let stiffness = model.number(number!("series_stiffness"));
+    let critical = 2.0 * (stiffness * model.number(number!("internal_mass"))).sqrt();
     let yields = most(tests, |t| t.segment.top) / stiffness;
-    model.scalar("series_damping") > DAMPED * critical || yields > YIELDS * most(tests, |t| t.segment.amplitude)
+    model.number(number!("series_damping")) > DAMPED * critical
+        || yields > YIELDS * most(tests, |t| t.segment.amplitude)
 }
 
 fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
@@ -47,7 +49,7 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
 
 /// The refit, or a better one from a series element far off: between the two the fit gets worse first.
 pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
-    let Some(stiffness) = place(hypothesis, Unknown::Log("series_stiffness")) else { return refitted };
+    let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
     let mut best = refitted;
     let straight = is_bent(hypothesis, tests, &best.theta).then_some(None);
@@ -82,9 +84,10 @@ fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
 
 /// Gives the series element the damping that it has as it is built.
 fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
-    if let Some(damping) = place(hypothesis, Unknown::Linear("series_damping")) {
+    if let Some(damping) = place(hypothesis, Unknown::Linear(number!("series_damping"))) {
         let model = hypothesis.params(theta);
-        theta[damping] = 2.0 * RATIO * (model.scalar("series_stiffness") * model.scalar("internal_mass")).sqrt();
+        theta[damping] =
+            2.0 * RATIO * (model.number(number!("series_stiffness")) * model.number(number!("internal_mass"))).sqrt();
     }
 }
 
@@ -92,22 +95,22 @@ fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
 fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
     let mut model = hypothesis.params(theta);
     let mut start = theta.to_vec();
-    if let Some(stiffness) = place(hypothesis, Unknown::Log("series_stiffness")) {
+    if let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) {
         let k = most(tests, |t| t.segment.top) / (STRAIGHT * most(tests, |t| t.segment.amplitude)).max(1e-9);
         let (low, high) = hypothesis.numbers[stiffness].bounds;
         start[stiffness] = k.ln().clamp(low, high);
     }
     set_damping(hypothesis, &mut start);
-    let (velocity, force) = (model.list("fv_velocity").to_vec(), model.list("fv_force").to_vec());
-    let per_force = 1.0 / model.scalar("series_damping").max(1e-9);
+    let (velocity, force) = (model.list(list!("fv_velocity")).to_vec(), model.list(list!("fv_force")).to_vec());
+    let per_force = 1.0 / model.number(number!("series_damping")).max(1e-9);
     let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
     let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
     let straight: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
     // Forces inside the table stay inside; a refused list would leave the curve as it was.
-    let _ = model.set_list("fv_force", &straight);
+    let _ = model.set_list(list!("fv_force"), &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
         if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {
-            *value = Unknowns { base: model, list: vec![rise.clone()], rig: Vec::new() }.start()[0];
+            *value = Unknowns { base: model, list: vec![*rise], rig: Vec::new() }.start()[0];
         }
     }
     start
@@ -167,7 +170,8 @@ mod tests {
         let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
         assert!(!is_bent(&truth, &tests, &truth.start()));
         let place = |unknown| truth.place_of(&Free::Model(unknown)).unwrap();
-        let (stiffness, damping) = (place(Unknown::Log("series_stiffness")), place(Unknown::Linear("series_damping")));
+        let (stiffness, damping) =
+            (place(Unknown::Log(number!("series_stiffness"))), place(Unknown::Linear(number!("series_damping"))));
         let mut bent = truth.start();
         bent[stiffness] -= f64::ln(40.0);
         bent[damping] = 2e4;
@@ -182,16 +186,17 @@ mod tests {
         let base = Params::new();
         let of = Hypothesis { base, numbers: base_numbers(&base), heating: None };
         let tests = measured(&of, &[(0.03, 1.0)]);
-        let damping = of.place_of(&Free::Model(Unknown::Linear("series_damping"))).unwrap();
+        let damping = of.place_of(&Free::Model(Unknown::Linear(number!("series_damping")))).unwrap();
         let mut bent = of.start();
         bent[damping] = 8e3;
         let model = of.params(&straightened(&of, &tests, &bent));
-        let valves = Curve::new(base.list("fv_velocity"), base.list("fv_force"), Interpolation::Linear).unwrap();
-        for (v, force) in model.list("fv_velocity").iter().zip(model.list("fv_force")) {
+        let valves =
+            Curve::new(base.list(list!("fv_velocity")), base.list(list!("fv_force")), Interpolation::Linear).unwrap();
+        for (v, force) in model.list(list!("fv_velocity")).iter().zip(model.list(list!("fv_force"))) {
             let left = valves.at(v - force / 8e3).value;
             assert!((force - left).abs() < 1e-6 * left.abs().max(1.0), "{v}: {force}, the valves {left}");
         }
-        let yields = tests[0].segment.top / model.scalar("series_stiffness");
+        let yields = tests[0].segment.top / model.number(number!("series_stiffness"));
         assert!((yields - STRAIGHT * 0.03).abs() < 1e-6, "{yields}");
     }
 }

@@ -5,6 +5,7 @@ use super::outcome::CouldNotTest;
 use super::phrases;
 use super::sentence::Sentence;
 use super::situation::Situation;
+use dashpot_core::parameter::Element;
 
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
 const TRACE: f64 = 20.0;
@@ -14,7 +15,8 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) ->
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {
         let effect = card.name;
-        if s.base.is_on(effect) || found.contains(&effect) {
+        let is_on = Element::find(effect).is_ok_and(|element| s.base.is_on(element));
+        if is_on || found.contains(&effect) {
             continue;
         }
         if let Some(why) = (card.missing)(s) {

@@ -101,6 +101,8 @@ mod tests {
     use super::*;
     use crate::sensitivity::Accuracy;
     use crate::unknowns::{CurveName, Unknown};
+    use dashpot_core::number;
+    use dashpot_core::parameter::Element;
     use dashpot_core::{Input, Params};
 
     fn segment(clock: f64) -> Segment {
@@ -123,14 +125,14 @@ mod tests {
     fn everything() -> Unknowns {
         let mut base = Params::new();
         for element in ["fv_curve", "series_compliance", "gas_preload", "parallel_spring"] {
-            base.enable(element, true).unwrap();
+            base.enable(Element::find(element).unwrap(), true);
         }
-        base.set("spring_quadratic", 4e4).unwrap();
+        base.set(number!("spring_quadratic"), 4e4).unwrap();
         let mut list = Unknowns::rises(&base, CurveName::Fv);
         list.extend([
-            Unknown::Log("series_stiffness"),
-            Unknown::Linear("gas_force"),
-            Unknown::Linear("spring_quadratic"),
+            Unknown::Log(number!("series_stiffness")),
+            Unknown::Linear(number!("gas_force")),
+            Unknown::Linear(number!("spring_quadratic")),
         ]);
         let number = |artefact, start, spread| RigNumber { artefact, start, usual: (0.0, spread) };
         let rig = vec![

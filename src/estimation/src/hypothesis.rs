@@ -8,8 +8,8 @@ use crate::priors::in_search;
 use crate::segment::Segment;
 use crate::sensitivity::{Accuracy, Run, forces};
 use crate::unknowns::{Unknown, Unknowns};
-use dashpot_core::parameter::find;
-use dashpot_core::{Model, Params};
+use dashpot_core::number;
+use dashpot_core::{Model, Parameter, Params};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -82,7 +82,7 @@ impl Hypothesis {
         let (mut list, mut values, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for (place, (number, value)) in self.numbers.iter().zip(theta).enumerate() {
             if let Free::Model(unknown) = &number.free {
-                list.push(unknown.clone());
+                list.push(*unknown);
                 values.push(*value);
                 places.push(place);
             }
@@ -95,10 +95,10 @@ impl Hypothesis {
         let (unknowns, values, _) = self.unknowns(theta);
         let mut params = unknowns.params(&values);
         if let Some(capacity) = self.exponential(&Free::HeatCapacity, theta) {
-            let _ = params.set("heat_capacity", capacity);
+            let _ = params.set(number!("heat_capacity"), capacity);
         }
         if let Some(cooling) = self.exponential(&Free::Cooling, theta) {
-            let _ = params.set("heat_transfer", cooling * params.scalar("heat_capacity"));
+            let _ = params.set(number!("heat_transfer"), cooling * params.number(number!("heat_capacity")));
         }
         params
     }
@@ -139,7 +139,7 @@ impl Hypothesis {
     /// Where heating is computed from the records, the damper takes its temperature as measured.
     fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
-            let _ = params.set("fade_source", 0.0);
+            let _ = params.set(number!("fade_source"), 0.0);
         }
     }
 
@@ -291,16 +291,18 @@ impl Hypothesis {
 
 /// A free number of the model, starting from a parameter set, with what dampers show of it.
 pub fn number(base: &Params, unknown: Unknown) -> Number {
-    let one = Unknowns { base: *base, list: vec![unknown.clone()], rig: Vec::new() };
+    let one = Unknowns { base: *base, list: vec![unknown], rig: Vec::new() };
     let start = one.start()[0];
     let (low, high) = one.bounds();
+    let by_default = |parameter: &Parameter| {
+        let typical = parameter.default.first().map_or(1.0, |d| d.abs());
+        (0.3 * start.abs()).max(0.1 * typical).max(1e-3)
+    };
     let step = match &unknown {
         Unknown::Log(_) | Unknown::Above(..) => 0.3,
         Unknown::Rise { .. } => start.abs().max(10.0),
-        Unknown::Linear(name) | Unknown::Entry(name, _) => {
-            let typical = find(name).map_or(1.0, |row| row.parameter.default.first().map_or(1.0, |d| d.abs()));
-            (0.3 * start.abs()).max(0.1 * typical).max(1e-3)
-        }
+        Unknown::Linear(number) => by_default(number.parameter()),
+        Unknown::Entry(list, _) => by_default(list.parameter()),
     };
     let bounds = (low[0], high[0]);
     let start = start.clamp(bounds.0, bounds.1);

@@ -275,6 +275,8 @@ fn correlation_factor(residual: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::unknowns::{CurveName, Unknown};
+    use dashpot_core::number;
+    use dashpot_core::parameter::Element;
     use dashpot_core::{Input, Params};
 
     /// Sines on a damper of a curve and gas, each with an error of its own that no model has.
@@ -282,10 +284,10 @@ mod tests {
         let mut base = Params::new();
         base.disable_all();
         for element in ["fv_curve", "gas_preload"] {
-            base.enable(element, true).unwrap();
+            base.enable(Element::find(element).unwrap(), true);
         }
         let mut list = Unknowns::rises(&base, CurveName::Fv);
-        list.push(Unknown::Linear("gas_force"));
+        list.push(Unknown::Linear(number!("gas_force")));
         let unknowns = Unknowns { base, list, rig: Vec::new() };
         let run = Run::new(&unknowns, &unknowns.start(), Accuracy::Full).unwrap();
         let segments = (0..12)

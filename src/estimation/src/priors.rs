@@ -6,6 +6,8 @@
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{Unknown, Unknowns};
+use dashpot_core::number;
+use dashpot_core::parameter::Number;
 
 /// What is known of one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,15 +25,15 @@ pub enum Usual {
 #[derive(Debug, Clone, Copy)]
 pub struct Prior {
     /// Parameter.
-    pub name: &'static str,
+    pub number: Number,
     /// What is usual of it, in its own unit.
     pub usual: Usual,
     /// Where that comes from.
     pub source: &'static str,
 }
 
-const fn row(name: &'static str, usual: Usual, source: &'static str) -> Prior {
-    Prior { name, usual, source }
+const fn row(number: Number, usual: Usual, source: &'static str) -> Prior {
+    Prior { number, usual, source }
 }
 
 use Usual::{Place, Size, Strength};
@@ -48,87 +50,87 @@ const THESIS: &str = "Jonnalagadda & Vyas, KTH 2020, chapters 3 and 4";
 
 /// The table; a number that is not in it has no prior.
 pub const PRIORS: &[Prior] = &[
-    row("series_stiffness", Size(2.5e6, 3.0), OIL),
-    row("series_damping", Strength(200.0, 3.0), THESIS),
-    row("internal_mass", Size(0.4, 1.8), THESIS),
-    row("free_play_gap", Size(1.5e-4, 3.0), RUBBER),
-    row("free_play_force", Size(8.0, 2.5), RUBBER),
-    row("bushing_hardening", Size(2e-3, 4.0), RUBBER),
-    row("bushing_loss_stiffness", Strength(0.4, 3.0), RUBBER),
-    row("bushing_loss_time", Size(1e-2, 4.0), RUBBER),
-    row("bushing_slip", Size(1e-4, 4.0), RUBBER),
-    row("bushing_stop", Size(1e-3, 5.0), RUBBER),
-    row("bushing_stop_stiffness", Strength(3.0, 4.0), RUBBER),
-    row("bushing_slow_stiffness", Strength(0.4, 3.0), RUBBER),
-    row("bushing_slow_time", Size(0.1, 4.0), RUBBER),
-    row("oil_stiffness", Size(3e6, 3.0), OIL),
-    row("oil_shortening", Place(6.0, 5.0), OIL),
-    row("oil_compression", Size(1.0, 4.0), OIL),
-    row("aeration_stroke", Size(3e-4, 3.0), OIL),
-    row("aeration_force", Size(200.0, 2.5), OIL),
-    row("aeration_compression", Size(1.0, 2.5), OIL),
-    row("cavitation_force", Size(1200.0, 2.5), VALVES),
-    row("cavitation_onset", Place(0.8, 0.3), VALVES),
-    row("cavitation_expansion", Size(5e-4, 4.0), VALVES),
-    row("cavitation_velocity", Size(0.3, 2.0), VALVES),
-    row("cavitation_unfilled", Size(0.05, 3.0), VALVES),
-    row("bypass_share", Place(0.2, 0.4), VALVES),
-    row("bypass_flow", Strength(0.1, 3.0), VALVES),
-    row("bypass_centre", Place(0.0, 0.04), VALVES),
-    row("bypass_half_width", Size(0.02, 2.0), VALVES),
-    row("bypass_blend", Size(5e-3, 2.0), VALVES),
-    row("fade_coefficient", Place(0.005, 0.01), "Vogel's law for damper oils, 0.2 to 3 % per kelvin"),
-    row("fade_laminar_force", Size(5e3, 8.0), VALVES),
-    row("heat_capacity", Size(600.0, 2.0), "0.3 to 0.6 kg of oil and 1 to 2 kg of steel"),
-    row("fsd_share", Strength(0.25, 1.7), VALVES),
-    row("fsd_flow", Strength(0.1, 3.0), VALVES),
-    row("fsd_time", Size(0.04, 2.5), VALVES),
-    row("fsd_force", Size(100.0, 3.0), VALVES),
-    row("fsd_laminar_force", Size(150.0, 5.0), VALVES),
-    row("valve_hysteresis_share", Strength(0.15, 2.0), VALVES),
-    row("valve_opening_force", Size(500.0, 3.0), VALVES),
-    row("valve_closing_ratio", Place(0.8, 0.15), VALVES),
-    row("valve_width", Size(150.0, 4.0), VALVES),
-    row("valve_time", Size(2e-3, 3.5), VALVES),
-    row("valve_play", Size(50.0, 3.0), VALVES),
-    row("valve_damping", Size(0.7, 2.0), VALVES),
-    row("spring_linear", Place(500.0, 2000.0), THESIS),
-    row("spring_quadratic", Place(0.0, 5e4), THESIS),
-    row("spring_cubic", Place(0.0, 1e6), THESIS),
-    row("spring_quartic", Place(0.0, 2e7), THESIS),
-    row("coulomb_force", Strength(40.0, 3.0), SEALS),
-    row("coulomb_steepness", Size(1000.0, 2.5), SEALS),
-    row("stribeck_coulomb_force", Strength(40.0, 3.0), SEALS),
-    row("stribeck_breakaway_force", Strength(20.0, 3.0), SEALS),
-    row("stribeck_breakaway_velocity", Size(5e-3, 2.0), SEALS),
-    row("stribeck_velocity", Size(0.012, 2.0), SEALS),
-    row("stribeck_fall", Size(1.6, 1.4), SEALS),
-    row("presliding_force", Strength(40.0, 3.0), SEALS),
-    row("presliding_length", Size(3e-4, 3.0), SEALS),
-    row("presliding_power", Size(1.5, 2.0), SEALS),
-    row("presliding_creep", Size(1e-4, 4.0), SEALS),
-    row("viscous_coefficient", Place(0.0, 50.0), THESIS),
-    row("side_force_coefficient", Strength(0.05, 2.0), SEALS),
-    row("gas_force", Place(150.0, 400.0), GAS),
-    row("gas_stiffness", Strength(1000.0, 3.0), GAS),
-    row("gas_length", Size(0.25, 2.2), GAS),
-    row("gas_thermal_time", Size(2.0, 3.0), GAS),
-    row("bump_stop_clearance", Place(0.04, 0.03), STOPS),
-    row("bump_stop_stiffness", Size(2e4, 4.0), STOPS),
-    row("bump_stop_damping", Size(2e3, 5.0), STOPS),
-    row("bump_stop_progression", Size(0.02, 3.0), STOPS),
-    row("rebound_stop_clearance", Place(0.04, 0.03), STOPS),
-    row("rebound_stop_stiffness", Size(4e4, 4.0), STOPS),
-    row("rebound_stop_damping", Size(2e3, 5.0), STOPS),
-    row("rebound_stop_progression", Size(0.02, 3.0), STOPS),
-    row("moving_mass", Strength(2.0, 2.5), RIG),
-    row("lag_slow", Size(5e-3, 3.0), THESIS),
-    row("lag_fast", Size(1e-3, 3.0), THESIS),
+    row(number!("series_stiffness"), Size(2.5e6, 3.0), OIL),
+    row(number!("series_damping"), Strength(200.0, 3.0), THESIS),
+    row(number!("internal_mass"), Size(0.4, 1.8), THESIS),
+    row(number!("free_play_gap"), Size(1.5e-4, 3.0), RUBBER),
+    row(number!("free_play_force"), Size(8.0, 2.5), RUBBER),
+    row(number!("bushing_hardening"), Size(2e-3, 4.0), RUBBER),
+    row(number!("bushing_loss_stiffness"), Strength(0.4, 3.0), RUBBER),
+    row(number!("bushing_loss_time"), Size(1e-2, 4.0), RUBBER),
+    row(number!("bushing_slip"), Size(1e-4, 4.0), RUBBER),
+    row(number!("bushing_stop"), Size(1e-3, 5.0), RUBBER),
+    row(number!("bushing_stop_stiffness"), Strength(3.0, 4.0), RUBBER),
+    row(number!("bushing_slow_stiffness"), Strength(0.4, 3.0), RUBBER),
+    row(number!("bushing_slow_time"), Size(0.1, 4.0), RUBBER),
+    row(number!("oil_stiffness"), Size(3e6, 3.0), OIL),
+    row(number!("oil_shortening"), Place(6.0, 5.0), OIL),
+    row(number!("oil_compression"), Size(1.0, 4.0), OIL),
+    row(number!("aeration_stroke"), Size(3e-4, 3.0), OIL),
+    row(number!("aeration_force"), Size(200.0, 2.5), OIL),
+    row(number!("aeration_compression"), Size(1.0, 2.5), OIL),
+    row(number!("cavitation_force"), Size(1200.0, 2.5), VALVES),
+    row(number!("cavitation_onset"), Place(0.8, 0.3), VALVES),
+    row(number!("cavitation_expansion"), Size(5e-4, 4.0), VALVES),
+    row(number!("cavitation_velocity"), Size(0.3, 2.0), VALVES),
+    row(number!("cavitation_unfilled"), Size(0.05, 3.0), VALVES),
+    row(number!("bypass_share"), Place(0.2, 0.4), VALVES),
+    row(number!("bypass_flow"), Strength(0.1, 3.0), VALVES),
+    row(number!("bypass_centre"), Place(0.0, 0.04), VALVES),
+    row(number!("bypass_half_width"), Size(0.02, 2.0), VALVES),
+    row(number!("bypass_blend"), Size(5e-3, 2.0), VALVES),
+    row(number!("fade_coefficient"), Place(0.005, 0.01), "Vogel's law for damper oils, 0.2 to 3 % per kelvin"),
+    row(number!("fade_laminar_force"), Size(5e3, 8.0), VALVES),
+    row(number!("heat_capacity"), Size(600.0, 2.0), "0.3 to 0.6 kg of oil and 1 to 2 kg of steel"),
+    row(number!("fsd_share"), Strength(0.25, 1.7), VALVES),
+    row(number!("fsd_flow"), Strength(0.1, 3.0), VALVES),
+    row(number!("fsd_time"), Size(0.04, 2.5), VALVES),
+    row(number!("fsd_force"), Size(100.0, 3.0), VALVES),
+    row(number!("fsd_laminar_force"), Size(150.0, 5.0), VALVES),
+    row(number!("valve_hysteresis_share"), Strength(0.15, 2.0), VALVES),
+    row(number!("valve_opening_force"), Size(500.0, 3.0), VALVES),
+    row(number!("valve_closing_ratio"), Place(0.8, 0.15), VALVES),
+    row(number!("valve_width"), Size(150.0, 4.0), VALVES),
+    row(number!("valve_time"), Size(2e-3, 3.5), VALVES),
+    row(number!("valve_play"), Size(50.0, 3.0), VALVES),
+    row(number!("valve_damping"), Size(0.7, 2.0), VALVES),
+    row(number!("spring_linear"), Place(500.0, 2000.0), THESIS),
+    row(number!("spring_quadratic"), Place(0.0, 5e4), THESIS),
+    row(number!("spring_cubic"), Place(0.0, 1e6), THESIS),
+    row(number!("spring_quartic"), Place(0.0, 2e7), THESIS),
+    row(number!("coulomb_force"), Strength(40.0, 3.0), SEALS),
+    row(number!("coulomb_steepness"), Size(1000.0, 2.5), SEALS),
+    row(number!("stribeck_coulomb_force"), Strength(40.0, 3.0), SEALS),
+    row(number!("stribeck_breakaway_force"), Strength(20.0, 3.0), SEALS),
+    row(number!("stribeck_breakaway_velocity"), Size(5e-3, 2.0), SEALS),
+    row(number!("stribeck_velocity"), Size(0.012, 2.0), SEALS),
+    row(number!("stribeck_fall"), Size(1.6, 1.4), SEALS),
+    row(number!("presliding_force"), Strength(40.0, 3.0), SEALS),
+    row(number!("presliding_length"), Size(3e-4, 3.0), SEALS),
+    row(number!("presliding_power"), Size(1.5, 2.0), SEALS),
+    row(number!("presliding_creep"), Size(1e-4, 4.0), SEALS),
+    row(number!("viscous_coefficient"), Place(0.0, 50.0), THESIS),
+    row(number!("side_force_coefficient"), Strength(0.05, 2.0), SEALS),
+    row(number!("gas_force"), Place(150.0, 400.0), GAS),
+    row(number!("gas_stiffness"), Strength(1000.0, 3.0), GAS),
+    row(number!("gas_length"), Size(0.25, 2.2), GAS),
+    row(number!("gas_thermal_time"), Size(2.0, 3.0), GAS),
+    row(number!("bump_stop_clearance"), Place(0.04, 0.03), STOPS),
+    row(number!("bump_stop_stiffness"), Size(2e4, 4.0), STOPS),
+    row(number!("bump_stop_damping"), Size(2e3, 5.0), STOPS),
+    row(number!("bump_stop_progression"), Size(0.02, 3.0), STOPS),
+    row(number!("rebound_stop_clearance"), Place(0.04, 0.03), STOPS),
+    row(number!("rebound_stop_stiffness"), Size(4e4, 4.0), STOPS),
+    row(number!("rebound_stop_damping"), Size(2e3, 5.0), STOPS),
+    row(number!("rebound_stop_progression"), Size(0.02, 3.0), STOPS),
+    row(number!("moving_mass"), Strength(2.0, 2.5), RIG),
+    row(number!("lag_slow"), Size(5e-3, 3.0), THESIS),
+    row(number!("lag_fast"), Size(1e-3, 3.0), THESIS),
 ];
 
 /// The row of a parameter.
-pub fn of(name: &str) -> Option<&'static Prior> {
-    PRIORS.iter().find(|p| p.name == name)
+pub fn of(number: Number) -> Option<&'static Prior> {
+    PRIORS.iter().find(|p| p.number == number)
 }
 
 /// How many strengths a strength may lie above its median before a search is drawn back: far enough to bias nothing.
@@ -167,19 +169,19 @@ pub fn price(off: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * (off * off / FREEDOM).ln_1p()
 }
 
-/// How far off each number of an explanation is from what is usual, with its name; those without a prior are not in it.
-pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(&'static str, f64)> {
+/// How far off each number of an explanation is from what is usual; those without a prior are not in it.
+pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     let params = hypothesis.params(theta);
     let mut all = Vec::new();
     for (number, value) in hypothesis.numbers.iter().zip(theta) {
-        let (name, value) = match &number.free {
-            Free::Model(Unknown::Log(name) | Unknown::Linear(name)) => (*name, params.scalar(name)),
-            Free::Model(Unknown::Above(name, below)) => (*name, params.scalar(name) - params.scalar(below)),
-            Free::HeatCapacity => ("heat_capacity", value.exp()),
+        let (number, value) = match number.free {
+            Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
+            Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
+            Free::HeatCapacity => (number!("heat_capacity"), value.exp()),
             Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
-        if let Some(prior) = of(name) {
-            all.push((name, prior.usual.off(value)));
+        if let Some(prior) = of(number) {
+            all.push((number, prior.usual.off(value)));
         }
     }
     all
@@ -194,8 +196,8 @@ pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
 pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
     let params = unknowns.params(theta);
     let off = |unknown: &Unknown| {
-        let (Unknown::Log(name) | Unknown::Linear(name)) = unknown else { return None };
-        of(name).map(|prior| prior.usual.off(params.scalar(name)))
+        let (Unknown::Log(number) | Unknown::Linear(number)) = *unknown else { return None };
+        of(number).map(|prior| prior.usual.off(params.number(number)))
     };
     unknowns.list.iter().filter_map(off).map(price).sum()
 }
@@ -203,8 +205,8 @@ pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
 /// Mean and standard deviation of a free number of the model where a search moves it.
 pub fn in_search(unknown: &Unknown) -> Option<(f64, f64)> {
     match unknown {
-        Unknown::Log(name) => of(name).map(|p| p.usual.in_search(true)),
-        Unknown::Linear(name) => of(name).map(|p| p.usual.in_search(false)),
+        Unknown::Log(number) => of(*number).map(|p| p.usual.in_search(true)),
+        Unknown::Linear(number) => of(*number).map(|p| p.usual.in_search(false)),
         // A share above the level: seals show 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
@@ -214,21 +216,13 @@ pub fn in_search(unknown: &Unknown) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::parameter::find;
 
     #[test]
-    fn every_row_is_a_parameter_inside_its_bounds_and_named_once() {
+    fn every_row_lies_inside_its_bounds_and_stands_once() {
         for (k, prior) in PRIORS.iter().enumerate() {
-            let row = find(prior.name).unwrap_or_else(|| panic!("{} is no parameter", prior.name)).parameter;
             let (Usual::Size(at, _) | Usual::Strength(at, _) | Usual::Place(at, _)) = prior.usual;
-            assert!(
-                (row.low..=row.high).contains(&at),
-                "{} at {at} is outside {} to {}",
-                prior.name,
-                row.low,
-                row.high
-            );
-            assert!(PRIORS[..k].iter().all(|other| other.name != prior.name), "{} stands twice", prior.name);
+            assert_eq!(prior.number.inside(at), at, "{} is outside {:?}", prior.number, prior.number.bounds());
+            assert!(PRIORS[..k].iter().all(|other| other.number != prior.number), "{} stands twice", prior.number);
             assert!(!prior.source.is_empty());
         }
     }

@@ -8,11 +8,12 @@
 use super::curve_weights::CurveWeights;
 use super::segment::Segment;
 use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
-use dashpot_core::elements::{Acts, Elements, GROUPS, Motion, acts};
-use dashpot_core::parameter::find;
+use dashpot_core::elements::{Acts, Elements, Motion, acts};
+use dashpot_core::parameter::Number;
 use dashpot_core::step::paths::{Carried, FollowPaths, PathsStage, Seed};
 use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths};
 use dashpot_core::{Model, Output, Params, State};
+use dashpot_core::{element, list, number};
 use nalgebra::DMatrix;
 
 /// Parameters whose change moves the internal mass, and their direct share in the stage equation.
@@ -26,6 +27,17 @@ enum Direction {
     FvPoint(usize),
     SpringPoint(usize),
 }
+
+/// The numbers whose share stands in the stage equation itself.
+const DIRECT: [(Number, Direction); 7] = [
+    (number!("series_stiffness"), Direction::SeriesStiffness),
+    (number!("series_damping"), Direction::SeriesDamping),
+    (number!("internal_mass"), Direction::Mass),
+    (number!("spring_linear"), Direction::SpringPower(0)),
+    (number!("spring_quadratic"), Direction::SpringPower(1)),
+    (number!("spring_cubic"), Direction::SpringPower(2)),
+    (number!("spring_quartic"), Direction::SpringPower(3)),
+];
 
 /// Follows the stages and carries the derivatives along.
 struct Tangent<'a> {
@@ -167,7 +179,8 @@ pub enum Accuracy {
 impl Accuracy {
     /// How a model is integrated.
     pub fn integration(self, params: &Params, model: &Model) -> Integration {
-        let falls_open = params.is_on("frequency_selective_damping") && params.scalar("fsd_form") == 2.0;
+        let falls_open =
+            params.is_on(element!("frequency_selective_damping")) && params.number(number!("fsd_form")) == 2.0;
         let substeps = if falls_open || model.elements().carries_whole() { 2 } else { 1 };
         match self {
             Accuracy::Full => model.integration(),
@@ -214,8 +227,8 @@ impl Run {
             columns: Vec::new(),
             first_fv: NOWHERE,
             first_spring: NOWHERE,
-            fv: CurveWeights::new(params.list("fv_velocity"), params.list("fv_force")),
-            spring: CurveWeights::new(params.list("spring_displacement"), params.list("spring_force")),
+            fv: CurveWeights::new(params.list(list!("fv_velocity")), params.list(list!("fv_force"))),
+            spring: CurveWeights::new(params.list(list!("spring_displacement")), params.list(list!("spring_force"))),
             beside: Vec::new(),
             alone: Vec::new(),
             rises: Vec::new(),
@@ -223,23 +236,16 @@ impl Run {
             unknowns: unknowns.list.len(),
         };
         for (column, unknown) in unknowns.list.iter().enumerate() {
-            let name = match unknown {
+            let row = match unknown {
                 Unknown::Rise { curve, point } => {
                     run.rises.push((column, *curve, *point));
                     continue;
                 }
-                Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) | Unknown::Entry(name, _) => *name,
+                Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => number.row(),
+                Unknown::Entry(list, _) => list.row(),
             };
-            let direction = match name {
-                "series_stiffness" => Some(Direction::SeriesStiffness),
-                "series_damping" => Some(Direction::SeriesDamping),
-                "internal_mass" => Some(Direction::Mass),
-                "spring_linear" => Some(Direction::SpringPower(0)),
-                "spring_quadratic" => Some(Direction::SpringPower(1)),
-                "spring_cubic" => Some(Direction::SpringPower(2)),
-                "spring_quartic" => Some(Direction::SpringPower(3)),
-                _ => None,
-            };
+            let direct = DIRECT.iter().find(|(number, _)| number.row() == row);
+            let direction = direct.map(|(_, direction)| *direction);
             if let (Some(direction), Unknown::Log(_) | Unknown::Linear(_)) = (direction, unknown) {
                 run.directions.push(direction);
                 run.columns.push(column);
@@ -251,8 +257,7 @@ impl Run {
                 theta[column] += d;
                 unknowns.params(&theta)
             };
-            let group = find(name).map_or(GROUPS.len(), |row| row.group);
-            match acts(group) {
+            match acts(row.group) {
                 // Behind the series compliance they move the mass.
                 Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
                     let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
@@ -260,11 +265,14 @@ impl Run {
                 }
                 // A mass inside moves with the piston, not beside it.
                 Acts::Memory | Acts::Stop
-                    if !(name == "moving_mass" && run.params.scalar("moving_mass_place") == 1.0) =>
+                    if !(row == number!("moving_mass").row()
+                        && run.params.number(number!("moving_mass_place")) == 1.0) =>
                 {
                     let alone = |mut params: Params| {
                         params.disable_all();
-                        params.enable(GROUPS[group].name, run.params.is_on(GROUPS[group].name)).ok()?;
+                        if let Some(element) = row.element() {
+                            params.enable(element, run.params.is_on(element));
+                        }
                         prepare(&params)
                     };
                     let (plus, minus) = (alone(moved(step))?, alone(moved(-step))?);
@@ -462,7 +470,8 @@ pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
 mod tests {
     use super::*;
     use dashpot_core::Input;
-    use dashpot_core::parameter::Shape;
+    use dashpot_core::elements::GROUPS;
+    use dashpot_core::parameter::{Element, Shape};
 
     fn segment(amplitude: f64, frequency: f64) -> Segment {
         let w = std::f64::consts::TAU * frequency;
@@ -529,9 +538,9 @@ mod tests {
             &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
         /// Elements that are on, and numbers that differ from the usual.
         type With = (Vec<&'static str>, Vec<(&'static str, f64)>);
-        let mut cases: Vec<With> = dashpot_core::elements::names()
-            .filter(|name| !Params::new().is_on(name) && *name != "coulomb_friction")
-            .map(|name| (vec![name], Vec::new()))
+        let mut cases: Vec<With> = Element::all()
+            .filter(|element| !Params::new().is_on(*element) && *element != element!("coulomb_friction"))
+            .map(|element| (vec![element.name()], Vec::new()))
             .collect();
         cases.extend([
             (together.to_vec(), Vec::new()),
@@ -545,8 +554,8 @@ mod tests {
         let mut missed = String::new();
         for ((case, settings), series) in cases.iter().flat_map(|case| [(case, true), (case, false)]) {
             let mut base = Params::new();
-            base.set_list("spring_displacement", &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
-            base.set_list("spring_force", &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
+            base.set_list(list!("spring_displacement"), &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
+            base.set_list(list!("spring_force"), &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
             for (name, value) in [
                 ("spring_linear", 500.0),
                 ("bump_stop_clearance", 0.012),
@@ -566,40 +575,40 @@ mod tests {
                 // At 1 the step takes it more easily than beside it.
                 ("oil_compression", 0.97),
             ] {
-                base.set(name, value).unwrap();
+                base.set(Number::find(name).unwrap(), value).unwrap();
             }
             let mut list = Unknowns::rises(&base, CurveName::Fv);
             list.extend(Unknowns::rises(&base, CurveName::Spring));
             list.extend([
-                Unknown::Linear("spring_linear"),
-                Unknown::Linear("gas_force"),
-                Unknown::Log("stribeck_coulomb_force"),
+                Unknown::Linear(number!("spring_linear")),
+                Unknown::Linear(number!("gas_force")),
+                Unknown::Log(number!("stribeck_coulomb_force")),
             ]);
-            base.enable("series_compliance", series).unwrap();
+            base.enable(element!("series_compliance"), series);
             if series {
                 list.extend([
-                    Unknown::Log("series_stiffness"),
-                    Unknown::Linear("series_damping"),
-                    Unknown::Log("internal_mass"),
+                    Unknown::Log(number!("series_stiffness")),
+                    Unknown::Linear(number!("series_damping")),
+                    Unknown::Log(number!("internal_mass")),
                 ]);
             }
             for element in case {
-                base.enable(element, true).unwrap();
+                base.enable(Element::find(element).unwrap(), true);
                 let rows = dashpot_core::parameter::table().filter(|row| GROUPS[row.group].name == *element);
                 for row in rows.filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
-                    list.push(Unknown::Linear(row.parameter.name));
+                    list.push(Unknown::Linear(row.try_into().unwrap()));
                 }
             }
             for (name, value) in settings {
-                base.set(name, *value).unwrap();
+                base.set(Number::find(name).unwrap(), *value).unwrap();
             }
-            if series && base.is_on("moving_mass") && base.scalar("moving_mass_place") == 1.0 {
-                list.retain(|u| *u != Unknown::Linear("moving_mass_time"));
+            if series && base.is_on(element!("moving_mass")) && base.number(number!("moving_mass_place")) == 1.0 {
+                list.retain(|u| *u != Unknown::Linear(number!("moving_mass_time")));
             }
-            let gassy = case.contains(&"cavitation") && base.scalar("cavitation_onset") < 1.0;
+            let gassy = case.contains(&"cavitation") && base.number(number!("cavitation_onset")) < 1.0;
             if !gassy {
                 // At 1 a central difference would have one side only.
-                list.retain(|u| *u != Unknown::Linear("cavitation_onset"));
+                list.retain(|u| *u != Unknown::Linear(number!("cavitation_onset")));
             }
             if dashpot_core::Model::new(&base).is_err() {
                 assert!(!series);
@@ -624,7 +633,7 @@ mod tests {
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
                 // Known to be off by 3 % where these take several substeps: a matter of 0.001 N for a tenth of the damping.
-                let several = *unknown == Unknown::Linear("series_damping")
+                let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };
                 if off > share * size + least {
@@ -638,30 +647,30 @@ mod tests {
     #[test]
     fn derivatives_agree_with_differences() {
         let mut base = Params::new();
-        base.set_list("spring_displacement", &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
-        base.set_list("spring_force", &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
-        base.enable("side_force_friction", true).unwrap();
+        base.set_list(list!("spring_displacement"), &[-0.05, -0.02, 0.0, 0.02, 0.05]).unwrap();
+        base.set_list(list!("spring_force"), &[-90.0, -20.0, 0.0, 15.0, 80.0]).unwrap();
+        base.enable(element!("side_force_friction"), true);
         for series in [true, false] {
-            base.enable("series_compliance", series).unwrap();
+            base.enable(element!("series_compliance"), series);
             let mut list = Unknowns::rises(&base, CurveName::Fv);
             list.extend(Unknowns::rises(&base, CurveName::Spring));
             list.extend([
-                Unknown::Linear("spring_linear"),
-                Unknown::Linear("spring_quadratic"),
-                Unknown::Linear("gas_force"),
-                Unknown::Above("stribeck_breakaway_force", "stribeck_coulomb_force"),
-                Unknown::Log("stribeck_breakaway_velocity"),
-                Unknown::Linear("side_force_coefficient"),
+                Unknown::Linear(number!("spring_linear")),
+                Unknown::Linear(number!("spring_quadratic")),
+                Unknown::Linear(number!("gas_force")),
+                Unknown::Above(number!("stribeck_breakaway_force"), number!("stribeck_coulomb_force")),
+                Unknown::Log(number!("stribeck_breakaway_velocity")),
+                Unknown::Linear(number!("side_force_coefficient")),
             ]);
             if series {
                 list.extend([
-                    Unknown::Log("series_stiffness"),
-                    Unknown::Linear("series_damping"),
-                    Unknown::Log("internal_mass"),
+                    Unknown::Log(number!("series_stiffness")),
+                    Unknown::Linear(number!("series_damping")),
+                    Unknown::Log(number!("internal_mass")),
                 ]);
             }
             let mut base = base;
-            base.set("spring_linear", 500.0).unwrap();
+            base.set(number!("spring_linear"), 500.0).unwrap();
             let unknowns = Unknowns { base, list, rig: Vec::new() };
             let theta = unknowns.start();
             for test in [segment(0.03, 3.0), segment(0.002, 20.0)] {

@@ -88,12 +88,13 @@ impl Pair {
 mod tests {
     use super::*;
     use dashpot_core::Params;
+    use dashpot_core::list;
 
     fn unknowns(force: impl Fn(f64) -> f64) -> Unknowns {
         let mut base = Params::new();
         let v = [-1.0, -0.4, -0.1, -0.03, 0.0, 0.03, 0.1, 0.4, 1.0];
-        base.set_list("fv_velocity", &v).unwrap();
-        base.set_list("fv_force", &v.map(force)).unwrap();
+        base.set_list(list!("fv_velocity"), &v).unwrap();
+        base.set_list(list!("fv_force"), &v.map(force)).unwrap();
         let list = Unknowns::rises(&base, CurveName::Fv);
         Unknowns { base, list, rig: Vec::new() }
     }

@@ -3,6 +3,7 @@
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
+use dashpot_core::{element, list};
 
 /// Share of the reach of the spring that counts as its middle.
 const MIDDLE: f64 = 0.5;
@@ -19,8 +20,8 @@ fn middle(x: &[f64], force: &[f64]) -> f64 {
 
 /// Force, N, by which the spring at its end in rebound (`side` = 1) or compression (−1) goes beyond that slope.
 pub fn excess(base: &Params, side: f64) -> f64 {
-    let (x, force) = (base.list("spring_displacement"), base.list("spring_force"));
-    if !base.is_on("parallel_spring") || x.len() < 3 {
+    let (x, force) = (base.list(list!("spring_displacement")), base.list(list!("spring_force")));
+    if !base.is_on(element!("parallel_spring")) || x.len() < 3 {
         return 0.0;
     }
     let end = if side > 0.0 { x.len() - 1 } else { 0 };
@@ -29,7 +30,8 @@ pub fn excess(base: &Params, side: f64) -> f64 {
 
 /// Draws the end of the spring on straight from its middle.
 pub fn straighten(to: &mut Hypothesis, side: f64) {
-    let (x, force) = (to.base.list("spring_displacement").to_vec(), to.base.list("spring_force").to_vec());
+    let (x, force) =
+        (to.base.list(list!("spring_displacement")).to_vec(), to.base.list(list!("spring_force")).to_vec());
     if x.len() < 3 {
         return;
     }
@@ -53,18 +55,18 @@ mod tests {
     #[test]
     fn what_goes_beyond_the_middle_is_found_on_its_side_and_taken_out() {
         let mut base = Params::new();
-        base.set_list("spring_displacement", &[-0.05, -0.04, -0.02, 0.0, 0.02, 0.04, 0.05]).unwrap();
-        base.set_list("spring_force", &[-150.0, -60.0, -20.0, 0.0, 20.0, 40.0, 50.0]).unwrap();
+        base.set_list(list!("spring_displacement"), &[-0.05, -0.04, -0.02, 0.0, 0.02, 0.04, 0.05]).unwrap();
+        base.set_list(list!("spring_force"), &[-150.0, -60.0, -20.0, 0.0, 20.0, 40.0, 50.0]).unwrap();
         assert!((excess(&base, -1.0) - 100.0).abs() < 1e-9 && excess(&base, 1.0) < 1e-9);
         let rises = Unknowns::rises(&base, CurveName::Spring).into_iter();
         let numbers = rises.map(|rise| number(&base, rise)).collect();
         let mut to = Hypothesis { base, numbers, heating: None };
         straighten(&mut to, -1.0);
         let straight = to.params(&to.start());
-        for (x, force) in straight.list("spring_displacement").iter().zip(straight.list("spring_force")) {
+        for (x, force) in straight.list(list!("spring_displacement")).iter().zip(straight.list(list!("spring_force"))) {
             assert!((force - 1000.0 * x).abs() < 1e-6, "{x} {force}");
         }
-        base.enable("parallel_spring", false).unwrap();
+        base.enable(element!("parallel_spring"), false);
         assert_eq!(excess(&base, -1.0), 0.0);
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::as_read::RigNumber;
 use dashpot_core::Params;
-use dashpot_core::parameter::find;
+use dashpot_core::parameter::{List, Number};
+use dashpot_core::{list, number};
 
 /// A named list of unknowns over a base parameter set.
 #[derive(Debug, Clone)]
@@ -16,14 +17,14 @@ pub struct Unknowns {
 }
 
 /// One component of the vector of unknowns.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unknown {
     /// The logarithm of a positive parameter.
-    Log(&'static str),
+    Log(Number),
     /// A parameter itself.
-    Linear(&'static str),
+    Linear(Number),
     /// How far a parameter lies above another, as a share of it: a break-away peak above the level that it falls to.
-    Above(&'static str, &'static str),
+    Above(Number, Number),
     /// Rise of a curve from one point to the next, away from its fixed point at the origin.
     Rise {
         /// Which curve.
@@ -32,11 +33,12 @@ pub enum Unknown {
         point: usize,
     },
     /// One entry of a list parameter.
-    Entry(&'static str, usize),
+    Entry(List, usize),
 }
 
 /// Widest Stribeck velocity that a fit may take, m/s.
 const STRIBECK_WIDEST: f64 = 0.05;
+const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
 /// Highest break-away peak that a fit may take, as a share above the Coulomb level: seals show 0.1 to 0.6, and a free
 /// one would turn dry friction into part of the FV curve.
@@ -52,19 +54,19 @@ pub enum CurveName {
 }
 
 impl CurveName {
-    /// Name of the list of abscissae.
-    pub fn abscissae(self) -> &'static str {
+    /// The list of abscissae.
+    pub fn abscissae(self) -> List {
         match self {
-            CurveName::Fv => "fv_velocity",
-            CurveName::Spring => "spring_displacement",
+            CurveName::Fv => list!("fv_velocity"),
+            CurveName::Spring => list!("spring_displacement"),
         }
     }
 
-    /// Name of the list of forces.
-    pub fn forces(self) -> &'static str {
+    /// The list of forces.
+    pub fn forces(self) -> List {
         match self {
-            CurveName::Fv => "fv_force",
-            CurveName::Spring => "spring_force",
+            CurveName::Fv => list!("fv_force"),
+            CurveName::Spring => list!("spring_force"),
         }
     }
 }
@@ -92,10 +94,10 @@ impl Unknowns {
         self.list
             .iter()
             .map(|unknown| match unknown {
-                Unknown::Log(name) => self.base.scalar(name).max(1e-12).ln(),
-                Unknown::Linear(name) => self.base.scalar(name),
-                Unknown::Above(name, below) => self.base.scalar(name) / self.base.scalar(below).max(1e-9) - 1.0,
-                Unknown::Entry(name, i) => self.base.list(name)[*i],
+                Unknown::Log(number) => self.base.number(*number).max(1e-12).ln(),
+                Unknown::Linear(number) => self.base.number(*number),
+                Unknown::Above(number, below) => self.base.number(*number) / self.base.number(*below).max(1e-9) - 1.0,
+                Unknown::Entry(list, i) => self.base.list(*list)[*i],
                 Unknown::Rise { curve, point } => {
                     let f = self.base.list(curve.forces());
                     let zero = anchor(self.base.list(curve.abscissae()));
@@ -111,24 +113,18 @@ impl Unknowns {
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
         self.list
             .iter()
-            .map(|unknown| {
-                let of = |name: &str| find(name).map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
-                match unknown {
-                    Unknown::Log(name) => {
-                        let (low, high) = of(name);
-                        // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
-                        let high = if name.starts_with("stribeck") && name.ends_with("velocity") {
-                            high.min(STRIBECK_WIDEST)
-                        } else {
-                            high
-                        };
-                        (low.max(1e-6).ln(), high.ln())
-                    }
-                    Unknown::Above(..) => (0.0, HIGHEST_PEAK),
-                    Unknown::Linear(name) | Unknown::Entry(name, _) => of(name),
-                    // A curve of as many rises as the table allows points stays inside the bounds of its forces.
-                    Unknown::Rise { .. } => (0.0, 3e4),
+            .map(|unknown| match unknown {
+                Unknown::Log(number) => {
+                    let (low, high) = number.bounds();
+                    // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
+                    let high = if WIDTHS.contains(number) { high.min(STRIBECK_WIDEST) } else { high };
+                    (low.max(1e-6).ln(), high.ln())
                 }
+                Unknown::Above(..) => (0.0, HIGHEST_PEAK),
+                Unknown::Linear(number) => number.bounds(),
+                Unknown::Entry(list, _) => list.bounds(),
+                // A curve of as many rises as the table allows points stays inside the bounds of its forces.
+                Unknown::Rise { .. } => (0.0, 3e4),
             })
             .chain(self.rig.iter().map(RigNumber::bounds))
             .unzip()
@@ -175,17 +171,17 @@ impl Unknowns {
         }
         for (unknown, t) in self.list.iter().zip(theta) {
             match unknown {
-                Unknown::Log(name) => set_inside(&mut params, name, t.exp()),
-                Unknown::Linear(name) => set_inside(&mut params, name, *t),
-                Unknown::Entry(name, i) => {
-                    let mut list = params.list(name).to_vec();
-                    list[*i] = *t;
-                    let _ = params.set_list(name, &list);
+                Unknown::Log(number) => set_inside(&mut params, *number, t.exp()),
+                Unknown::Linear(number) => set_inside(&mut params, *number, *t),
+                Unknown::Entry(list, i) => {
+                    let mut values = params.list(*list).to_vec();
+                    values[*i] = *t;
+                    let _ = params.set_list(*list, &values);
                 }
                 // After the parameter below it, which comes first in every list.
-                Unknown::Above(name, below) => {
-                    let level = params.scalar(below);
-                    set_inside(&mut params, name, level * (1.0 + t));
+                Unknown::Above(number, below) => {
+                    let level = params.number(*below);
+                    set_inside(&mut params, *number, level * (1.0 + t));
                 }
                 Unknown::Rise { .. } => {}
             }
@@ -195,11 +191,8 @@ impl Unknowns {
 }
 
 /// Sets a scalar, held inside its bounds: exp(ln(bound)) may lie a rounding outside.
-fn set_inside(params: &mut Params, name: &str, value: f64) {
-    if let Some(row) = find(name) {
-        let inside = value.clamp(row.parameter.low, row.parameter.high);
-        let _ = params.set(name, inside);
-    }
+fn set_inside(params: &mut Params, number: Number, value: f64) {
+    let _ = params.set(number, number.inside(value));
 }
 
 #[cfg(test)]
@@ -210,13 +203,15 @@ mod tests {
     fn the_start_vector_stands_for_the_base_set() {
         let base = Params::new();
         let mut list = Unknowns::rises(&base, CurveName::Fv);
-        list.extend([Unknown::Log("series_stiffness"), Unknown::Linear("gas_force")]);
+        list.extend([Unknown::Log(number!("series_stiffness")), Unknown::Linear(number!("gas_force"))]);
         let unknowns = Unknowns { base, list, rig: Vec::new() };
         let back = unknowns.params(&unknowns.start());
-        for (a, b) in back.list("fv_force").iter().zip(base.list("fv_force")) {
+        for (a, b) in back.list(list!("fv_force")).iter().zip(base.list(list!("fv_force"))) {
             assert!((a - b).abs() < 1e-9);
         }
-        assert!((back.scalar("series_stiffness") / base.scalar("series_stiffness") - 1.0).abs() < 1e-12);
-        assert_eq!(back.scalar("gas_force"), base.scalar("gas_force"));
+        assert!(
+            (back.number(number!("series_stiffness")) / base.number(number!("series_stiffness")) - 1.0).abs() < 1e-12
+        );
+        assert_eq!(back.number(number!("gas_force")), base.number(number!("gas_force")));
     }
 }

@@ -4,8 +4,9 @@ use crate::adams::folder;
 use crate::adams::property::{self, Curve, Form, Properties};
 use crate::{fmu, runtimes};
 use anyhow::{Context as _, bail};
-use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::Element;
 use dashpot_core::{Model, Params};
+use dashpot_core::{element, number};
 use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
@@ -49,20 +50,20 @@ pub fn property_file(
     (named, text): (&str, &[u8]),
     chatters: &dyn Fn(&Params) -> Vec<String>,
 ) -> anyhow::Result<PropertyFile> {
-    if !params.is_on("fv_curve") {
+    if !params.is_on(element!("fv_curve")) {
         bail!("the element fv_curve is off, so there is no curve to export");
     }
     let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-    let held = |name: &str| name == "fv_curve" || (xml && name == "gas_preload");
-    let on = GROUPS[..elements::COUNT].iter().map(|g| g.name).filter(|name| params.is_on(name));
-    let left_out: Vec<&str> = on.filter(|name| !held(name)).collect();
+    let held = |element| element == element!("fv_curve") || (xml && element == element!("gas_preload"));
+    let on = Element::all().filter(|element| params.is_on(*element));
+    let left_out: Vec<&str> = on.filter(|element| !held(*element)).map(Element::name).collect();
     let mut remarks = Vec::new();
     if !left_out.is_empty() {
         remarks.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
     }
     let mut alone = *params;
     alone.disable_all();
-    alone.enable("fv_curve", true).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+    alone.enable(element!("fv_curve"), true);
     remarks.extend(chatters(&alone));
     let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };
     let mut notes = vec![format!(
@@ -71,7 +72,8 @@ pub fn property_file(
         fmu::check_sum(text)
     )];
     notes.extend(remarks.iter().cloned());
-    let gas_force = if xml && params.is_on("gas_preload") { params.scalar("gas_force") } else { 0.0 };
+    let gas_force =
+        if xml && params.is_on(element!("gas_preload")) { params.number(number!("gas_force")) } else { 0.0 };
     let curve = Curve::of(params, model);
     let points = curve.velocities.len();
     let properties = Properties { curve, straight: false, gas_force, notes };

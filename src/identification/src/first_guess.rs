@@ -1,6 +1,8 @@
 //! A first guess that an engineer would make: FV points at peak velocity, friction and gas force from slow tests.
 
 use dashpot_core::Params;
+use dashpot_core::parameter::Number;
+use dashpot_core::{element, list, number};
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::unknowns::anchor;
 
@@ -146,21 +148,25 @@ pub fn guess(segments: &[Segment]) -> Params {
     let f = forces(segments, &v, dry);
     let mut p = Params::new();
     p.disable_all();
-    let set = |p: &mut Params, name: &str, value: f64| {
-        let bounded =
-            dashpot_core::parameter::find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
-        let _ = p.set(name, bounded);
+    let set = |p: &mut Params, number: Number, value: f64| {
+        let _ = p.set(number, number.inside(value));
     };
-    let _ = p.set_list("fv_velocity", &v);
-    let _ = p.set_list("fv_force", &f);
-    let _ = p.enable("fv_curve", true);
-    for name in ["coulomb_force", "stribeck_coulomb_force", "presliding_force"] {
-        set(&mut p, name, dry.friction);
+    let _ = p.set_list(list!("fv_velocity"), &v);
+    let _ = p.set_list(list!("fv_force"), &f);
+    p.enable(element!("fv_curve"), true);
+    for number in [number!("coulomb_force"), number!("stribeck_coulomb_force"), number!("presliding_force")] {
+        set(&mut p, number, dry.friction);
     }
-    set(&mut p, "stribeck_breakaway_force", 1.15 * dry.friction);
-    set(&mut p, "gas_force", dry.gas);
-    for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic", "viscous_coefficient"] {
-        set(&mut p, name, 0.0);
+    set(&mut p, number!("stribeck_breakaway_force"), 1.15 * dry.friction);
+    set(&mut p, number!("gas_force"), dry.gas);
+    for number in [
+        number!("spring_linear"),
+        number!("spring_quadratic"),
+        number!("spring_cubic"),
+        number!("spring_quartic"),
+        number!("viscous_coefficient"),
+    ] {
+        set(&mut p, number, 0.0);
     }
     p
 }

@@ -10,7 +10,8 @@ use super::variants::{
 };
 use dashpot_core::Params;
 use dashpot_core::elements;
-use dashpot_core::parameter::find;
+use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{element, list, number};
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
@@ -34,7 +35,7 @@ pub enum Family {
 }
 
 /// The element that makes the lag model.
-const LAG: &str = "lagged_polynomial";
+const LAG: Element = element!("lagged_polynomial");
 
 /// What a fit may do.
 #[derive(Debug, Clone, Default)]
@@ -62,7 +63,7 @@ pub enum FitError {
     /// An element that a fit never tries.
     #[error(
         "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {}",
-        identified().join(", ")
+        identified().iter().map(|element| element.name()).collect::<Vec<_>>().join(", ")
     )]
     NotFitted {
         /// The name given.
@@ -129,9 +130,9 @@ struct Found {
 
 impl Found {
     /// Names a parameter that this data cannot determine, and whose element therefore stays off.
-    fn leave_out(&mut self, name: &'static str, why: &str) {
-        self.notes.push(format!("{name} could not be identified from this data ({why}); its element is off"));
-        let unit = find(name).map_or("", |row| row.parameter.unit);
+    fn leave_out(&mut self, number: Number, why: &str) {
+        self.notes.push(format!("{number} could not be identified from this data ({why}); its element is off"));
+        let (name, unit) = (number.name(), number.parameter().unit);
         let standing = Standing::NotIdentified;
         let from = why.to_owned();
         self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
@@ -150,15 +151,17 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         return Err(FitError::NoTests);
     }
     if let Some(names) = &options.elements {
-        if let Some(name) = names.iter().find(|n| !elements::names().any(|e| e == n.as_str())) {
+        if let Some(name) = names.iter().find(|n| Element::find(n).is_err()) {
             return Err(FitError::UnknownElement { name: name.clone() });
         }
     }
-    if options.family == Family::Thesis && options.elements.as_ref().is_some_and(|n| n.iter().any(|n| n == LAG)) {
+    if options.family == Family::Thesis && options.elements.as_ref().is_some_and(|n| n.iter().any(|n| n == LAG.name()))
+    {
         return Err(FitError::OtherFamily);
     }
-    let can = identified();
-    if let Some(name) = options.elements.iter().flatten().find(|n| !can.contains(&n.as_str()) && n.as_str() != LAG) {
+    let mut can = identified();
+    can.push(LAG);
+    if let Some(name) = options.elements.iter().flatten().find(|n| !can.iter().any(|element| element.name() == **n)) {
         return Err(FitError::NotFitted { name: name.clone() });
     }
     progress(Stage { done: 0.0, text: "preparing records" });
@@ -208,17 +211,19 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
 fn fv_unknowns(from: &Params) -> Unknowns {
     let mut base = *from;
     base.disable_all();
-    let _ = base.enable("fv_curve", true);
-    let _ = base.enable("gas_preload", true);
+    base.enable(element!("fv_curve"), true);
+    base.enable(element!("gas_preload"), true);
     let mut list = Unknowns::rises(&base, CurveName::Fv);
-    list.push(Unknown::Linear("gas_force"));
+    list.push(Unknown::Linear(number!("gas_force")));
     Unknowns { base, list, rig: Vec::new() }
 }
 
 fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Found {
-    let allowed = |name: &str| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
-    let variants =
-        |all: &[Variant]| -> Vec<_> { all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(e))).collect() };
+    let allowed =
+        |element: Element| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == element.name()));
+    let variants = |all: &[Variant]| -> Vec<_> {
+        all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(*e))).collect()
+    };
     let (frictions, springs, physical) = (variants(FRICTION), variants(SPRING), variants(PHYSICAL_SPRING));
     let refs: Vec<&Segment> = segments.iter().collect();
     let varied_side_force = {
@@ -229,9 +234,9 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let start = Structure {
         friction: find_variant(&frictions, "Coulomb"),
         spring: find_variant(&springs, "linear"),
-        series: allowed("series_compliance"),
-        gas: allowed("gas_preload"),
-        side_force: varied_side_force && allowed("side_force_friction"),
+        series: allowed(element!("series_compliance")),
+        gas: allowed(element!("gas_preload")),
+        side_force: varied_side_force && allowed(element!("side_force_friction")),
         rig: OfTheRig::NONE,
     };
     // Several starts: a soft and a stiff series spring are separated by a hill.
@@ -241,7 +246,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         .par_iter()
         .map(|stiffness| {
             let mut from = *guess;
-            let _ = from.set("series_stiffness", *stiffness);
+            let _ = from.set(number!("series_stiffness"), *stiffness);
             let unknowns = start.unknowns(&from, segments);
             let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
             (found.cost, unknowns.params(&found.theta))
@@ -283,14 +288,14 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
                 .to_owned(),
         );
     }
-    if !varied_side_force && allowed("side_force_friction") {
+    if !varied_side_force && allowed(element!("side_force_friction")) {
         found.leave_out(
-            "side_force_coefficient",
+            number!("side_force_coefficient"),
             "it needs slow tests at two or more side forces, with a side-force channel",
         );
     }
-    if !structure.friction.elements.contains(&"viscous_friction") && allowed("viscous_friction") {
-        found.leave_out("viscous_coefficient", "a free FV curve takes a v² term up");
+    if !structure.friction.elements.contains(&element!("viscous_friction")) && allowed(element!("viscous_friction")) {
+        found.leave_out(number!("viscous_coefficient"), "a free FV curve takes a v² term up");
     }
     found
 }
@@ -411,19 +416,19 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
         };
         let mut estimate = list[worst].clone();
         unknowns = unknowns.starting_at(&theta);
-        unknowns.list.remove(worst);
+        let left = unknowns.list.remove(worst);
         // Held where the fit left it, or at its default if that is as good.
         let mut held = solve(&refs, &unknowns, &unknowns.start(), effort);
-        if let Some(row) = find(estimate.name) {
+        if let Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) = left {
             let mut by_default = unknowns.clone();
-            let _ = by_default.base.set(estimate.name, row.parameter.default[0]);
+            let _ = by_default.base.set(number, number.default());
             let found = solve(&refs, &by_default, &by_default.start(), effort);
             if found.cost <= AS_GOOD * held.cost {
                 (held, unknowns) = (found, by_default);
             }
+            estimate.value = unknowns.base.number(number);
         }
         theta = held.theta;
-        estimate.value = unknowns.base.scalar(estimate.name);
         (estimate.low, estimate.high) = (None, None);
         left_out.push(estimate);
     };
@@ -497,18 +502,18 @@ fn as_found(segments: &[Segment], unknowns: Unknowns) -> Found {
 fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: "piecewise-linear curve" });
     let base = kernel_model("piecewise", segments)?;
-    const POSITIVE: [&str; 8] = [
-        "fv_rebound_c1",
-        "fv_rebound_c2",
-        "fv_rebound_c3",
-        "fv_rebound_v1",
-        "fv_rebound_v2",
-        "fv_compression_c1",
-        "fv_compression_c2",
-        "fv_compression_v1",
+    const POSITIVE: [Number; 8] = [
+        number!("fv_rebound_c1"),
+        number!("fv_rebound_c2"),
+        number!("fv_rebound_c3"),
+        number!("fv_rebound_v1"),
+        number!("fv_rebound_v2"),
+        number!("fv_compression_c1"),
+        number!("fv_compression_c2"),
+        number!("fv_compression_v1"),
     ];
     let mut list: Vec<Unknown> = POSITIVE.map(Unknown::Log).to_vec();
-    list.push(Unknown::Linear("gas_force"));
+    list.push(Unknown::Linear(number!("gas_force")));
     Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
 }
 
@@ -516,9 +521,9 @@ fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Foun
 fn fit_lag(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: "polynomial with lag" });
     let base = kernel_model("lag", segments)?;
-    let terms = base.list("polynomial").len();
-    let mut list: Vec<Unknown> = (0..terms).map(|k| Unknown::Entry("polynomial", k)).collect();
-    list.extend([Unknown::Log("lag_slow"), Unknown::Log("lag_fast")]);
+    let terms = base.list(list!("polynomial")).len();
+    let mut list: Vec<Unknown> = (0..terms).map(|k| Unknown::Entry(list!("polynomial"), k)).collect();
+    list.extend([Unknown::Log(number!("lag_slow")), Unknown::Log(number!("lag_fast"))]);
     Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
 }
 

@@ -1,7 +1,8 @@
 //! 95 % intervals, where each parameter was identified from, and which were not.
 
 use super::first_guess::SLOW;
-use dashpot_core::parameter::find;
+use dashpot_core::number;
+use dashpot_core::parameter::Number;
 use dashpot_estimation::least_squares::covariance;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
@@ -14,6 +15,8 @@ pub(super) const Z: f64 = 1.96;
 const RELATIVE: f64 = 0.5;
 /// ... unless its force effect is known to within this share of the largest force.
 const SHARE: f64 = 0.005;
+/// Side force, N, by which the force of its friction is judged.
+const SIDE_FORCE: f64 = 300.0;
 /// Strokes up to this amplitude, m, count as small in the account of where a parameter comes from.
 const SMALL_STROKE: f64 = 0.006;
 
@@ -72,14 +75,14 @@ pub fn estimates(
         let at_bound =
             theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
         match unknown {
-            Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _) => {
-                let value = params.scalar(name);
+            Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
+                let value = params.number(*number);
                 let (a, b) = match unknown {
                     Unknown::Log(_) => (value * (-Z * sd).exp(), value * (Z * sd).exp()),
                     Unknown::Above(_, below) => {
                         // level (1 + share): both are uncertain.
-                        let level = params.scalar(below);
-                        let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(below));
+                        let level = params.number(*below);
+                        let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(*below));
                         let factor = 1.0 + theta[i];
                         let more =
                             k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
@@ -90,29 +93,19 @@ pub fn estimates(
                 };
                 let half = 0.5 * (b - a);
                 // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
-                let force = match *name {
-                    "spring_linear" => half * stroke,
-                    "spring_quadratic" => half * stroke.powi(2),
-                    "spring_cubic" => half * stroke.powi(3),
-                    "spring_quartic" => half * stroke.powi(4),
-                    "viscous_coefficient" => half * speed.powi(2),
-                    "side_force_coefficient" => half * 300.0,
-                    name if name.ends_with("_force") => half,
-                    _ => f64::INFINITY,
-                };
+                let force = half * per_unit(*number, stroke, speed);
                 let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                 if !identified {
                     loose.push(i);
                 }
-                let row = find(name);
-                let (bound_low, bound_high) = row.map_or((f64::MIN, f64::MAX), |r| (r.parameter.low, r.parameter.high));
+                let (bound_low, bound_high) = number.bounds();
                 list.push(Estimate {
-                    name,
+                    name: number.name(),
                     index: None,
                     value,
                     low: Some(a.max(bound_low)),
                     high: Some(b.min(bound_high)),
-                    unit: row.map_or("", |r| r.parameter.unit),
+                    unit: number.parameter().unit,
                     from: sources[i].clone(),
                     standing: match (identified, at_bound) {
                         (false, _) => Standing::NotIdentified,
@@ -146,7 +139,7 @@ pub fn estimates(
                 let value = params.list(curve.forces())[*point];
                 let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
                 list.push(Estimate {
-                    name: curve.forces(),
+                    name: curve.forces().name(),
                     index: Some(*point),
                     value,
                     low: Some(value - half),
@@ -156,15 +149,15 @@ pub fn estimates(
                     standing: if identified { Standing::Identified } else { Standing::NotIdentified },
                 });
             }
-            Unknown::Entry(name, k) => {
-                let value = params.list(name)[*k];
+            Unknown::Entry(coefficients, k) => {
+                let value = params.list(*coefficients)[*k];
                 list.push(Estimate {
-                    name,
+                    name: coefficients.name(),
                     index: Some(*k),
                     value,
                     low: Some(value - Z * sd),
                     high: Some(value + Z * sd),
-                    unit: find(name).map_or("", |r| r.parameter.unit),
+                    unit: coefficients.parameter().unit,
                     from: sources[i].clone(),
                     standing: Standing::Identified,
                 });
@@ -172,6 +165,23 @@ pub fn estimates(
         }
     }
     (list, loose)
+}
+
+/// Force that a unit of a number makes at most; without end where that is not known.
+fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
+    const POWERS: [Number; 4] =
+        [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];
+    if let Some(k) = POWERS.iter().position(|power| *power == number) {
+        stroke.powi(k as i32 + 1)
+    } else if number == number!("viscous_coefficient") {
+        speed.powi(2)
+    } else if number == number!("side_force_coefficient") {
+        SIDE_FORCE
+    } else if number.parameter().unit == "N" {
+        1.0
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// For every unknown, which kind of test carries its information.

@@ -4,9 +4,10 @@
 //! are for validation, diagnosis and people.
 
 use crate::{Estimate, Fit, Measured, Standing};
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Row, Shape};
+use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
+use dashpot_core::{element, list, number};
 use dashpot_records::Record;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -103,11 +104,11 @@ impl FvOnly {
         let mut p = Params::new();
         p.disable_all();
         let set = |r: Result<(), dashpot_core::Fault>| r.map_err(|f| f.reason.text().to_owned());
-        set(p.enable("fv_curve", true))?;
-        set(p.enable("gas_preload", true))?;
-        set(p.set_list("fv_velocity", &self.velocity))?;
-        set(p.set_list("fv_force", &self.force))?;
-        set(p.set("gas_force", self.gas_force))?;
+        p.enable(element!("fv_curve"), true);
+        p.enable(element!("gas_preload"), true);
+        set(p.set_list(list!("fv_velocity"), &self.velocity))?;
+        set(p.set_list(list!("fv_force"), &self.force))?;
+        set(p.set(number!("gas_force"), self.gas_force))?;
         Ok(p)
     }
 }
@@ -190,8 +191,8 @@ impl ModelFile {
         }
         let mut params = self.params;
         params.disable_all();
-        let _ = params.enable("fv_curve", true);
-        let _ = params.enable("gas_preload", self.params.is_on("gas_preload"));
+        params.enable(element!("fv_curve"), true);
+        params.enable(element!("gas_preload"), self.params.is_on(element!("gas_preload")));
         params
     }
 }
@@ -303,17 +304,17 @@ fn value(row: &Row, params: &Params) -> String {
 
 /// The flat part alone: what a kernel reads.
 pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
-    let on: Vec<String> = elements::names().filter(|n| params.is_on(n)).map(text).collect();
+    let on: Vec<String> = Element::all().filter(|e| params.is_on(*e)).map(|e| text(e.name())).collect();
     let mut out = format!("format = 1\nelements = [{}]\n", on.join(", "));
     for (g, group) in GROUPS.iter().enumerate() {
-        let element = g < elements::COUNT;
+        let element = Element::of_group(g);
         let rows: Vec<Row> = parameter::table()
             .filter(|row| row.group == g)
             // Settings at their default and empty lists say nothing.
-            .filter(|row| element || params.get(row) != row.parameter.default)
+            .filter(|row| element.is_some() || params.get(row) != row.parameter.default)
             .filter(|row| !params.get(row).is_empty())
             .collect();
-        if rows.is_empty() || (element && !params.is_on(group.name)) {
+        if rows.is_empty() || element.is_some_and(|element| !params.is_on(element)) {
             continue;
         }
         let _ = write!(out, "\n# {}: {}\n", group.name, group.meaning);
@@ -386,14 +387,14 @@ pub fn write(fit: &Fit) -> String {
             }
             continue;
         }
-        let count = fit.params.list(name).len();
-        let pairs: Vec<String> = (0..count)
+        let values = List::find(name).map_or(&[][..], |list| fit.params.list(list));
+        let pairs: Vec<String> = (0..values.len())
             .map(|k| match entries.iter().find(|e| e.index == Some(k)) {
                 Some(Estimate { low: Some(low), high: Some(high), .. }) => {
                     format!("[{}, {}]", number(*low), number(*high))
                 }
                 // The fixed point of a curve is exact by definition.
-                _ => format!("[{0}, {0}]", number(fit.params.list(name)[k])),
+                _ => format!("[{0}, {0}]", number(values[k])),
             })
             .collect();
         let _ = writeln!(out, "{name} = [{}]", pairs.join(", "));
@@ -415,9 +416,9 @@ pub fn write(fit: &Fit) -> String {
         out,
         "\n[identification.fv_only]  # the plain FV curve fitted to the same tests\nvelocity = [{}]\nforce = [{}]\n\
          gas_force = {}\n",
-        floats(fit.fv_only.list("fv_velocity")),
-        floats(fit.fv_only.list("fv_force")),
-        number(fit.fv_only.scalar("gas_force")),
+        floats(fit.fv_only.list(list!("fv_velocity"))),
+        floats(fit.fv_only.list(list!("fv_force"))),
+        number(fit.fv_only.number(number!("gas_force"))),
     );
     out
 }
@@ -438,16 +439,16 @@ mod tests {
     #[test]
     fn the_flat_part_is_toml_and_reads_back_exactly() {
         let mut params = Params::new();
-        params.set("series_stiffness", 2.345_678_901_234_5e6).unwrap();
-        params.set("gas_force", -0.1).unwrap();
-        params.set("method", 1.0).unwrap();
+        params.set(number!("series_stiffness"), 2.345_678_901_234_5e6).unwrap();
+        params.set(number!("gas_force"), -0.1).unwrap();
+        params.set(number!("method"), 1.0).unwrap();
         let text = flat(&params, |_| String::new());
         let mut back = Params::new();
         model_file::read(text.as_bytes(), &mut back).unwrap();
         assert_eq!(back, params);
         let table: toml::Table = text.parse().unwrap();
         assert_eq!(table["series_stiffness"].as_float(), Some(2.345_678_901_234_5e6));
-        assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list("fv_force").len());
+        assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list(list!("fv_force")).len());
     }
 
     #[test]

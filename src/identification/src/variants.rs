@@ -3,7 +3,8 @@
 use super::of_the_rig::OfTheRig;
 use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
-use dashpot_core::parameter::find;
+use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{element, list, number};
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
 use dashpot_estimation::priors::unusual;
 use dashpot_estimation::segment::Segment;
@@ -26,11 +27,13 @@ pub struct Variant {
     /// which of them a damper has is chosen with it.
     pub rigid: &'static str,
     /// Elements that it switches on.
-    pub elements: &'static [&'static str],
-    /// Its unknowns; `log:` varies by factors, `above:` starts from the level below.
-    unknowns: &'static [&'static str],
-    /// Choice parameters that it sets.
-    choices: &'static [(&'static str, f64)],
+    pub elements: &'static [Element],
+    /// Its unknowns.
+    unknowns: &'static [Unknown],
+    /// Whether the points of the lookup spring are unknowns too.
+    lookup: bool,
+    /// Numbers that it sets.
+    choices: &'static [(Number, f64)],
     /// Whether a host that holds the force over a step of 1 ms can run it: friction that turns over within a step chatters there.
     runs_in_real_time: bool,
 }
@@ -42,59 +45,78 @@ pub const FRICTION: &[Variant] = &[
         rigid: "none, rigid in series",
         elements: &[],
         unknowns: &[],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "Coulomb",
         rigid: "Coulomb, rigid in series",
-        elements: &["coulomb_friction"],
-        unknowns: &["coulomb_force", "log:coulomb_steepness"],
+        elements: &[element!("coulomb_friction")],
+        unknowns: &[Unknown::Linear(number!("coulomb_force")), Unknown::Log(number!("coulomb_steepness"))],
+        lookup: false,
         choices: &[],
         runs_in_real_time: false,
     },
     Variant {
         name: "Coulomb + viscous",
         rigid: "Coulomb + viscous, rigid in series",
-        elements: &["coulomb_friction", "viscous_friction"],
-        unknowns: &["coulomb_force", "log:coulomb_steepness", "viscous_coefficient"],
+        elements: &[element!("coulomb_friction"), element!("viscous_friction")],
+        unknowns: &[
+            Unknown::Linear(number!("coulomb_force")),
+            Unknown::Log(number!("coulomb_steepness")),
+            Unknown::Linear(number!("viscous_coefficient")),
+        ],
+        lookup: false,
         choices: &[],
         runs_in_real_time: false,
     },
     Variant {
         name: "simplified Stribeck",
         rigid: "simplified Stribeck, rigid in series",
-        elements: &["stribeck_friction"],
-        unknowns: &["stribeck_coulomb_force", "above:stribeck_breakaway_force", "log:stribeck_breakaway_velocity"],
-        choices: &[("stribeck_form", 0.0)],
+        elements: &[element!("stribeck_friction")],
+        unknowns: &[
+            Unknown::Linear(number!("stribeck_coulomb_force")),
+            Unknown::Above(number!("stribeck_breakaway_force"), number!("stribeck_coulomb_force")),
+            Unknown::Log(number!("stribeck_breakaway_velocity")),
+        ],
+        lookup: false,
+        choices: &[(number!("stribeck_form"), 0.0)],
         runs_in_real_time: false,
     },
     Variant {
         name: "full Stribeck",
         rigid: "full Stribeck, rigid in series",
-        elements: &["stribeck_friction"],
+        elements: &[element!("stribeck_friction")],
         unknowns: &[
-            "stribeck_coulomb_force",
-            "above:stribeck_breakaway_force",
-            "log:stribeck_breakaway_velocity",
-            "log:stribeck_velocity",
+            Unknown::Linear(number!("stribeck_coulomb_force")),
+            Unknown::Above(number!("stribeck_breakaway_force"), number!("stribeck_coulomb_force")),
+            Unknown::Log(number!("stribeck_breakaway_velocity")),
+            Unknown::Log(number!("stribeck_velocity")),
         ],
-        choices: &[("stribeck_form", 1.0)],
+        lookup: false,
+        choices: &[(number!("stribeck_form"), 1.0)],
         runs_in_real_time: false,
     },
     Variant {
         name: "presliding",
         rigid: "presliding, rigid in series",
-        elements: &["presliding_friction"],
-        unknowns: &["presliding_force", "log:presliding_length"],
-        choices: &[("presliding_power", 1.0)],
+        elements: &[element!("presliding_friction")],
+        unknowns: &[Unknown::Linear(number!("presliding_force")), Unknown::Log(number!("presliding_length"))],
+        lookup: false,
+        choices: &[(number!("presliding_power"), 1.0)],
         runs_in_real_time: true,
     },
     Variant {
         name: "shaped presliding",
         rigid: "shaped presliding, rigid in series",
-        elements: &["presliding_friction"],
-        unknowns: &["presliding_force", "log:presliding_length", "log:presliding_power"],
+        elements: &[element!("presliding_friction")],
+        unknowns: &[
+            Unknown::Linear(number!("presliding_force")),
+            Unknown::Log(number!("presliding_length")),
+            Unknown::Log(number!("presliding_power")),
+        ],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
@@ -107,46 +129,52 @@ pub const SPRING: &[Variant] = &[
         rigid: "none, rigid in series",
         elements: &[],
         unknowns: &[],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "linear",
         rigid: "linear, rigid in series",
-        elements: &["parallel_spring"],
-        unknowns: &["spring_linear"],
+        elements: &[element!("parallel_spring")],
+        unknowns: &[Unknown::Linear(number!("spring_linear"))],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "quadratic",
         rigid: "quadratic, rigid in series",
-        elements: &["parallel_spring"],
-        unknowns: &["spring_quadratic"],
+        elements: &[element!("parallel_spring")],
+        unknowns: &[Unknown::Linear(number!("spring_quadratic"))],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "cubic",
         rigid: "cubic, rigid in series",
-        elements: &["parallel_spring"],
-        unknowns: &["spring_cubic"],
+        elements: &[element!("parallel_spring")],
+        unknowns: &[Unknown::Linear(number!("spring_cubic"))],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "quartic",
         rigid: "quartic, rigid in series",
-        elements: &["parallel_spring"],
-        unknowns: &["spring_quartic"],
+        elements: &[element!("parallel_spring")],
+        unknowns: &[Unknown::Linear(number!("spring_quartic"))],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "lookup",
         rigid: "lookup, rigid in series",
-        elements: &["parallel_spring"],
-        unknowns: &["lookup"],
+        elements: &[element!("parallel_spring")],
+        unknowns: &[],
+        lookup: true,
         choices: &[],
         runs_in_real_time: true,
     },
@@ -158,30 +186,43 @@ pub const PHYSICAL_SPRING: &[Variant] = &[
     Variant {
         name: "linear, gas column",
         rigid: "linear, gas column, rigid in series",
-        elements: &["parallel_spring", "gas_spring"],
-        unknowns: &["spring_linear", "gas_stiffness", "log:gas_length", "log:gas_thermal_time"],
+        elements: &[element!("parallel_spring"), element!("gas_spring")],
+        unknowns: &[
+            Unknown::Linear(number!("spring_linear")),
+            Unknown::Linear(number!("gas_stiffness")),
+            Unknown::Log(number!("gas_length")),
+            Unknown::Log(number!("gas_thermal_time")),
+        ],
+        lookup: false,
         choices: &[],
         runs_in_real_time: true,
     },
     Variant {
         name: "linear, bump stop",
         rigid: "linear, bump stop, rigid in series",
-        elements: &["parallel_spring", "bump_stop"],
-        unknowns: &["spring_linear", "bump_stop_clearance", "log:bump_stop_stiffness", "log:bump_stop_progression"],
-        choices: &[("bump_stop_damping", 0.0)],
+        elements: &[element!("parallel_spring"), element!("bump_stop")],
+        unknowns: &[
+            Unknown::Linear(number!("spring_linear")),
+            Unknown::Linear(number!("bump_stop_clearance")),
+            Unknown::Log(number!("bump_stop_stiffness")),
+            Unknown::Log(number!("bump_stop_progression")),
+        ],
+        lookup: false,
+        choices: &[(number!("bump_stop_damping"), 0.0)],
         runs_in_real_time: true,
     },
     Variant {
         name: "linear, rebound stop",
         rigid: "linear, rebound stop, rigid in series",
-        elements: &["parallel_spring", "rebound_stop"],
+        elements: &[element!("parallel_spring"), element!("rebound_stop")],
         unknowns: &[
-            "spring_linear",
-            "rebound_stop_clearance",
-            "log:rebound_stop_stiffness",
-            "log:rebound_stop_progression",
+            Unknown::Linear(number!("spring_linear")),
+            Unknown::Linear(number!("rebound_stop_clearance")),
+            Unknown::Log(number!("rebound_stop_stiffness")),
+            Unknown::Log(number!("rebound_stop_progression")),
         ],
-        choices: &[("rebound_stop_damping", 0.0)],
+        lookup: false,
+        choices: &[(number!("rebound_stop_damping"), 0.0)],
         runs_in_real_time: true,
     },
 ];
@@ -193,32 +234,41 @@ const CLEARANCES: [f64; 3] = [0.5, 0.7, 0.85];
 const COLUMNS: [f64; 2] = [0.1, 0.3];
 /// First stiffness of a stop, N/m, that no table has drawn.
 const STOP: f64 = 1e4;
+/// The stops, with the side on which each lies, and their numbers that a fit starts from.
+const STOPS: [(Element, f64, Number, Number); 2] = [
+    (element!("bump_stop"), -1.0, number!("bump_stop_clearance"), number!("bump_stop_stiffness")),
+    (element!("rebound_stop"), 1.0, number!("rebound_stop_clearance"), number!("rebound_stop_stiffness")),
+];
+/// Coefficients of the powers of a spring, that of the straight one first.
+const POWERS: [Number; 4] =
+    [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];
 
 impl Variant {
     /// Whether it is a spring that a stop or a gas column may have bent.
     pub fn is_curved(&self) -> bool {
-        self.unknowns.iter().any(|name| ["spring_quadratic", "spring_cubic", "spring_quartic", "lookup"].contains(name))
+        let [_, curved @ ..] = &POWERS;
+        self.lookup || curved.iter().any(|power| self.unknowns.contains(&Unknown::Linear(*power)))
     }
 
     /// Where a fit of this physical spring begins, from a model with a table or a power in its place.
     fn starts(&self, from: &Params, segments: &[Segment]) -> Vec<Params> {
         let x = || segments.iter().flat_map(|s| s.input.iter().filter_map(|i| i.displacement));
-        let stops = [("bump_stop", -1.0), ("rebound_stop", 1.0)].into_iter();
-        let Some((stop, side)) = stops.rev().find(|(name, _)| self.elements.contains(name)) else {
+        let Some((_, side, clearance_of, stiffness_of)) = STOPS.iter().find(|stop| self.elements.contains(&stop.0))
+        else {
             let set = |length: &f64| {
                 let mut start = *from;
-                start.set("gas_length", *length).is_ok().then_some(start)
+                start.set(number!("gas_length"), *length).is_ok().then_some(start)
             };
             return COLUMNS.iter().filter_map(set).collect();
         };
         let reach = x().map(|x| side * x).fold(0.0, f64::max);
-        let drawn = excess(from, side);
+        let drawn = excess(from, *side);
         let set = |share: &f64| {
             let mut start = *from;
             let clearance = share * reach;
             let stiffness = if drawn > 0.0 { 0.5 * drawn / (reach - clearance) } else { STOP };
-            start.set(&format!("{stop}_clearance"), clearance).ok()?;
-            start.set(&format!("{stop}_stiffness"), stiffness).ok()?;
+            start.set(*clearance_of, clearance).ok()?;
+            start.set(*stiffness_of, stiffness).ok()?;
             Some(start)
         };
         CLEARANCES.iter().filter_map(set).collect()
@@ -241,11 +291,16 @@ pub fn physical_springs(
 }
 
 /// Elements that a fit can identify; all others are found by a diagnosis.
-pub fn identified() -> Vec<&'static str> {
-    let mut all = vec!["fv_curve", "series_compliance", "gas_preload", "side_force_friction"];
-    for name in FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|v| v.elements) {
-        if !all.contains(name) {
-            all.push(name);
+pub fn identified() -> Vec<Element> {
+    let mut all = vec![
+        element!("fv_curve"),
+        element!("series_compliance"),
+        element!("gas_preload"),
+        element!("side_force_friction"),
+    ];
+    for element in FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|v| v.elements) {
+        if !all.contains(element) {
+            all.push(*element);
         }
     }
     all
@@ -274,57 +329,46 @@ impl Structure {
         let mut base = *from;
         let mut list = Vec::new();
         base.disable_all();
-        let on = |base: &mut Params, name: &str| {
-            // The names come from the kernel's own list.
-            let _ = base.enable(name, true);
-        };
-        on(&mut base, "fv_curve");
+        base.enable(element!("fv_curve"), true);
         list.extend(Unknowns::rises(&base, CurveName::Fv));
         if self.series {
-            on(&mut base, "series_compliance");
+            base.enable(element!("series_compliance"), true);
             list.extend([
-                Unknown::Log("series_stiffness"),
-                Unknown::Linear("series_damping"),
-                Unknown::Log("internal_mass"),
+                Unknown::Log(number!("series_stiffness")),
+                Unknown::Linear(number!("series_damping")),
+                Unknown::Log(number!("internal_mass")),
             ]);
         }
         if self.gas {
-            on(&mut base, "gas_preload");
-            list.push(Unknown::Linear("gas_force"));
+            base.enable(element!("gas_preload"), true);
+            list.push(Unknown::Linear(number!("gas_force")));
         }
         if self.side_force {
-            on(&mut base, "side_force_friction");
-            list.push(Unknown::Linear("side_force_coefficient"));
+            base.enable(element!("side_force_friction"), true);
+            list.push(Unknown::Linear(number!("side_force_coefficient")));
         }
-        for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {
-            if !self.spring.unknowns.contains(&name) {
-                let _ = base.set(name, 0.0);
+        for power in POWERS {
+            if !self.spring.unknowns.contains(&Unknown::Linear(power)) {
+                let _ = base.set(power, 0.0);
             }
         }
-        if !self.spring.unknowns.contains(&"lookup") {
-            let _ = base.set_list("spring_displacement", &[]);
-            let _ = base.set_list("spring_force", &[]);
+        if !self.spring.lookup {
+            let _ = base.set_list(list!("spring_displacement"), &[]);
+            let _ = base.set_list(list!("spring_force"), &[]);
         }
         for variant in [self.friction, self.spring] {
-            for (name, value) in variant.choices {
-                let _ = base.set(name, *value);
+            for (number, value) in variant.choices {
+                let _ = base.set(*number, *value);
             }
             for element in variant.elements {
-                on(&mut base, element);
+                base.enable(*element, true);
             }
-            for name in variant.unknowns {
-                match (name.strip_prefix("log:"), name.strip_prefix("above:")) {
-                    (Some(name), _) => list.push(Unknown::Log(name)),
-                    // Only the Stribeck peak lies above something: its own Coulomb level.
-                    (_, Some(name)) => list.push(Unknown::Above(name, "stribeck_coulomb_force")),
-                    _ if *name == "lookup" => {
-                        if base.list("spring_displacement").is_empty() {
-                            start_lookup(&mut base, segments);
-                        }
-                        list.extend(Unknowns::rises(&base, CurveName::Spring));
-                    }
-                    _ => list.push(Unknown::Linear(name)),
+            list.extend(variant.unknowns);
+            if variant.lookup {
+                if base.list(list!("spring_displacement")).is_empty() {
+                    start_lookup(&mut base, segments);
                 }
+                list.extend(Unknowns::rises(&base, CurveName::Spring));
             }
         }
         Unknowns { base, list, rig: self.rig.numbers() }
@@ -345,8 +389,8 @@ fn start_lookup(base: &mut Params, segments: &[Segment]) {
         })
         .collect();
     let forces: Vec<f64> = points.iter().map(|x| 1.0 * x).collect();
-    let _ = base.set_list("spring_displacement", &points);
-    let _ = base.set_list("spring_force", &forces);
+    let _ = base.set_list(list!("spring_displacement"), &points);
+    let _ = base.set_list(list!("spring_force"), &forces);
 }
 
 /// Fewest tests that can judge variants by leaving one of them out.
@@ -358,7 +402,7 @@ const SLOW_POINTS: [f64; 2] = [0.4, 1.0];
 /// The same parameters with points in the FV table where only slow tests are (thesis 4: "with and without the slow-test
 /// points"); `None` where the table already reaches that far down.
 pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
-    let (v, f) = (from.list("fv_velocity"), from.list("fv_force"));
+    let (v, f) = (from.list(list!("fv_velocity")), from.list(list!("fv_force")));
     let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
     let closest = v.iter().filter(|v| **v != 0.0).fold(f64::INFINITY, |m, v| m.min(v.abs()));
     if slow_peak <= 0.0 || 2.0 * slow_peak > closest || v.len() + 2 * SLOW_POINTS.len() > MAX_POINTS {
@@ -369,8 +413,8 @@ pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
     points.sort_by(f64::total_cmp);
     let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
     let mut params = *from;
-    params.set_list("fv_velocity", &points).ok()?;
-    params.set_list("fv_force", &forces).ok()?;
+    params.set_list(list!("fv_velocity"), &points).ok()?;
+    params.set_list(list!("fv_force"), &forces).ok()?;
     Some(params)
 }
 
@@ -411,9 +455,8 @@ pub struct Candidate {
 /// The same with the series path of a usual damper; `None` where it has none.
 fn as_usual(from: &Params) -> Option<Params> {
     let mut usual = *from;
-    for name in ["series_stiffness", "series_damping", "internal_mass"] {
-        let row = find(name)?;
-        usual.set(name, row.parameter.default[0]).ok()?;
+    for number in [number!("series_stiffness"), number!("series_damping"), number!("internal_mass")] {
+        usual.set(number, number.default()).ok()?;
     }
     (usual != *from).then_some(usual)
 }

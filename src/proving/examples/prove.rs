@@ -4,6 +4,7 @@
 //! `only=BLOCK,...` runs a part of it, with the seeds that the whole would have; `alone` one case after the other, as a user
 //! would wait for them. `whole` starts a case by name from a fit with all elements.
 
+use dashpot_core::list;
 use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
 use dashpot_proving::{outcome, score, split};
@@ -83,7 +84,11 @@ fn main() {
                         }
                     }
                     let _ = std::fs::write(path, text);
-                    eprintln!("FV {:?} {:?}", found.base.list("fv_velocity"), found.base.list("fv_force"));
+                    eprintln!(
+                        "FV {:?} {:?}",
+                        found.base.list(list!("fv_velocity")),
+                        found.base.list(list!("fv_force"))
+                    );
                 }
                 for s in &found.shifts {
                     eprintln!("   {s:?}");

@@ -3,13 +3,16 @@
 use crate::ProvingError;
 use crate::severity;
 use dashpot_core::Params;
+use dashpot_core::parameter::Element;
+use dashpot_core::{element, number};
 use dashpot_identification::{FitOptions, fit, off};
 use dashpot_records::taken_out::taken_out;
 use dashpot_records::{self as records, Record};
 use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
-pub const BASE: [&str; 4] = ["fv_curve", "series_compliance", "coulomb_friction", "gas_preload"];
+pub const BASE: [Element; 4] =
+    [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
 /// What is asked for.
 #[derive(Debug, Clone)]
@@ -121,10 +124,10 @@ impl Case {
         let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
         let (mut base, measured) = model_of(&seen, self.whole_fit)?;
         if self.hides_side_force() {
-            let _ = base.enable("side_force_friction", false);
+            base.enable(element!("side_force_friction"), false);
         }
         if self.straight_curve {
-            let _ = base.set("fv_interpolation", 1.0);
+            let _ = base.set(number!("fv_interpolation"), 1.0);
         }
         let mut found = Measured {
             records: noisy,
@@ -167,16 +170,25 @@ pub(crate) fn model_of(
 
 /// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.
 pub fn base_model(records: &[&Record]) -> Result<Params, ProvingError> {
-    let options = FitOptions { elements: Some(BASE.map(String::from).to_vec()), ..FitOptions::default() };
+    let options =
+        FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
     let mut params = fit(records, &options, |_| ())?.params;
-    for name in ["series_compliance", "coulomb_friction", "side_force_friction", "parallel_spring", "gas_preload"] {
-        // Names of the kernel's own list.
-        let _ = params.enable(name, true);
+    for element in [
+        element!("series_compliance"),
+        element!("coulomb_friction"),
+        element!("side_force_friction"),
+        element!("parallel_spring"),
+        element!("gas_preload"),
+    ] {
+        params.enable(element, true);
     }
-    for (name, value) in
-        [("spring_linear", 300.0), ("spring_quadratic", 0.0), ("spring_cubic", 0.0), ("spring_quartic", 0.0)]
-    {
-        let _ = params.set(name, value);
+    for (number, value) in [
+        (number!("spring_linear"), 300.0),
+        (number!("spring_quadratic"), 0.0),
+        (number!("spring_cubic"), 0.0),
+        (number!("spring_quartic"), 0.0),
+    ] {
+        let _ = params.set(number, value);
     }
     Ok(params)
 }

@@ -5,6 +5,7 @@ use crate::ProvingError;
 use crate::case::{Measured, base_model, model_of};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
+use dashpot_core::element;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
 use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind, Protocol};
 use dashpot_records::{self as records, Record};
@@ -160,7 +161,7 @@ fn base_of(case: &Case, records: &[&Record]) -> Result<Params, ProvingError> {
     let mut base = base_model(records)?;
     if case.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
         // A name of the kernel's own list.
-        let _ = base.enable("side_force_friction", false);
+        base.enable(element!("side_force_friction"), false);
     }
     Ok(base)
 }
@@ -265,6 +266,6 @@ mod tests {
         let measured = measure(&found, false).unwrap();
         assert_eq!(measured.records.len(), measured.held_out.len());
         assert_eq!(measured.truth.effects[0].name, "free_play");
-        assert!(measured.held_out.iter().any(|out| *out) && measured.base.is_on("fv_curve"));
+        assert!(measured.held_out.iter().any(|out| *out) && measured.base.is_on(element!("fv_curve")));
     }
 }

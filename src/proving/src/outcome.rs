@@ -2,6 +2,7 @@
 
 use crate::ProvingError;
 use crate::case::{Case, Measured};
+use dashpot_core::parameter::Element;
 use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
 use dashpot_records::Record;
 use dashpot_rig::TestPoint;
@@ -114,7 +115,7 @@ pub fn judged(
         rule: found.findings.iter().map(|f| f.rule).collect(),
         in_the_model: hidden.iter().all(|(name, _)| {
             let name = plain(name);
-            measured.base.is_on(name) || measured.taken_out.contains(&name)
+            Element::find(name).is_ok_and(|element| measured.base.is_on(element)) || measured.taken_out.contains(&name)
         }) && !hidden.is_empty(),
         own: measured.own.clone(),
         against_reference: !options.reference.is_empty(),

@@ -8,6 +8,7 @@
 use crate::ProvingError;
 use crate::case::{base_model, read, without_noise};
 use dashpot_core::Params;
+use dashpot_core::element;
 use dashpot_diagnosis::refitted;
 use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
@@ -35,7 +36,7 @@ pub struct Ground {
 fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, ProvingError> {
     let mut base = base_model(records)?;
     // A name of the kernel's own list.
-    let _ = base.enable("side_force_friction", knows_side_force);
+    base.enable(element!("side_force_friction"), knows_side_force);
     Ok(base)
 }
 
@@ -78,7 +79,7 @@ impl Ground {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        let afresh = identified(&records, self.base.is_on("side_force_friction"))?;
+        let afresh = identified(&records, self.base.is_on(element!("side_force_friction")))?;
         Ok(self.left(&records, &afresh)?.min(from_neutral))
     }
 

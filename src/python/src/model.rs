@@ -1,8 +1,8 @@
 //! Model files as Python sees them.
 
 use crate::errors::{ModelError, MotionError, OutputError, raise};
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Shape};
+use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::{self, Element, Shape};
 use dashpot_core::{Input, evaluate};
 use dashpot_identification::model_file::{self, Interval, ModelFile};
 use dashpot_records::MotionRecord;
@@ -116,10 +116,11 @@ impl Model {
                 identified: known.intervals.contains_key(p.name) && !known.not_identified.iter().any(|n| n == p.name),
             }
         };
-        let is_on = |group: usize| group < elements::COUNT && self.file.params.is_on(GROUPS[group].name);
-        let rows: Vec<parameter::Row> = parameter::table().filter(|r| is_on(r.group)).collect();
+        let is_on = |element: &Element| self.file.params.is_on(*element);
+        let rows: Vec<parameter::Row> =
+            parameter::table().filter(|r| r.element().as_ref().is_some_and(is_on)).collect();
         let said = ModelJson {
-            elements: elements::names().filter(|n| self.file.params.is_on(n)).collect(),
+            elements: Element::all().filter(is_on).map(Element::name).collect(),
             parameters: rows.iter().map(row).collect(),
             tests: &known.tests,
             not_identified: &known.not_identified,

@@ -3,7 +3,8 @@
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::{Words, fill};
-use dashpot_core::elements::{self, GROUPS};
+
+use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::model_file::{Interval, ModelFile};
@@ -96,11 +97,9 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
 pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
-    for row in parameter::table().filter(|r| r.group < elements::COUNT) {
+    let on = |element| model.params.is_on(element);
+    for row in parameter::table().filter(|row| row.element().is_some_and(on)) {
         let p = row.parameter;
-        if !model.params.is_on(GROUPS[row.group].name) {
-            continue;
-        }
         let values = model.params.get(&row);
         let interval = id.intervals.get(p.name);
         let missing = id.not_identified.iter().any(|n| n == p.name);
@@ -128,12 +127,13 @@ pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
             }
             (Shape::List(_), Some(Interval::List(pairs))) => {
                 for (k, (value, [low, high])) in values.iter().zip(pairs).enumerate() {
-                    let at = match p.name {
-                        "fv_force" => model.params.list("fv_velocity").get(k).map(|v| Remark::AtVelocity(*v)),
-                        "spring_force" => {
-                            model.params.list("spring_displacement").get(k).map(|x| Remark::AtDisplacement(*x))
-                        }
-                        _ => None,
+                    let place = |list| model.params.list(list).get(k).copied();
+                    let at = if row == *list!("fv_force").row() {
+                        place(list!("fv_velocity")).map(Remark::AtVelocity)
+                    } else if row == *list!("spring_force").row() {
+                        place(list!("spring_displacement")).map(Remark::AtDisplacement)
+                    } else {
+                        None
                     };
                     rows.push(ParameterRow {
                         name: format!("{}[{k}]", p.name),

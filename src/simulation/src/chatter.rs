@@ -10,10 +10,10 @@
 //! it changes sign at every step, beyond 2 it grows until something bounds it: friction swings between its two levels for ever.
 //! The slopes are those of the damper's own step of the length h, so that a series spring and presliding friction soften what they carry.
 
-use dashpot_core::elements::names;
-use dashpot_core::parameter::find;
+use dashpot_core::parameter::{Element, Number};
 use dashpot_core::step::step;
 use dashpot_core::{Fault, Input, Model, Output, Params};
+use dashpot_core::{element, number};
 
 /// A host as far as chatter goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ pub struct Chatter {
     /// The longest step at which nothing changes sign, s.
     pub quiet_step: f64,
     /// The element that makes most of it, and the gain without it; `None` where no element alone does.
-    pub element: Option<(&'static str, f64)>,
+    pub element: Option<(Element, f64)>,
 }
 
 /// Amplitudes of the motions looked at, m, and their peak velocities, m/s; from standstill to a pothole.
@@ -63,9 +63,11 @@ const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
 const STEPS: usize = 4000;
 /// Share of the gain that must go with an element to be its doing.
 const ITS_DOING: f64 = 0.3;
-/// Elements that [`softened`] can replace, with the name of their level.
-const FRICTION: [(&str, &str); 2] =
-    [("coulomb_friction", "coulomb_force"), ("stribeck_friction", "stribeck_coulomb_force")];
+/// Elements that [`softened`] can replace, with their level.
+const FRICTION: [(Element, Number); 2] = [
+    (element!("coulomb_friction"), number!("coulomb_force")),
+    (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
+];
 
 /// A motion looked at: a sine from its middle.
 #[derive(Clone, Copy)]
@@ -118,15 +120,15 @@ fn largest(model: &Model, host: Host) -> (f64, f64, Output) {
 /// Parameters that make no model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let (gain, velocity, output) = largest(&Model::new(params)?, host);
-    let without = |name: &'static str| {
+    let without = |element: Element| {
         let mut less = *params;
-        less.enable(name, false).ok()?;
+        less.enable(element, false);
         let model = Model::new(&less).ok()?;
-        Some((name, largest(&model, host).0))
+        Some((element, largest(&model, host).0))
     };
     let element = (gain >= RINGS)
         .then(|| {
-            let on = names().filter(|name| params.is_on(name) && *name != "series_compliance");
+            let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
             on.filter_map(without).min_by(|a, b| a.1.total_cmp(&b.1))
         })
         .flatten()
@@ -151,7 +153,7 @@ pub struct Softened {
     /// The damper.
     pub params: Params,
     /// The element that was replaced.
-    pub replaced: &'static str,
+    pub replaced: Element,
     /// Force of the presliding friction in its place, N, and the length over which it turns, m.
     pub force: f64,
     /// See `force`.
@@ -179,25 +181,25 @@ const FINE: f64 = 1e-4;
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let found = chatter(params, host)?;
     let Some((replaced, _)) = found.element.filter(|_| found.rings()) else { return Ok(None) };
-    let Some((_, level)) = FRICTION.iter().find(|(name, _)| *name == replaced) else { return Ok(None) };
-    let level = params.scalar(level);
-    if params.is_on("presliding_friction") {
+    let Some((_, level)) = FRICTION.iter().find(|(element, _)| *element == replaced) else { return Ok(None) };
+    let level = params.number(*level);
+    if params.is_on(element!("presliding_friction")) {
         return Ok(None);
     }
     let mut soft = *params;
-    soft.enable(replaced, false)?;
-    soft.enable("presliding_friction", true)?;
-    soft.set("presliding_force", level)?;
-    soft.set("presliding_length", LENGTH)?;
+    soft.enable(replaced, false);
+    soft.enable(element!("presliding_friction"), true);
+    soft.set(number!("presliding_force"), level)?;
+    soft.set(number!("presliding_length"), LENGTH)?;
     let mut gain = chatter(&soft, host)?.gain;
     if gain >= RINGS {
         return Ok(None);
     }
     let mut length = LENGTH;
-    let shortest = find("presliding_length").map_or(LENGTH, |row| row.parameter.low);
+    let (shortest, _) = number!("presliding_length").bounds();
     while 0.5 * length >= shortest {
         let mut shorter = soft;
-        shorter.set("presliding_length", 0.5 * length)?;
+        shorter.set(number!("presliding_length"), 0.5 * length)?;
         let there = chatter(&shorter, host)?.gain;
         if there > QUIET.max(gain) {
             break;
@@ -252,7 +254,7 @@ impl Chatter {
             return format!("{head}: it does not chatter in a host that holds its force over a step.");
         }
         let by = match self.element {
-            Some((name, left)) => format!("; {name} makes it, without it the gain is {left:.2}"),
+            Some((element, left)) => format!("; {element} makes it, without it the gain is {left:.2}"),
             None => "; no element makes it alone".to_owned(),
         };
         let how = if self.gain < GROWS {
@@ -260,7 +262,7 @@ impl Chatter {
         } else {
             "the force swings from step to step"
         };
-        let is_friction = self.element.is_some_and(|(name, _)| FRICTION.iter().any(|f| f.0 == name));
+        let is_friction = self.element.is_some_and(|(element, _)| FRICTION.iter().any(|f| f.0 == element));
         let softer = if is_friction { format!(", or export with --for-step {step}") } else { String::new() };
         format!(
             "{head}{by}: in a host that holds the force over a step (explicit) {how}. Take steps of {:.2} ms or less, let the host solve with \
@@ -289,17 +291,16 @@ impl Softened {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::elements::GROUPS;
 
     fn steep() -> Params {
         let mut params = Params::new();
         // Without gas the mass comes to rest on its spring.
-        for off in ["stribeck_friction", "series_compliance", "gas_preload"] {
-            params.enable(off, false).unwrap();
+        for off in [element!("stribeck_friction"), element!("series_compliance"), element!("gas_preload")] {
+            params.enable(off, false);
         }
-        params.enable("coulomb_friction", true).unwrap();
-        params.set("coulomb_force", 40.0).unwrap();
-        params.set("coulomb_steepness", 5000.0).unwrap();
+        params.enable(element!("coulomb_friction"), true);
+        params.set(number!("coulomb_force"), 40.0).unwrap();
+        params.set(number!("coulomb_steepness"), 5000.0).unwrap();
         params
     }
 
@@ -328,10 +329,13 @@ mod tests {
     fn what_is_said_is_what_a_held_force_does() {
         let steep = steep();
         let found = chatter(&steep, HOST).unwrap();
-        assert!(found.gain > GROWS && found.element.is_some_and(|(name, _)| name == "coulomb_friction"), "{found:?}");
+        assert!(
+            found.gain > GROWS && found.element.is_some_and(|(element, _)| element == element!("coulomb_friction")),
+            "{found:?}"
+        );
         assert!(swings(&steep, HOST) > 1.0, "{}", swings(&steep, HOST));
         let soft = softened(&steep, HOST).unwrap().unwrap();
-        assert!(soft.gain < RINGS && soft.replaced == "coulomb_friction");
+        assert!(soft.gain < RINGS && soft.replaced == element!("coulomb_friction"));
         assert!(swings(&soft.params, HOST) < 0.05, "{}", swings(&soft.params, HOST));
         // At the step that is called quiet the steep one is quiet too.
         let quiet = Host { step: 0.9 * found.quiet_step, ..HOST };
@@ -342,10 +346,9 @@ mod tests {
     #[test]
     fn a_damper_without_steep_friction_is_left_as_it_is() {
         let mut smooth = steep();
-        smooth.enable("coulomb_friction", false).unwrap();
+        smooth.enable(element!("coulomb_friction"), false);
         assert!(chatter(&smooth, HOST).unwrap().gain < RINGS);
         assert!(softened(&smooth, HOST).unwrap().is_none());
-        assert!(GROUPS.iter().any(|g| g.name == "presliding_friction"));
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! What is measured: a thousand steps of a damper, a fit, reading a campaign. `benches/time.rs` takes the time, `benches/instructions.rs` counts
 //! instructions; the figures are in the book, `benchmarks.md`.
 
+use dashpot_core::number;
+use dashpot_core::parameter::Element;
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, State};
 use dashpot_identification::{Family, Fit, FitOptions};
@@ -29,10 +31,10 @@ impl Steps {
         match damper {
             "default" => {}
             "cheap" => {
-                params.set("method", 2.0).expect("a method");
-                params.set("substeps", 1.0).expect("substeps");
+                params.set(number!("method"), 2.0).expect("a method");
+                params.set(number!("substeps"), 1.0).expect("substeps");
             }
-            element => params.enable(element, true).expect("an element"),
+            element => params.enable(Element::find(element).expect("an element"), true),
         }
         let model = Model::new(&params).expect("a damper");
         let half = 32;

@@ -1,5 +1,6 @@
 //! C and C++ hosts run a rig test from the built library and agree with the Rust kernel bit for bit.
 
+use dashpot_core::number;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -201,7 +202,7 @@ fn the_headers_example_runs() {
     let force: f64 = succeed(&mut Command::new(program)).trim().parse().expect("a force");
 
     let mut params = Params::new();
-    params.set("gas_force", 120.0).expect("in bounds");
+    params.set(number!("gas_force"), 120.0).expect("in bounds");
     let model = Model::new(&params).expect("a model");
     let mut state = model.settled(&Input::motion(-0.02, 0.0));
     let mut output = Output::ZERO;

@@ -1,5 +1,6 @@
 //! The example C program runs a model file as the kernel does, and says what is wrong with a bad one.
 
+use dashpot_core::number;
 use dashpot_core::{Input, Model, Params, step};
 use dashpot_identification::model_file::flat;
 use dashpot_tests::library;
@@ -32,8 +33,8 @@ fn the_example_gives_the_kernels_forces() {
     let folder = tempfile::tempdir().unwrap();
     let program = example(folder.path());
     let mut params = Params::new();
-    params.set("gas_force", 123.4).unwrap();
-    params.set("series_stiffness", 4.1e6).unwrap();
+    params.set(number!("gas_force"), 123.4).unwrap();
+    params.set(number!("series_stiffness"), 4.1e6).unwrap();
     let file = folder.path().join("damper.toml");
     std::fs::write(&file, flat(&params, |_| String::new())).unwrap();
 

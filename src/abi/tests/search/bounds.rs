@@ -1,6 +1,7 @@
 //! What the force of a case must keep to.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
+use dashpot_core::parameter::Number;
 
 /// Elements whose force depends on the motion of the driven end alone: it has no equation to solve.
 const BESIDE: [&str; 11] = [
@@ -61,7 +62,7 @@ fn caught(case: &Case, speed: f64) -> f64 {
     }
     let number = |name: &str| {
         let set = case.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
-        set.unwrap_or_else(|| dashpot_core::Params::new().scalar(name))
+        set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
     };
     let (mut mass, mut stiffness) = (number("internal_mass"), number("series_stiffness"));
     if case.on.contains(&"moving_mass") && number("moving_mass_place") == 1.0 {

@@ -13,6 +13,7 @@ use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init};
 use dashpot_abi::step::dashpot_step;
 use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use dashpot_core::elements::{GROUPS, names};
+use dashpot_core::parameter::Element;
 use dashpot_core::parameter::{Shape, table};
 use std::ffi::CString;
 use std::fmt::Write as _;
@@ -279,7 +280,7 @@ impl Case {
 
     /// The default elements, or some of them, with `more`.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
-        let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(n)).collect();
+        let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {
             on.retain(|n| *n == "fv_curve" || *n == "series_compliance" && r.chance(0.7));
         }

@@ -28,6 +28,7 @@ pub mod verbs;
 
 use campaign::Loaded;
 use dashpot_core::Params;
+use dashpot_core::parameter::Element;
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Validation;
 use dashpot_identification::{Estimate, Fit};
@@ -420,7 +421,7 @@ impl Session {
     }
 
     /// Values of an effect beside the present ones, for a look at what it would do.
-    pub fn with_effect(&self, element: &str, strength: f64) -> Option<Params> {
+    pub fn with_effect(&self, element: Element, strength: f64) -> Option<Params> {
         Some(model::with_usual(self.model.as_ref()?.params(), element, strength))
     }
 

@@ -1,7 +1,7 @@
 //! The model that is tuned, beside the one that was identified, with every step back.
 
 use crate::session::history::History;
-use dashpot_core::parameter::{self, Row, Shape};
+use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
@@ -31,7 +31,7 @@ pub enum Change {
     /// A parameter, by its place in the table, and the entry of its list.
     Value(usize, usize),
     /// An element switched on or off.
-    Element(usize),
+    Element(Element),
     /// Everything at once.
     Whole,
 }
@@ -128,18 +128,18 @@ impl Tuned {
                 let mut list = params.get(row).to_vec();
                 let Some(place) = list.get_mut(entry) else { return false };
                 *place = value;
-                params.set_list(p.name, &list)
+                List::try_from(*row).and_then(|of| params.set_list(of, &list))
             }
-            _ => params.set(p.name, value),
+            _ => Number::try_from(*row).and_then(|of| params.set(of, value)),
         };
         done.is_ok() && self.change(Change::Value(row.index, entry), params)
     }
 
     /// Switches an element.
-    pub fn switch(&mut self, group: usize, on: bool) -> bool {
+    pub fn switch(&mut self, element: Element, on: bool) -> bool {
         let mut params = *self.params();
-        let done = params.enable(dashpot_core::elements::GROUPS[group].name, on);
-        let changed = done.is_ok() && self.change(Change::Element(group), params);
+        params.enable(element, on);
+        let changed = self.change(Change::Element(element), params);
         self.seal();
         changed
     }
@@ -242,7 +242,7 @@ impl Reach {
     /// bounds of the table around.
     pub fn of(row: &Row, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
-        let usual = priors::of(p.name).map(|prior| prior.usual);
+        let usual = Number::try_from(*row).ok().and_then(priors::of).map(|prior| prior.usual);
         let (mut low, mut high, factors) = match usual {
             Some(Usual::Size(median, factor)) => (median / factor.powf(SPREADS), median * factor.powf(SPREADS), true),
             Some(Usual::Strength(median, factor)) => {
@@ -276,8 +276,8 @@ impl Reach {
 }
 
 /// What dampers show of a number: the middle two thirds.
-pub fn usual_band(name: &str) -> Option<[f64; 2]> {
-    Some(match priors::of(name)?.usual {
+pub fn usual_band(row: &Row) -> Option<[f64; 2]> {
+    Some(match priors::of(Number::try_from(*row).ok()?)?.usual {
         Usual::Size(median, factor) => [median / factor, median * factor],
         Usual::Strength(median, factor) => [0.0, median * factor],
         Usual::Place(mean, deviation) => [mean - deviation, mean + deviation],
@@ -285,13 +285,12 @@ pub fn usual_band(name: &str) -> Option<[f64; 2]> {
 }
 
 /// What an effect usually is: the numbers of an element that dampers with it show, where its own default is another.
-pub fn with_usual(params: &Params, element: &str, strength: f64) -> Params {
+pub fn with_usual(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
-    let _ = with.enable(element, true);
-    let Some(group) = dashpot_core::elements::GROUPS.iter().position(|g| g.name == element) else { return with };
-    for row in parameter::table().filter(|r| r.group == group) {
-        let name = row.parameter.name;
-        let value = match priors::of(name).map(|p| p.usual) {
+    with.enable(element, true);
+    let rows = parameter::table().filter(|row| row.element() == Some(element));
+    for number in rows.filter_map(|row| Number::try_from(row).ok()) {
+        let value = match priors::of(number).map(|p| p.usual) {
             Some(Usual::Size(median, _)) => median,
             Some(Usual::Strength(median, _)) => strength * median,
             Some(Usual::Place(mean, deviation)) => {
@@ -303,7 +302,7 @@ pub fn with_usual(params: &Params, element: &str, strength: f64) -> Params {
             }
             None => continue,
         };
-        let _ = with.set(name, value.clamp(row.parameter.low, row.parameter.high));
+        let _ = with.set(number, number.inside(value));
     }
     with
 }
@@ -311,6 +310,7 @@ pub fn with_usual(params: &Params, element: &str, strength: f64) -> Params {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashpot_core::number;
     use dashpot_core::parameter::find;
 
     fn tuned() -> Tuned {
@@ -321,19 +321,19 @@ mod tests {
     fn a_drag_is_undone_in_one_step_and_two_drags_in_two() {
         let mut tuned = tuned();
         let row = find("series_stiffness").unwrap();
-        let first = tuned.params().scalar("series_stiffness");
+        let first = tuned.params().number(number!("series_stiffness"));
         for value in [1e6, 1.1e6, 1.2e6] {
             assert!(tuned.set(&row, 0, value));
         }
         tuned.seal();
         assert!(tuned.set(&row, 0, 4e6));
         assert!(tuned.undo());
-        assert_eq!(tuned.params().scalar("series_stiffness"), 1.2e6);
+        assert_eq!(tuned.params().number(number!("series_stiffness")), 1.2e6);
         assert!(tuned.undo());
-        assert_eq!(tuned.params().scalar("series_stiffness"), first);
+        assert_eq!(tuned.params().number(number!("series_stiffness")), first);
         assert!(!tuned.undo());
         assert!(tuned.redo() && tuned.redo() && !tuned.redo());
-        assert_eq!(tuned.params().scalar("series_stiffness"), 4e6);
+        assert_eq!(tuned.params().number(number!("series_stiffness")), 4e6);
         assert!(tuned.reset() && !tuned.is_tuned());
         assert!(tuned.undo() && tuned.is_tuned());
     }
@@ -361,7 +361,7 @@ mod tests {
         let path = folder.path().join("m.toml");
         std::fs::write(&path, &text).unwrap();
         let back = Tuned::read(&path).unwrap();
-        assert_eq!(back.params().scalar("gas_force"), -210.0);
+        assert_eq!(back.params().number(number!("gas_force")), -210.0);
         assert!(!back.is_unsaved() && tuned.is_unsaved());
     }
 

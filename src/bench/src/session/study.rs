@@ -2,7 +2,7 @@
 
 use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
-use dashpot_core::parameter::find;
+use dashpot_core::parameter::Number;
 use dashpot_core::{Model, Params};
 use rayon::prelude::*;
 
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
     /// Parameter.
-    pub name: &'static str,
+    pub number: Number,
     /// From and to, SI.
     pub range: [f64; 2],
     /// Whether the values are equal factors apart.
@@ -47,7 +47,6 @@ pub struct Study {
 
 /// Answers the question; values that make no model are left out.
 pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<Study> {
-    find(question.name)?;
     let (record, seen) = (loaded.campaign.records.get(question.test)?, loaded.tests.get(question.test)?);
     let [low, high] = question.range;
     let value = |k: usize| {
@@ -62,7 +61,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
         .into_par_iter()
         .filter_map(|k| {
             let mut with = *params;
-            with.set(question.name, value(k)).ok()?;
+            with.set(question.number, value(k)).ok()?;
             let model = Model::new(&with).ok()?;
             let force = OfTest::of(&model, record, seen, true).shown;
             let [area, gap] = figures(&force);

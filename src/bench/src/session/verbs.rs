@@ -61,7 +61,7 @@ impl Session {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let params = *model.params();
         self.begin(Kind::Study, move |_| {
-            study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| question.name.to_owned())
+            study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| question.number.name().to_owned())
         });
     }
 

@@ -5,6 +5,7 @@ use crate::session::simulation::OfTest;
 use crate::session::two_ways::two_ways;
 use crate::words::Words;
 use dashpot_core::Model;
+use dashpot_core::parameter::Element;
 use egui_plot::PlotPoint;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -51,7 +52,7 @@ pub struct Line {
 struct Key {
     generation: u64,
     selected: BTreeSet<usize>,
-    effect: Option<(&'static str, u64)>,
+    effect: Option<(Element, u64)>,
     language: usize,
 }
 
@@ -72,11 +73,11 @@ const EFFECTS: usize = 6;
 
 impl Cache {
     /// The lines as the session is now.
-    pub fn lines(&mut self, session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -> Arc<Vec<Line>> {
+    pub fn lines(&mut self, session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Arc<Vec<Line>> {
         let key = Key {
             generation: session.generation,
             selected: session.selected.clone(),
-            effect: effect.map(|(name, strength)| (name, strength.to_bits())),
+            effect: effect.map(|(element, strength)| (element, strength.to_bits())),
             language: std::ptr::from_ref(words) as usize,
         };
         if self.key.as_ref() != Some(&key) {
@@ -87,7 +88,7 @@ impl Cache {
     }
 }
 
-fn make(session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -> Vec<Line> {
+fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec<Line> {
     let Some(loaded) = &session.campaign else { return Vec::new() };
     let tests: Vec<usize> = session.selected.iter().copied().filter(|k| *k < loaded.tests.len()).collect();
     let most = (POINTS / (3 * tests.len().max(1))).clamp(LEAST, MOST);
@@ -130,7 +131,8 @@ fn make(session: &Session, effect: Option<(&'static str, f64)>, words: &Words) -
         if session.model.is_some() {
             lines.extend(simulated(&session.simulated).map(|(f, stride)| over(Whose::Model, &f, stride)));
         }
-        let with = effect.filter(|_| place < EFFECTS).and_then(|(name, strength)| session.with_effect(name, strength));
+        let with =
+            effect.filter(|_| place < EFFECTS).and_then(|(element, strength)| session.with_effect(element, strength));
         if let Some(model) = with.and_then(|p| Model::new(&p).ok()) {
             let of = OfTest::of(&model, record, seen, true);
             lines.push(over(Whose::Effect, &of.shown, of.stride));

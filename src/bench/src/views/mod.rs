@@ -29,6 +29,7 @@ pub mod tune;
 use crate::dialogs::Ask;
 use crate::session::matrix::Across;
 use crate::words::{self, Language, Words};
+use dashpot_core::parameter::Element;
 use eframe::egui::{self, Color32};
 
 /// What the right-hand side shows.
@@ -83,7 +84,7 @@ pub struct View {
     /// What the study asks.
     pub question: study::Form,
     /// Effect that is looked at, and its strength.
-    pub effect: Option<(&'static str, f64)>,
+    pub effect: Option<(Element, f64)>,
     /// Questions to put to the user.
     pub asks: Vec<Ask>,
     /// Whether the user is being asked whether to close.

@@ -8,7 +8,7 @@ use crate::views::grid;
 use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};
 use crate::words::Words;
-use dashpot_core::parameter::find;
+use dashpot_core::{element, list, number};
 use dashpot_report::plot::axes::{Axis, Marks, Plane, Series};
 use dashpot_report::plot::palette::Role;
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, Ui, Vec2, WidgetInfo};
@@ -335,7 +335,7 @@ fn reach(loaded: &crate::session::campaign::Loaded) -> f64 {
 fn gas_in_tension(params: &dashpot_core::Params) -> f64 {
     let mut alone = *params;
     alone.disable_all();
-    let _ = alone.enable("gas_preload", params.is_on("gas_preload"));
+    alone.enable(element!("gas_preload"), params.is_on(element!("gas_preload")));
     let Ok(model) = dashpot_core::Model::new(&alone) else { return 0.0 };
     let input = dashpot_core::Input { displacement: Some(0.0), velocity: 0.0, side_force: 0.0, temperature: 20.0 };
     dashpot_core::evaluate::force(&model, &model.settled(&input), &input).force
@@ -354,17 +354,17 @@ fn curve(params: &dashpot_core::Params, reach: f64) -> Vec<[f64; 2]> {
 
 /// The points of the curve's table where they are drawn; none where it has another form.
 fn handles(params: &dashpot_core::Params) -> Vec<(f64, f64)> {
-    if !params.is_on("fv_curve") || params.scalar("fv_form") != 0.0 {
+    if !params.is_on(element!("fv_curve")) || params.number(number!("fv_form")) != 0.0 {
         return Vec::new();
     }
     let gas = gas_in_tension(params);
-    params.list("fv_velocity").iter().zip(params.list("fv_force")).map(|(v, f)| (*v, f + gas)).collect()
+    params.list(list!("fv_velocity")).iter().zip(params.list(list!("fv_force"))).map(|(v, f)| (*v, f + gas)).collect()
 }
 
 /// Moves a point of the curve; where the neighbours are in the way it stops beside them.
 pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> bool {
-    let (Some(velocity), Some(force)) = (find("fv_velocity"), find("fv_force")) else { return false };
-    let (velocities, forces) = (model.params().get(&velocity).to_vec(), model.params().get(&force).to_vec());
+    let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
+    let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());
     let (Some(v), Some(_)) = (velocities.get(point), forces.get(point)) else { return false };
     // At rest the curve has no force.
     if *v == 0.0 {
@@ -376,8 +376,8 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
         if low <= high { wanted.clamp(low, high) } else { values[point] }
     };
     let wanted = to[1] - gas_in_tension(model.params());
-    let changed = model.set(&force, point, between(&forces, wanted, 0.0));
+    let changed = model.set(force.row(), point, between(&forces, wanted, 0.0));
     // Neighbours closer than a micrometre a second would make a step of the curve.
-    let moved = with_velocity && model.set(&velocity, point, between(&velocities, to[0], 1e-3));
+    let moved = with_velocity && model.set(velocity.row(), point, between(&velocities, to[0], 1e-3));
     changed || moved
 }

@@ -8,14 +8,14 @@ use crate::views::grid;
 use crate::views::tune::is_of_form;
 use crate::views::{Corner, View, hue, named_list};
 use crate::words::Words;
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Row, Shape, find};
+use dashpot_core::number;
+use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
 use egui_plot::{Line, Plot, PlotPoints};
 
 /// What is asked, as it stands in the panel.
 pub struct Form {
-    name: &'static str,
+    number: Option<Number>,
     /// From and to, SI; the slider's reach until it was set.
     range: Option<[f64; 2]>,
     count: usize,
@@ -24,7 +24,7 @@ pub struct Form {
 impl Default for Form {
     fn default() -> Self {
         // Seven loops are told apart, and have a middle.
-        Form { name: "", range: None, count: 7 }
+        Form { number: None, range: None, count: 7 }
     }
 }
 
@@ -36,30 +36,32 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         return;
     };
     let params = *model.params();
-    let points = params.scalar("fv_form") == 0.0;
-    let on = |row: &Row| row.group < elements::COUNT && params.is_on(GROUPS[row.group].name) && is_of_form(row, points);
-    let rows: Vec<Row> = parameter::table().filter(|r| on(r) && matches!(r.parameter.shape, Shape::Scalar)).collect();
+    let points = params.number(number!("fv_form")) == 0.0;
+    let on = |row: &Row| row.element().is_some_and(|element| params.is_on(element)) && is_of_form(row, points);
+    let rows = parameter::table().filter(|r| on(r) && matches!(r.parameter.shape, Shape::Scalar));
+    let numbers: Vec<Number> = rows.filter_map(|row| Number::try_from(row).ok()).collect();
     ui.heading(w.study);
     ui.add(egui::Label::new(RichText::new(w.study_hint).weak()).wrap());
     let form = &mut view.question;
-    if !rows.iter().any(|r| r.parameter.name == form.name) {
-        form.name = rows.first().map_or("", |r| r.parameter.name);
+    if !form.number.is_some_and(|number| numbers.contains(&number)) {
+        form.number = numbers.first().copied();
         form.range = None;
     }
-    let list = ComboBox::from_id_salt("parameter").selected_text(form.name).width(220.0).show_ui(ui, |ui| {
-        for row in &rows {
-            if ui.selectable_label(form.name == row.parameter.name, row.parameter.name).clicked() {
-                form.name = row.parameter.name;
+    let shown_name = form.number.map_or("", Number::name);
+    let list = ComboBox::from_id_salt("parameter").selected_text(shown_name).width(220.0).show_ui(ui, |ui| {
+        for number in &numbers {
+            if ui.selectable_label(form.number == Some(*number), number.name()).clicked() {
+                form.number = Some(*number);
                 form.range = None;
             }
         }
     });
     named_list(list, w.study);
-    if let Some(row) = find(form.name) {
-        let value = params.scalar(form.name);
-        let reach = Reach::of(&row, value, value, model.interval(form.name, 0));
+    if let Some(number) = form.number {
+        let value = params.number(number);
+        let reach = Reach::of(number.row(), value, value, model.interval(number.name(), 0));
         let [low, high] = form.range.unwrap_or(around(value, &reach));
-        let unit = shown(row.parameter.unit);
+        let unit = shown(number.parameter().unit);
         let (mut from, mut to) = (low, high);
         for (text, end) in [(w.from, &mut from), (w.to, &mut to)] {
             ui.horizontal(|ui| {
@@ -71,7 +73,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 let field = ui.add(field);
                 field.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, text));
                 if field.changed() {
-                    *end = (shown_value / unit.factor).clamp(row.parameter.low, row.parameter.high);
+                    *end = number.inside(shown_value / unit.factor);
                 }
                 ui.label(&unit.symbol);
             });
@@ -80,11 +82,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.add(Slider::new(&mut form.count, 2..=15).text(w.loops));
         let test = session.selected.iter().next_back().copied();
         let can = session.task.is_none() && session.has_records() && test.is_some() && from < to;
-        let (name, count) = (form.name, form.count);
+        let count = form.count;
         if ui.add_enabled(can, egui::Button::new(w.compute)).clicked() {
             if let Some(test) = test {
                 view.corner = Corner::Study;
-                session.study(Question { name, range: [from, to], factors: reach.factors, count, test });
+                session.study(Question { number, range: [from, to], factors: reach.factors, count, test });
             }
         }
     }
@@ -105,10 +107,9 @@ fn around(value: f64, reach: &Reach) -> [f64; 2] {
 }
 
 fn table(ui: &mut Ui, study: &Study, w: &Words) {
-    let Some(row) = find(study.question.name) else { return };
-    let unit = shown(row.parameter.unit);
+    let unit = shown(study.question.number.parameter().unit);
     egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
-        ui.strong(format!("{} [{}]", study.question.name, unit.symbol));
+        ui.strong(format!("{} [{}]", study.question.number, unit.symbol));
         ui.strong(format!("{} [J]", w.area));
         ui.strong(format!("{} [N]", w.gap));
         ui.end_row();
@@ -129,15 +130,15 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     let Some(model) = &session.model else { return };
     ui.heading(w.effect_look);
     ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
-    let mut chosen = view.effect.map(|(name, _)| name);
+    let mut chosen = view.effect.map(|(element, _)| element);
     let list = ComboBox::from_id_salt("effect")
-        .selected_text(chosen.map_or(w.none.to_owned(), |n| n.replace('_', " ")))
+        .selected_text(chosen.map_or(w.none.to_owned(), |element| element.name().replace('_', " ")))
         .width(220.0)
         .show_ui(ui, |ui| {
             ui.selectable_value(&mut chosen, None, w.none);
-            for group in GROUPS[..elements::COUNT].iter().filter(|g| !model.params().is_on(g.name)) {
-                ui.selectable_value(&mut chosen, Some(group.name), group.name.replace('_', " "))
-                    .on_hover_text(w.meaning(group.meaning));
+            for element in Element::all().filter(|element| !model.params().is_on(*element)) {
+                ui.selectable_value(&mut chosen, Some(element), element.name().replace('_', " "))
+                    .on_hover_text(w.meaning(element.group().meaning));
             }
         });
     named_list(list, w.effect_look);
@@ -146,11 +147,11 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
         let slider = ui.add(Slider::new(&mut strength, 0.05..=10.0).logarithmic(true).text(w.strength));
         slider.widget_info(|| WidgetInfo::slider(true, strength, w.strength));
     }
-    if let Some(name) = chosen {
-        let group = GROUPS.iter().find(|g| g.name == name);
-        ui.add(egui::Label::new(RichText::new(group.map_or("", |g| w.meaning(g.meaning))).small().weak()).wrap());
+    if let Some(element) = chosen {
+        let meaning = w.meaning(element.group().meaning);
+        ui.add(egui::Label::new(RichText::new(meaning).small().weak()).wrap());
     }
-    view.effect = chosen.map(|name| (name, strength));
+    view.effect = chosen.map(|element| (element, strength));
 }
 
 /// Draws the family of loops.
@@ -160,8 +161,8 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
         return;
     };
     let Some(seen) = loaded.tests.get(study.question.test) else { return };
-    let unit = find(study.question.name).map(|r| shown(r.parameter.unit)).unwrap_or(shown("-"));
-    ui.strong(format!("{} · {}", study.question.name, loaded.campaign.records[study.question.test].name));
+    let unit = shown(study.question.number.parameter().unit);
+    ui.strong(format!("{} · {}", study.question.number, loaded.campaign.records[study.question.test].name));
     let velocity = &seen.cycle_motion.velocity;
     let step = seen.cycle_samples.div_ceil(400).max(1);
     let points = |force: &[f64]| -> Vec<[f64; 2]> {

@@ -5,8 +5,8 @@ use crate::session::model::{Reach, Tuned, usual_band};
 use crate::units::{shown, typed};
 use crate::views::{View, named_list};
 use crate::words::Words;
-use dashpot_core::elements::{self, GROUPS};
-use dashpot_core::parameter::{self, Row, Shape};
+use dashpot_core::parameter::{self, Element, Number, Row, Shape};
+use dashpot_core::{list, number};
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
 
@@ -34,22 +34,20 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     }
     legend(ui, w);
     ui.separator();
-    let rows: Vec<Row> = parameter::table().filter(|r| r.group < elements::COUNT).collect();
+    let rows: Vec<Row> = parameter::table().filter(|r| r.element().is_some()).collect();
     egui::ScrollArea::vertical().id_salt("tune").auto_shrink([false, false]).show(ui, |ui| {
-        let on: Vec<bool> = GROUPS[..elements::COUNT]
-            .iter()
-            .map(|g| session.model.as_ref().is_some_and(|m| m.params().is_on(g.name)))
-            .collect();
+        let (on, off): (Vec<Element>, Vec<Element>) =
+            Element::all().partition(|element| session.model.as_ref().is_some_and(|m| m.params().is_on(*element)));
         // What is on stands first; what could be added follows.
-        let order = (0..elements::COUNT).filter(|g| on[*g]).chain((0..elements::COUNT).filter(|g| !on[*g]));
-        let mut off_told = false;
-        for g in order {
-            if !on[g] && !off_told {
-                off_told = true;
-                ui.add_space(6.0);
-                ui.weak(w.elements_off);
-            }
-            element(ui, session, w, g, on[g], &rows);
+        for one in on {
+            element(ui, session, w, one, true, &rows);
+        }
+        if !off.is_empty() {
+            ui.add_space(6.0);
+            ui.weak(w.elements_off);
+        }
+        for one in off {
+            element(ui, session, w, one, false, &rows);
         }
     });
 }
@@ -78,9 +76,9 @@ fn legend(ui: &mut Ui, w: &Words) {
     });
 }
 
-fn element(ui: &mut Ui, session: &mut Session, w: &Words, g: usize, on: bool, rows: &[Row]) {
-    let group = &GROUPS[g];
-    let id = Id::unique(("element", g));
+fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: bool, rows: &[Row]) {
+    let group = element.group();
+    let id = Id::unique(("element", element.place()));
     let mut switched = on;
     CollapsingState::load_with_default_open(ui.ctx(), id, on)
         .show_header(ui, |ui| {
@@ -91,8 +89,8 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, g: usize, on: bool, ro
         .body(|ui| {
             ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
             ui.add_enabled_ui(on, |ui| {
-                let table = session.model.as_ref().is_some_and(|m| m.params().scalar("fv_form") == 0.0);
-                for row in rows.iter().filter(|r| r.group == g && is_of_form(r, table)) {
+                let table = session.model.as_ref().is_some_and(|m| m.params().number(number!("fv_form")) == 0.0);
+                for row in rows.iter().filter(|r| r.element() == Some(element) && is_of_form(r, table)) {
                     match row.parameter.shape {
                         Shape::Scalar => number(ui, session, w, row, 0),
                         Shape::Choice(words) => choice(ui, session, w, row, words),
@@ -102,7 +100,7 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, g: usize, on: bool, ro
             });
         });
     if switched != on {
-        session.tune(|m| m.switch(g, switched));
+        session.tune(|m| m.switch(element, switched));
     }
 }
 
@@ -145,7 +143,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         let slider = slider.logarithmic(reach.factors).smallest_positive(reach.low.max(1e-300)).show_value(false);
         let slider = ui.add(slider.clamping(SliderClamping::Never));
         slider.widget_info(|| WidgetInfo::slider(true, unit.factor * value, format!("{name} {}", unit.symbol)));
-        marks(ui, slider.rect, &reach, usual_band(p.name), interval, identified);
+        marks(ui, slider.rect, &reach, usual_band(row), interval, identified);
         let mut in_unit = unit.factor * value;
         let speed = (in_unit.abs() * 0.005).max(1e-9);
         let field = egui::DragValue::new(&mut in_unit).speed(speed).custom_formatter(|v, _| typed(v));
@@ -221,7 +219,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
         return;
     }
     // Places of a curve's points are dragged with its forces, or typed.
-    let places = p.name.ends_with("_velocity") || p.name.ends_with("_displacement");
+    let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
     egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", p.name)).small())
         .id_salt(p.name)
         .default_open(false)
@@ -240,16 +238,26 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
 /// A curve has no force at rest: that point stays.
 fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
     let Some(model) = model else { return false };
-    match row.parameter.name {
-        "fv_force" | "fv_velocity" => model.params().list("fv_velocity").get(entry).is_some_and(|v| *v != 0.0),
-        _ => true,
+    let velocity = list!("fv_velocity");
+    if row != velocity.row() && row != list!("fv_force").row() {
+        return true;
     }
+    model.params().list(velocity).get(entry).is_some_and(|v| *v != 0.0)
 }
 
 /// The FV curve is a table of points or has slopes and knees: the numbers of the other form say nothing.
 pub fn is_of_form(row: &Row, table: bool) -> bool {
-    let name = row.parameter.name;
-    let knees = name.starts_with("fv_rebound") || name.starts_with("fv_compression");
-    let points = matches!(name, "fv_velocity" | "fv_force" | "fv_interpolation");
-    if table { !knees } else { !points }
+    const KNEES: [Number; 8] = [
+        number!("fv_rebound_c1"),
+        number!("fv_rebound_c2"),
+        number!("fv_rebound_c3"),
+        number!("fv_rebound_v1"),
+        number!("fv_rebound_v2"),
+        number!("fv_compression_c1"),
+        number!("fv_compression_c2"),
+        number!("fv_compression_v1"),
+    ];
+    let knees = KNEES.iter().any(|knee| knee.row() == row);
+    let points = [list!("fv_velocity").row(), list!("fv_force").row(), number!("fv_interpolation").row()];
+    if table { !knees } else { !points.contains(&row) }
 }

@@ -3,6 +3,7 @@
 use crate::app::App;
 use crate::dialogs::Told;
 use crate::session::recent::Recent;
+use dashpot_core::number;
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use eframe::egui;
@@ -15,7 +16,7 @@ use std::time::{Duration, Instant};
 /// The damper that was "measured": unlike the default in its series spring.
 pub fn truth() -> Params {
     let mut params = Params::new();
-    params.set("series_stiffness", 1.6e6).unwrap();
+    params.set(number!("series_stiffness"), 1.6e6).unwrap();
     params
 }
 

@@ -13,6 +13,8 @@ use crate::session::simulation::Simulated;
 use crate::session::tasks::Kind;
 use crate::views::lines::Whose;
 use crate::words::Language;
+use dashpot_core::parameter::Element;
+use dashpot_core::{element, list, number};
 use dashpot_test_support::skipped;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
@@ -36,7 +38,7 @@ fn opened(folder: &Path, tests: usize, answers: Vec<Vec<PathBuf>>) -> Harness<'s
 }
 
 fn stiffness(harness: &Harness<'_, App>) -> f64 {
-    harness.state().session.model.as_ref().unwrap().params().scalar("series_stiffness")
+    harness.state().session.model.as_ref().unwrap().params().number(number!("series_stiffness"))
 }
 
 fn message(harness: &Harness<'_, App>) -> (String, bool) {
@@ -149,7 +151,10 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let after = stiffness(&harness);
     assert!(after > 1.5 * before, "{before} {after}");
     until(&mut harness, "forces of the tuned model", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| s.params.scalar("series_stiffness") == after && !s.quick)
+        app.session
+            .simulated
+            .as_ref()
+            .is_some_and(|s| s.params.number(number!("series_stiffness")) == after && !s.quick)
     });
     assert!(harness.state().session.generation > generation);
     until(&mut harness, "forces of the identified model", |app| app.session.identified.is_some());
@@ -171,13 +176,13 @@ fn an_element_is_switched_and_shows_in_every_force() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = harness.state().session.simulated.clone().unwrap();
-    assert!(harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
+    assert!(harness.state().session.model.as_ref().unwrap().params().is_on(element!("series_compliance")));
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
-    assert!(!harness.state().session.model.as_ref().unwrap().params().is_on("series_compliance"));
+    assert!(!harness.state().session.model.as_ref().unwrap().params().is_on(element!("series_compliance")));
     until(&mut harness, "forces without it", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| !s.params.is_on("series_compliance") && !s.quick)
+        app.session.simulated.as_ref().is_some_and(|s| !s.params.is_on(element!("series_compliance")) && !s.quick)
     });
     let after = harness.state().session.simulated.clone().unwrap();
     assert!(before.tests.iter().zip(&after.tests).any(|(a, b)| (a.percent - b.percent).abs() > 0.01));
@@ -188,12 +193,12 @@ fn a_point_of_the_curve_is_dragged_on_the_plot_and_stops_at_its_neighbours() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let session = &mut harness.state_mut().session;
-    let before = session.model.as_ref().unwrap().params().list("fv_force").to_vec();
+    let before = session.model.as_ref().unwrap().params().list(list!("fv_force")).to_vec();
     session.tune(|m| crate::views::plots::drag(m, 3, [0.0, 1e5], false));
-    let after = session.model.as_ref().unwrap().params().list("fv_force").to_vec();
+    let after = session.model.as_ref().unwrap().params().list(list!("fv_force")).to_vec();
     assert_eq!(after[3], before[4], "no further than its neighbour");
     session.tune(|m| crate::views::plots::drag(m, 6, [0.0, 50.0], false));
-    assert_eq!(session.model.as_ref().unwrap().params().list("fv_force")[6], 0.0, "no force at rest");
+    assert_eq!(session.model.as_ref().unwrap().params().list(list!("fv_force"))[6], 0.0, "no force at rest");
 }
 
 #[test]
@@ -202,13 +207,12 @@ fn a_tuned_model_is_saved_and_opened_again() {
     let out = tempfile::tempdir().unwrap();
     let path = out.path().join("tuned.toml");
     let mut harness = opened(folder.path(), 6, vec![vec![path.clone()]]);
-    let row = dashpot_core::parameter::find("series_stiffness").unwrap();
-    harness.state_mut().session.tune(|m| m.set(&row, 0, 2.5e6));
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     assert!(harness.state().session.is_unsaved());
     press(&mut harness, "File");
     press(&mut harness, "Save model as…");
     assert!(!harness.state().session.is_unsaved(), "{:?}", message(&harness));
-    assert_eq!(Tuned::read(&path).unwrap().params().scalar("series_stiffness"), 2.5e6);
+    assert_eq!(Tuned::read(&path).unwrap().params().number(number!("series_stiffness")), 2.5e6);
     // A record is never replaced by a model.
     let record = folder.path().join("a40_000.csv");
     let text = std::fs::read_to_string(&record).unwrap();
@@ -419,7 +423,7 @@ fn a_number_is_studied_and_an_effect_is_looked_at() {
     until(&mut harness, "the family", |app| app.session.study.is_some());
     let study = harness.state().session.study.clone().unwrap();
     assert_eq!(study.members.len(), 7);
-    harness.state_mut().view.effect = Some(("gas_spring", 2.0));
+    harness.state_mut().view.effect = Some((element!("gas_spring"), 2.0));
     harness.step();
     assert!(harness.state().view.lines.lines.iter().any(|l| l.whose == Whose::Effect));
 }
@@ -461,15 +465,13 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let out = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 3, vec![]);
     // Friction so steep that it chatters in a host which holds its force over a step.
-    let group = |name: &str| dashpot_core::elements::GROUPS.iter().position(|g| g.name == name).unwrap();
-    let row = |name: &str| dashpot_core::parameter::find(name).unwrap();
     harness.state_mut().session.tune(|m| {
         // A spring in series would soften it.
-        m.switch(group("series_compliance"), false);
-        m.switch(group("stribeck_friction"), false);
-        m.switch(group("coulomb_friction"), true)
-            && m.set(&row("coulomb_force"), 0, 40.0)
-            && m.set(&row("coulomb_steepness"), 0, 5000.0)
+        m.switch(element!("series_compliance"), false);
+        m.switch(element!("stribeck_friction"), false);
+        m.switch(element!("coulomb_friction"), true)
+            && m.set(number!("coulomb_force").row(), 0, 40.0)
+            && m.set(number!("coulomb_steepness").row(), 0, 5000.0)
     });
     let mut write = |host: Host, name: &str| {
         harness.state_mut().session.export(host, out.path().join(name));
@@ -515,8 +517,8 @@ fn a_curve_that_chatters_is_said_in_its_property_file() {
     let out = tempfile::tempdir().unwrap();
     let path = out.path().join("steep.dpr");
     let mut params = dashpot_core::Params::new();
-    let steep: Vec<f64> = params.list("fv_force").iter().map(|f| 60.0 * f).collect();
-    params.set_list("fv_force", &steep).unwrap();
+    let steep: Vec<f64> = params.list(list!("fv_force")).iter().map(|f| 60.0 * f).collect();
+    params.set_list(list!("fv_force"), &steep).unwrap();
     let said = Export { host: Host::Property, params, text: String::new(), name: String::new() }.write(&path).unwrap();
     assert!(said.iter().any(|s| s.contains("At a host step of 1 ms")), "{said:?}");
     assert!(std::fs::read_to_string(&path).unwrap().contains("At a host step of 1 ms"));
@@ -562,9 +564,9 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     assert!(page.contains(named) && page.contains("<svg"));
     press(&mut harness, "Take the improved model");
     let model = harness.state().session.model.as_ref().unwrap();
-    assert!(model.params().is_on(named) && model.is_unsaved());
+    assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
     until(&mut harness, "its forces", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params.is_on(named))
+        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params.is_on(Element::find(named).unwrap()))
     });
 }
 
@@ -617,7 +619,7 @@ fn latency() {
     println!("{tests} tests: {:.0} ms from opening to the first loops", 1e3 * began.elapsed().as_secs_f64());
     until(&mut harness, "the forces", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
     println!("{:.0} ms until model and errors stand beside them", 1e3 * began.elapsed().as_secs_f64());
-    let row = dashpot_core::parameter::find("series_stiffness").unwrap();
+    let row = *number!("series_stiffness").row();
     let value = stiffness(&harness);
     let (mut follows, mut frames) = (Vec::new(), Vec::new());
     for k in 1..=MOVES {
@@ -628,7 +630,7 @@ fn latency() {
             let frame = Instant::now();
             harness.step();
             frames.push(frame.elapsed().as_secs_f64());
-            let there = |s: &Arc<Simulated>| s.params.scalar("series_stiffness") == wanted;
+            let there = |s: &Arc<Simulated>| s.params.number(number!("series_stiffness")) == wanted;
             if harness.state().session.simulated.as_ref().is_some_and(there) {
                 break;
             }

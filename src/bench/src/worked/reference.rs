@@ -3,6 +3,7 @@
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
 use crate::session::tasks::Diagnosed;
+use dashpot_core::number;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::words::EN;
 use eframe::egui::Key;
@@ -18,8 +19,8 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     campaign(good.path(), TESTS);
     // It has lost gas, and nothing else.
     let mut damper = truth();
-    let gas = damper.scalar("gas_force");
-    damper.set("gas_force", 0.5 * gas).unwrap();
+    let gas = damper.number(number!("gas_force"));
+    damper.set(number!("gas_force"), 0.5 * gas).unwrap();
     campaign_of(&damper, worn.path(), TESTS);
     let file = models.path().join("damper.toml");
     std::fs::write(&file, dashpot_identification::model_file::flat(&truth(), |_| String::new())).unwrap();

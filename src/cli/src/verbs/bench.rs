@@ -2,6 +2,7 @@
 
 use crate::progress::Progress;
 use anyhow::bail;
+use dashpot_core::number;
 use dashpot_core::step::{Integration, Method, step_into};
 use dashpot_core::{Input, Model, Output, Params};
 use dashpot_rig::Matrix;
@@ -81,8 +82,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for (k, (name, stiffness, mass)) in models.into_iter().enumerate() {
         let mut params = Params::new();
         // Inside the bounds of the table by the choice above.
-        let _ = params.set("series_stiffness", stiffness);
-        let _ = params.set("internal_mass", mass);
+        let _ = params.set(number!("series_stiffness"), stiffness);
+        let _ = params.set(number!("internal_mass"), mass);
         let Ok(model) = Model::new(&params) else { bail!("the built-in model {name} is refused") };
         progress.say((k as f64 + 0.1) / models.len() as f64, "solving the reference");
         let references = References::solve(&model, &tests, 0.25 * STEP);

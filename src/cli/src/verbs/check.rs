@@ -61,9 +61,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             "damping_n_s_m": chatter.by_velocity,
             "stiffness_n_m": chatter.by_displacement,
             "quiet_step_s": chatter.quiet_step,
-            "element": chatter.element.map(|e| e.0),
+            "element": chatter.element.map(|e| e.0.name()),
             "gain_without_it": chatter.element.map(|e| e.1),
-            "replaced": ready.softened.as_ref().map(|s| s.replaced),
+            "replaced": ready.softened.as_ref().map(|s| s.replaced.name()),
             "rms_error_n": ready.softened.as_ref().map(|s| s.rms_error),
             "largest_error_n": ready.softened.as_ref().map(|s| s.largest_error),
         });

@@ -3,6 +3,7 @@
 use super::data::DataArgs;
 use crate::page::PageArgs;
 use anyhow::{Context as _, bail};
+use dashpot_core::element;
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_output::Kind;
@@ -130,11 +131,10 @@ fn fv_only(file: &ModelFile) -> anyhow::Result<Params> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");
     }
-    let (on_gas, mut params) = (file.params.is_on("gas_preload"), file.params);
+    let (on_gas, mut params) = (file.params.is_on(element!("gas_preload")), file.params);
     params.disable_all();
-    for (element, on) in [("fv_curve", true), ("gas_preload", on_gas)] {
-        params.enable(element, on).map_err(|fault| anyhow::anyhow!("{element} {}", fault.reason.text()))?;
-    }
+    params.enable(element!("fv_curve"), true);
+    params.enable(element!("gas_preload"), on_gas);
     Ok(params)
 }
 

@@ -2,6 +2,7 @@
 
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 use crate::paths::soft_gap::SoftGap;
 
@@ -38,9 +39,12 @@ impl Describe for Aeration {
 impl Prepare for Aeration {
     const OFF: Self = Aeration { rebound: SoftGap::CLOSED, compression: SoftGap::CLOSED };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let of = |gap: f64| SoftGap { gap, softness: p.number(1) };
-        Ok(Aeration { rebound: of(p.number(0)), compression: of(p.number(2) * p.number(0)) })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let of = |gap: f64| SoftGap { gap, softness: p.number(own!("aeration_force")) };
+        Ok(Aeration {
+            rebound: of(p.number(own!("aeration_stroke"))),
+            compression: of(p.number(own!("aeration_compression")) * p.number(own!("aeration_stroke"))),
+        })
     }
 }
 

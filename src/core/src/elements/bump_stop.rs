@@ -3,6 +3,7 @@
 use crate::elements::end_stop::EndStop;
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = −P(−x, −v): pushes the rod out; P is the law of [`EndStop`].
@@ -52,8 +53,15 @@ impl Describe for BumpStop {
 impl Prepare for BumpStop {
     const OFF: Self = BumpStop(EndStop::OFF);
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(BumpStop(EndStop::prepare(p)))
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(BumpStop(EndStop {
+            clearance: p.number(own!("bump_stop_clearance")),
+            stiffness: p.number(own!("bump_stop_stiffness")),
+            per_progression: 1.0 / p.number(own!("bump_stop_progression")),
+            loss: p.number(own!("bump_stop_loss")),
+            damping: p.number(own!("bump_stop_damping")),
+            is_orifice: p.number(own!("bump_stop_flow")) == 1.0,
+        }))
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::dual::{Dual, Real};
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the straight series spring's force φ.
@@ -111,16 +112,16 @@ impl Prepare for Bushing {
         per_slow_time: 1.0,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(Bushing {
-            per_length: 1.0 / p.number(0),
-            share: p.number(1),
-            per_time: 1.0 / p.number(2),
-            per_slip: 1.0 / p.number(3),
-            stop: p.number(4),
-            stop_share: p.number(5),
-            slow_share: p.number(6),
-            per_slow_time: 1.0 / p.number(7),
+            per_length: 1.0 / p.number(own!("bushing_hardening")),
+            share: p.number(own!("bushing_loss_stiffness")),
+            per_time: 1.0 / p.number(own!("bushing_loss_time")),
+            per_slip: 1.0 / p.number(own!("bushing_slip")),
+            stop: p.number(own!("bushing_stop")),
+            stop_share: p.number(own!("bushing_stop_stiffness")),
+            slow_share: p.number(own!("bushing_slow_stiffness")),
+            per_slow_time: 1.0 / p.number(own!("bushing_slow_time")),
         })
     }
 }

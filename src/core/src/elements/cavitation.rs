@@ -4,6 +4,7 @@
 use crate::dual::{Dual, Real};
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// Towards the capped side (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil carries no more than the cap C:
@@ -64,15 +65,6 @@ const FREE: f64 = 10.0;
 /// Most steps for the void at the end of a stage, all of them halves, and the relative change that is the last.
 const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
-
-const FORCE: usize = 0;
-const SIDE: usize = 1;
-const RETURN: usize = 2;
-const FORM: usize = 3;
-const FILLING: usize = 4;
-const UNFILLED: usize = 5;
-const ONSET: usize = 6;
-const EXPANSION: usize = 7;
 
 impl Describe for Cavitation {
     const MEANING: &'static str =
@@ -137,21 +129,21 @@ impl Prepare for Cavitation {
         per_expansion: 0.0,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let cap = p.number(FORCE);
-        let sign = if p.number(SIDE) == 1.0 { 1.0 } else { -1.0 };
-        let is_foot_valve = p.number(FORM) == 1.0;
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let cap = p.number(own!("cavitation_force"));
+        let sign = if p.number(own!("cavitation_side")) == 1.0 { 1.0 } else { -1.0 };
+        let is_foot_valve = p.number(own!("cavitation_form")) == 1.0;
         Ok(Cavitation {
             is_foot_valve,
-            unfilled: p.number(UNFILLED),
-            filling: p.number(FILLING),
+            unfilled: p.number(own!("cavitation_unfilled")),
+            filling: p.number(own!("cavitation_velocity")),
             cap,
             sign,
-            lost: 1.0 - p.number(RETURN),
+            lost: 1.0 - p.number(own!("cavitation_return")),
             rounding: if is_foot_valve { ROUNDING } else { ROUNDING * cap },
             per_resistance: if is_foot_valve { 1.0 / FREE } else { SLACK / cap },
-            short_at_onset: if is_foot_valve { 0.0 } else { 1.0 - p.number(ONSET) },
-            per_expansion: 1.0 / p.number(EXPANSION),
+            short_at_onset: if is_foot_valve { 0.0 } else { 1.0 - p.number(own!("cavitation_onset")) },
+            per_expansion: 1.0 / p.number(own!("cavitation_expansion")),
         })
     }
 }

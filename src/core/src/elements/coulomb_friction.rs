@@ -3,6 +3,7 @@
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
 use crate::math::tanh;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = F_s tanh(K v).
@@ -23,8 +24,8 @@ impl Describe for CoulombFriction {
 impl Prepare for CoulombFriction {
     const OFF: Self = CoulombFriction { level: 0.0, steepness: 1.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(CoulombFriction { level: p.number(0), steepness: p.number(1) })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(CoulombFriction { level: p.number(own!("coulomb_force")), steepness: p.number(own!("coulomb_steepness")) })
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::elements::Response;
 use crate::math::tanh;
-use crate::parameter::View;
 
 /// With the depth d beyond the clearance and the speed s into the stop,
 ///
@@ -15,12 +14,18 @@ use crate::parameter::View;
 /// continuous everywhere: d̃ sets in softly over d_0, the oil over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
-    clearance: f64,
-    stiffness: f64,
-    per_progression: f64,
-    loss: f64,
-    damping: f64,
-    is_orifice: bool,
+    /// Travel at which it is met.
+    pub clearance: f64,
+    /// k.
+    pub stiffness: f64,
+    /// 1/p.
+    pub per_progression: f64,
+    /// η.
+    pub loss: f64,
+    /// c.
+    pub damping: f64,
+    /// Whether the oil goes through an orifice.
+    pub is_orifice: bool,
 }
 
 /// d_0: a contact is soft for so many metres.
@@ -32,18 +37,6 @@ impl EndStop {
     /// A stop that is not there.
     pub const OFF: EndStop =
         EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
-
-    /// From rows of the order clearance, stiffness, progression, loss, damping, flow.
-    pub fn prepare(p: &View) -> EndStop {
-        EndStop {
-            clearance: p.number(0),
-            stiffness: p.number(1),
-            per_progression: 1.0 / p.number(2),
-            loss: p.number(3),
-            damping: p.number(4),
-            is_orifice: p.number(5) == 1.0,
-        }
-    }
 
     /// The push P at travel `x` towards the stop and speed `s` into it, with its slopes over both.
     pub fn push(&self, x: f64, s: f64) -> Response {

@@ -2,6 +2,7 @@
 
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 use crate::paths::soft_gap::SoftGap;
 
@@ -27,7 +28,10 @@ impl Describe for FreePlay {
 impl Prepare for FreePlay {
     const OFF: Self = FreePlay(SoftGap::CLOSED);
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(FreePlay(SoftGap { gap: 0.5 * p.number(0), softness: p.number(1) }))
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(FreePlay(SoftGap {
+            gap: 0.5 * p.number(own!("free_play_gap")),
+            softness: p.number(own!("free_play_force")),
+        }))
     }
 }

@@ -3,6 +3,7 @@
 use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 use crate::paths::bypass::{law, per_stated};
 
@@ -84,16 +85,16 @@ impl Prepare for FrequencySelectiveDamping {
         per_velocity: 1.0,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(FrequencySelectiveDamping {
-            is_stroke: p.number(0) == 1.0,
-            is_bypass: p.number(0) == 2.0,
-            flow: p.number(4) * per_stated(p.number(6)),
-            laminar: p.number(6),
-            per_force: 1.0 / p.number(5),
-            share: p.number(1),
-            per_time: 1.0 / p.number(2),
-            per_velocity: 1.0 / p.number(3),
+            is_stroke: p.number(own!("fsd_form")) == 1.0,
+            is_bypass: p.number(own!("fsd_form")) == 2.0,
+            flow: p.number(own!("fsd_flow")) * per_stated(p.number(own!("fsd_laminar_force"))),
+            laminar: p.number(own!("fsd_laminar_force")),
+            per_force: 1.0 / p.number(own!("fsd_force")),
+            share: p.number(own!("fsd_share")),
+            per_time: 1.0 / p.number(own!("fsd_time")),
+            per_velocity: 1.0 / p.number(own!("fsd_velocity")),
         })
     }
 }

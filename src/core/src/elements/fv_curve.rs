@@ -3,20 +3,20 @@
 use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::elements::{Describe, Prepare};
 use crate::fault::{Fault, Reason};
-use crate::parameter::{Parameter, View};
+use crate::parameter::id::{Many, One};
+use crate::parameter::own::own;
+use crate::parameter::{Own, Parameter, View};
 
 /// F_d(v): a table with monotone cubic or linear interpolation, or the piecewise-linear form with knees.
 #[derive(Clone, Copy, Debug)]
 pub struct FvCurve(pub(crate) Curve);
 
-const FORM: usize = 0;
-const INTERPOLATION: usize = 1;
-const VELOCITY: usize = 2;
-const FORCE: usize = 3;
-const REBOUND_C: [usize; 3] = [4, 5, 6];
-const REBOUND_V: [usize; 2] = [7, 8];
-const COMPRESSION_C: [usize; 2] = [9, 10];
-const COMPRESSION_V: usize = 11;
+const VELOCITY: Own<FvCurve, Many> = Own::named("fv_velocity");
+const FORCE: Own<FvCurve, Many> = Own::named("fv_force");
+const REBOUND_C: [Own<FvCurve, One>; 3] =
+    [Own::named("fv_rebound_c1"), Own::named("fv_rebound_c2"), Own::named("fv_rebound_c3")];
+const REBOUND_V: [Own<FvCurve, One>; 2] = [Own::named("fv_rebound_v1"), Own::named("fv_rebound_v2")];
+const COMPRESSION_C: [Own<FvCurve, One>; 2] = [Own::named("fv_compression_c1"), Own::named("fv_compression_c2")];
 
 impl Describe for FvCurve {
     const MEANING: &'static str = "primary damper: the force-velocity (FV) curve";
@@ -57,18 +57,21 @@ impl Describe for FvCurve {
 impl Prepare for FvCurve {
     const OFF: Self = FvCurve(Curve::ZERO);
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let mut curve = Self::OFF;
         curve.set(p)?;
         Ok(curve)
     }
 
-    fn set(&mut self, p: &View) -> Result<(), Fault> {
-        if p.number(FORM) == 1.0 {
+    fn set(&mut self, p: &View<Self>) -> Result<(), Fault> {
+        if p.number(own!("fv_form")) == 1.0 {
             return self.set_piecewise(p);
         }
-        let interpolation =
-            if p.number(INTERPOLATION) == 1.0 { Interpolation::Linear } else { Interpolation::MonotoneCubic };
+        let interpolation = if p.number(own!("fv_interpolation")) == 1.0 {
+            Interpolation::Linear
+        } else {
+            Interpolation::MonotoneCubic
+        };
         self.0.set(p.list(VELOCITY), p.list(FORCE), interpolation).map_err(|reason| {
             let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
             p.fault(row, reason)
@@ -82,11 +85,11 @@ impl Prepare for FvCurve {
 
 impl FvCurve {
     /// The thesis's comparison model: straight lines from the origin with two rebound knees and one compression knee.
-    fn set_piecewise(&mut self, p: &View) -> Result<(), Fault> {
+    fn set_piecewise(&mut self, p: &View<Self>) -> Result<(), Fault> {
         let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
         let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
         let [cc1, cc2] = COMPRESSION_C.map(|row| p.number(row));
-        let vc1 = p.number(COMPRESSION_V);
+        let vc1 = p.number(own!("fv_compression_v1"));
         if vr2 <= vr1 {
             return Err(p.fault(REBOUND_V[1], Reason::Order));
         }

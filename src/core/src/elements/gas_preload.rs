@@ -2,6 +2,7 @@
 
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = −F_gas: a push, so negative where tension is positive.
@@ -19,8 +20,8 @@ impl Describe for GasPreload {
 impl Prepare for GasPreload {
     const OFF: Self = GasPreload { push: 0.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(GasPreload { push: p.number(0) })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(GasPreload { push: p.number(own!("gas_force")) })
     }
 }
 

@@ -4,6 +4,7 @@ use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{drawn, power};
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
@@ -51,13 +52,13 @@ impl Describe for GasSpring {
 impl Prepare for GasSpring {
     const OFF: Self = GasSpring { push: 0.0, per_length: 0.0, index: 1.0, per_time: 0.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let (stiffness, length) = (p.number(0), p.number(1));
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let (stiffness, length) = (p.number(own!("gas_stiffness")), p.number(own!("gas_length")));
         Ok(GasSpring {
             push: stiffness * length,
             per_length: 1.0 / length,
-            index: p.number(2),
-            per_time: 1.0 / p.number(3),
+            index: p.number(own!("gas_adiabatic_index")),
+            per_time: 1.0 / p.number(own!("gas_thermal_time")),
         })
     }
 }

@@ -5,7 +5,9 @@ use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
 use crate::fault::{Fault, Reason};
 use crate::input::Path;
 use crate::math::drawn;
-use crate::parameter::{Parameter, View};
+use crate::parameter::id::One;
+use crate::parameter::own::own;
+use crate::parameter::{Own, Parameter, View};
 
 /// T(|v|) dy/dt + y = Σ a_k v^k, F = y.
 ///
@@ -20,6 +22,7 @@ pub struct LaggedPolynomial {
     v2: f64,
 }
 
+const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
 /// Parts of a step in which the rate is taken as constant.
 const PARTS: usize = 4;
@@ -45,14 +48,15 @@ impl Describe for LaggedPolynomial {
 impl Prepare for LaggedPolynomial {
     const OFF: Self = LaggedPolynomial { a: [0.0; MAX_TERMS], slow: 1.0, per_speed: 0.0, v1: 0.0, v2: 1.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let mut a = [0.0; MAX_TERMS];
-        for (to, from) in a.iter_mut().zip(p.list(0)) {
+        for (to, from) in a.iter_mut().zip(p.list(own!("polynomial"))) {
             *to = *from;
         }
-        let (slow, fast, v1, v2) = (p.number(1), p.number(2), p.number(3), p.number(4));
+        let (slow, fast, v1, v2) =
+            (p.number(own!("lag_slow")), p.number(own!("lag_fast")), p.number(own!("lag_v1")), p.number(V2));
         if v2 <= v1 {
-            return Err(p.fault(4, Reason::Order));
+            return Err(p.fault(V2, Reason::Order));
         }
         Ok(LaggedPolynomial { a, slow, per_speed: (fast - slow) / (v2 - v1), v1, v2 })
     }

@@ -143,20 +143,20 @@ pub trait Describe {
 }
 
 /// How an element is made ready from its parameters.
-pub trait Prepare: Sized {
+pub trait Prepare: Describe + Sized {
     /// The element switched off.
     const OFF: Self;
     /// Checks what the bounds of single parameters cannot, and precomputes.
     ///
     /// # Errors
     /// The parameter that does not fit the others.
-    fn prepare(parameters: &View) -> Result<Self, Fault>;
+    fn prepare(parameters: &View<Self>) -> Result<Self, Fault>;
 
     /// As [`Prepare::prepare`], where the element is kept; large elements have one of their own.
     ///
     /// # Errors
     /// The same; nothing is changed then.
-    fn set(&mut self, parameters: &View) -> Result<(), Fault> {
+    fn set(&mut self, parameters: &View<Self>) -> Result<(), Fault> {
         *self = Self::prepare(parameters)?;
         Ok(())
     }
@@ -384,7 +384,7 @@ macro_rules! elements {
                 $(each!($stop, $Stop);)*
                 if !on(Place::$series) {
                     $(if on(Place::$law) {
-                        return Err(View::new(params, Place::$law as usize).fault(0, Reason::NeedsSeries));
+                        return Err(View::<$Law>::new(params, Place::$law as usize).fault_of_all(Reason::NeedsSeries));
                     })*
                 }
                 const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
@@ -746,11 +746,6 @@ impl Elements {
     pub(crate) fn slots(&self) -> &Slots {
         &self.slots
     }
-}
-
-/// The bit of the element called `name`.
-pub(crate) fn bit(name: &str) -> Option<u64> {
-    GROUPS.iter().take(COUNT).position(|group| group.name == name).map(|place| 1 << place)
 }
 
 /// The names of all elements, in the order of the list.

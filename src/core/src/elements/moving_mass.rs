@@ -6,6 +6,7 @@ use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::drawn;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = M (v − z)/τ, dz/dt = (v − z)/τ.
@@ -46,9 +47,13 @@ impl Describe for MovingMass {
 impl Prepare for MovingMass {
     const OFF: Self = MovingMass { is_inside: false, damping: 0.0, per_time: 1.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let per_time = 1.0 / p.number(1);
-        Ok(MovingMass { is_inside: p.number(2) == 1.0, damping: p.number(0) * per_time, per_time })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let per_time = 1.0 / p.number(own!("moving_mass_time"));
+        Ok(MovingMass {
+            is_inside: p.number(own!("moving_mass_place")) == 1.0,
+            damping: p.number(own!("moving_mass")) * per_time,
+            per_time,
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
@@ -65,11 +66,14 @@ impl Prepare for OilCompressibility {
     /// Ten times stiffer than most oil: hardly noticed beside the air it then carries.
     const OFF: Self = OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(OilCompressibility {
-            compliance: [1.0 / p.number(0), 1.0 / (p.number(0) * p.number(3))],
-            shortening: p.number(1),
-            has_two_chambers: p.number(2) == 1.0,
+            compliance: [
+                1.0 / p.number(own!("oil_stiffness")),
+                1.0 / (p.number(own!("oil_stiffness")) * p.number(own!("oil_compression"))),
+            ],
+            shortening: p.number(own!("oil_shortening")),
+            has_two_chambers: p.number(own!("oil_chambers")) == 1.0,
         })
     }
 }

@@ -4,7 +4,8 @@ use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::{Fault, Reason};
 use crate::math::pair;
-use crate::parameter::{Parameter, View};
+use crate::parameter::id::{Many, One};
+use crate::parameter::{Own, Parameter, View};
 
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +18,15 @@ pub struct ParallelSpring {
     has_lookup: bool,
 }
 
-const DISPLACEMENT: usize = 4;
-const FORCE: usize = 5;
+/// The coefficients, by power of |x|.
+const POWERS: [Own<ParallelSpring, One>; 4] = [
+    Own::named("spring_linear"),
+    Own::named("spring_quadratic"),
+    Own::named("spring_cubic"),
+    Own::named("spring_quartic"),
+];
+const DISPLACEMENT: Own<ParallelSpring, Many> = Own::named("spring_displacement");
+const FORCE: Own<ParallelSpring, Many> = Own::named("spring_force");
 
 impl Describe for ParallelSpring {
     const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
@@ -49,13 +57,13 @@ impl Describe for ParallelSpring {
 impl Prepare for ParallelSpring {
     const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let mut spring = Self::OFF;
         spring.set(p)?;
         Ok(spring)
     }
 
-    fn set(&mut self, p: &View) -> Result<(), Fault> {
+    fn set(&mut self, p: &View<Self>) -> Result<(), Fault> {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
         if has_lookup {
@@ -67,7 +75,8 @@ impl Prepare for ParallelSpring {
             self.lookup.clear();
         }
         self.has_lookup = has_lookup;
-        self.k = [0, 1, 2, 3].map(|power| [p.number(power), (power + 1) as f64 * p.number(power)]);
+        let k = POWERS.map(|power| p.number(power));
+        self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
         self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
         Ok(())
     }

@@ -3,6 +3,7 @@
 use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// A zone of the stroke, p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x, in two
@@ -60,15 +61,15 @@ impl Prepare for PositionDependentDamping {
         acts: [false; 2],
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let strokes = p.number(4);
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let strokes = p.number(own!("bypass_strokes"));
         Ok(PositionDependentDamping {
-            is_groove: p.number(5) == 1.0,
-            share: p.number(0),
-            flow: p.number(6),
-            centre: p.number(1),
-            half_width: p.number(2),
-            per_blend: 1.0 / p.number(3),
+            is_groove: p.number(own!("bypass_form")) == 1.0,
+            share: p.number(own!("bypass_share")),
+            flow: p.number(own!("bypass_flow")),
+            centre: p.number(own!("bypass_centre")),
+            half_width: p.number(own!("bypass_half_width")),
+            per_blend: 1.0 / p.number(own!("bypass_blend")),
             acts: [strokes != 1.0, strokes != 2.0],
         })
     }

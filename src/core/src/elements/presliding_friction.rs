@@ -5,6 +5,7 @@ use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::power;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1): the force turns over within a few z_0 of travel, whatever the speed.
@@ -63,15 +64,15 @@ impl Prepare for PreslidingFriction {
         creep_squared: 0.0,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let length = p.number(1);
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let length = p.number(own!("presliding_length"));
         Ok(PreslidingFriction {
-            stiffness: p.number(0) / length,
+            stiffness: p.number(own!("presliding_force")) / length,
             length,
             per_length: 1.0 / length,
-            power: p.number(2) - 1.0,
-            returns_elastically: p.number(3) == 1.0,
-            creep_squared: p.number(4) * p.number(4),
+            power: p.number(own!("presliding_power")) - 1.0,
+            returns_elastically: p.number(own!("presliding_return")) == 1.0,
+            creep_squared: p.number(own!("presliding_creep")) * p.number(own!("presliding_creep")),
         })
     }
 }

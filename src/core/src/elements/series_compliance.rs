@@ -2,6 +2,7 @@
 
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
@@ -39,12 +40,12 @@ impl Describe for SeriesCompliance {
 impl Prepare for SeriesCompliance {
     const OFF: Self = SeriesCompliance { stiffness: 0.0, damping: 0.0, mass: 0.0, carries_whole: false };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(SeriesCompliance {
-            stiffness: p.number(0),
-            damping: p.number(1),
-            mass: p.number(2),
-            carries_whole: p.number(3) == 1.0,
+            stiffness: p.number(own!("series_stiffness")),
+            damping: p.number(own!("series_damping")),
+            mass: p.number(own!("internal_mass")),
+            carries_whole: p.number(own!("series_load")) == 1.0,
         })
     }
 }

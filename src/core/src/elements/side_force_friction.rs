@@ -3,6 +3,7 @@
 use crate::elements::coulomb_friction::smooth_sign;
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = k_avg |F_side| tanh(K v).
@@ -23,8 +24,11 @@ impl Describe for SideForceFriction {
 impl Prepare for SideForceFriction {
     const OFF: Self = SideForceFriction { coefficient: 0.0, steepness: 1.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(SideForceFriction { coefficient: p.number(0), steepness: p.number(1) })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(SideForceFriction {
+            coefficient: p.number(own!("side_force_coefficient")),
+            steepness: p.number(own!("side_force_steepness")),
+        })
     }
 }
 

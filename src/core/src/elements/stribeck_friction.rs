@@ -4,6 +4,7 @@ use crate::elements::coulomb_friction::smooth_sign;
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
 use crate::math::{exp_below_bound, power};
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// Two forms.
@@ -88,17 +89,21 @@ impl Describe for StribeckFriction {
 impl Prepare for StribeckFriction {
     const OFF: Self = StribeckFriction::Simplified { peak: 0.0, per_stribeck: 1.0, coulomb: 0.0, steepness: 1.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let (breakaway, coulomb, v) = (p.number(1), p.number(2), p.number(3));
-        if p.number(0) == 1.0 {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let (breakaway, coulomb, v) = (
+            p.number(own!("stribeck_breakaway_force")),
+            p.number(own!("stribeck_coulomb_force")),
+            p.number(own!("stribeck_breakaway_velocity")),
+        );
+        if p.number(own!("stribeck_form")) == 1.0 {
             return Ok(StribeckFriction::Full {
                 coulomb,
                 excess: breakaway - coulomb,
-                per_stribeck: 1.0 / p.number(4),
-                fall: p.number(5),
+                per_stribeck: 1.0 / p.number(own!("stribeck_velocity")),
+                fall: p.number(own!("stribeck_fall")),
                 per_breakaway: 1.0 / v,
-                rise: p.number(6),
-                rise_power: p.number(7),
+                rise: p.number(own!("stribeck_rise")),
+                rise_power: p.number(own!("stribeck_rise_power")),
             });
         }
         /// √(2e).

@@ -3,6 +3,7 @@
 use crate::dual::Real;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by the viscosity over that at T_0,
@@ -71,16 +72,20 @@ impl Prepare for TemperatureFade {
         heats_itself: false,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let per_capacity = 1.0 / p.number(3);
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let per_capacity = 1.0 / p.number(own!("heat_capacity"));
         Ok(TemperatureFade {
-            coefficient: p.number(1),
-            slackening: p.number(6),
-            reference: p.number(2),
-            per_laminar: if p.number(5) < ALL { 1.0 / p.number(5) } else { 0.0 },
+            coefficient: p.number(own!("fade_coefficient")),
+            slackening: p.number(own!("fade_slackening")),
+            reference: p.number(own!("fade_reference")),
+            per_laminar: if p.number(own!("fade_laminar_force")) < ALL {
+                1.0 / p.number(own!("fade_laminar_force"))
+            } else {
+                0.0
+            },
             per_capacity,
-            cooling: p.number(4) * per_capacity,
-            heats_itself: p.number(0) == 1.0,
+            cooling: p.number(own!("heat_transfer")) * per_capacity,
+            heats_itself: p.number(own!("fade_source")) == 1.0,
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 
 /// F = F_v v|v|: odd in v. Thesis 3.5 prints v² without a sign, which would push in compression.
@@ -19,8 +20,8 @@ impl Describe for ViscousFriction {
 impl Prepare for ViscousFriction {
     const OFF: Self = ViscousFriction { coefficient: 0.0 };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        Ok(ViscousFriction { coefficient: p.number(0) })
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(ViscousFriction { coefficient: p.number(own!("viscous_coefficient")) })
     }
 }
 

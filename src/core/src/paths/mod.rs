@@ -24,6 +24,7 @@ pub(crate) mod solve;
 use crate::elements::{Elements, MAX_MEMORY};
 use crate::parameter::Params;
 use crate::state::State;
+use crate::{element, number};
 
 /// Number of states that act on each other.
 pub const STATES: usize = 10;
@@ -134,17 +135,16 @@ impl Slots {
 /// Number of private states of the elements in both paths that are on in a parameter set: as [`slots`] counts those of the
 /// prepared elements, before they are prepared.
 pub(crate) fn states_of(params: &Params) -> usize {
-    let on = |element: &str| usize::from(params.is_on(element));
-    let with =
-        |element: &str, name: &str, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.scalar(name)));
-    on("bushing")
-        + with("bushing", "bushing_slow_stiffness", |share| share > 0.0)
-        + usize::from(params.is_on("oil_compressibility") || params.is_on("aeration"))
-        + on("cavitation")
-        + on("frequency_selective_damping")
-        + on("valve_hysteresis")
-        + with("valve_hysteresis", "valve_form", |form| form == 2.0)
-        + with("temperature_fade", "fade_source", |source| source == 1.0)
+    let on = |element| usize::from(params.is_on(element));
+    let with = |element, number, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.number(number)));
+    on(element!("bushing"))
+        + with(element!("bushing"), number!("bushing_slow_stiffness"), |share| share > 0.0)
+        + usize::from(params.is_on(element!("oil_compressibility")) || params.is_on(element!("aeration")))
+        + on(element!("cavitation"))
+        + on(element!("frequency_selective_damping"))
+        + on(element!("valve_hysteresis"))
+        + with(element!("valve_hysteresis"), number!("valve_form"), |form| form == 2.0)
+        + with(element!("temperature_fade"), number!("fade_source"), |source| source == 1.0)
 }
 
 /// Name and unit of the private state at a place, of the element set `e`.

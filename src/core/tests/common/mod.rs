@@ -2,9 +2,10 @@
 #![allow(dead_code)]
 
 use dashpot_core::elements::names;
-use dashpot_core::parameter::{Shape, table};
+use dashpot_core::parameter::{Element, Number, Shape, table};
 use dashpot_core::step::{Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_core::{element, list};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -41,12 +42,12 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     let of = |on: &[&str], changes: &[(&str, f64)]| {
         let mut p = params(changes);
         for element in on {
-            p.enable(element, true).unwrap();
+            p.enable(Element::find(element).unwrap(), true);
         }
         p
     };
     let without_series = |mut p: Params| {
-        p.enable("series_compliance", false).unwrap();
+        p.enable(element!("series_compliance"), false);
         p
     };
     let capped = [("cavitation_force", 900.0)];
@@ -167,7 +168,7 @@ pub fn model(changes: &[(&str, f64)]) -> Model {
 pub fn params(changes: &[(&str, f64)]) -> Params {
     let mut params = Params::new();
     for (name, value) in changes {
-        params.set(name, *value).unwrap();
+        params.set(Number::find(name).unwrap(), *value).unwrap();
     }
     params
 }
@@ -254,7 +255,7 @@ pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p = params(changes);
     p.disable_all();
     for element in elements {
-        p.enable(element, true).unwrap();
+        p.enable(Element::find(element).unwrap(), true);
     }
     Model::new(&p).unwrap()
 }
@@ -263,7 +264,7 @@ pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p = params(changes);
     for element in elements {
-        p.enable(element, true).unwrap();
+        p.enable(Element::find(element).unwrap(), true);
     }
     Model::new(&p).unwrap()
 }
@@ -282,13 +283,17 @@ pub fn any_params() -> impl Strategy<Value = Params> {
             for (row, share) in table().zip(&shares) {
                 let p = row.parameter;
                 match p.shape {
-                    Shape::Choice(words) => params.set(p.name, (share * words.len() as f64).floor()).ok()?,
-                    Shape::Scalar if p.name == "substeps" => params.set(p.name, (share * 8.0).floor()).ok()?,
+                    Shape::Choice(words) => {
+                        params.set(Number::find(p.name).unwrap(), (share * words.len() as f64).floor()).ok()?
+                    }
+                    Shape::Scalar if p.name == "substeps" => {
+                        params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
+                    }
                     Shape::Scalar => {
                         let low = if p.low > 0.0 { p.low } else { 1e-9 * p.high };
                         let by_decade = low * (p.high / low).powf(*share);
                         let ends = if *share < 0.05 { p.low } else { by_decade };
-                        params.set(p.name, ends.clamp(p.low, p.high)).ok()?;
+                        params.set(Number::find(p.name).unwrap(), ends.clamp(p.low, p.high)).ok()?;
                     }
                     Shape::List(_) => {}
                 }
@@ -306,15 +311,15 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                 )
             };
             let (u, f) = rising(&fv, if steep { 0.05 } else { 3.0 }, 2e4);
-            params.set_list("fv_velocity", &u).ok()?;
-            params.set_list("fv_force", &f).ok()?;
+            params.set_list(list!("fv_velocity"), &u).ok()?;
+            params.set_list(list!("fv_force"), &f).ok()?;
             if lookup {
                 let (x, f) = rising(&spring, 0.2, 1e3);
-                params.set_list("spring_displacement", &x).ok()?;
-                params.set_list("spring_force", &f).ok()?;
+                params.set_list(list!("spring_displacement"), &x).ok()?;
+                params.set_list(list!("spring_force"), &f).ok()?;
             }
             for (name, on) in names().zip(&on) {
-                params.enable(name, *on).ok()?;
+                params.enable(Element::find(name).unwrap(), *on);
             }
             Model::new(&params).ok().map(|_| params)
         },
@@ -326,7 +331,7 @@ pub fn told(params: &Params) -> String {
     let mut text = String::new();
     for row in table() {
         let group = dashpot_core::elements::GROUPS[row.group].name;
-        if params.is_on(group) || group == "integration" {
+        if Element::find(group).map_or(true, |element| params.is_on(element)) {
             text += &format!("{} {:?}; ", row.parameter.name, params.get(&row));
         }
     }

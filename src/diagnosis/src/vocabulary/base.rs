@@ -1,9 +1,9 @@
 //! The numbers of the model that is diagnosed.
 
 use dashpot_core::Params;
-use dashpot_core::elements::GROUPS;
-use dashpot_core::parameter::Shape;
-use dashpot_estimation::hypothesis::{Number, number};
+use dashpot_core::parameter::{Element, Number, Row, Shape, table};
+use dashpot_core::{element, list, number};
+use dashpot_estimation::hypothesis::{Number as FreeNumber, number};
 use dashpot_estimation::priors::{self, Usual};
 use dashpot_estimation::unknowns::Unknown;
 
@@ -14,24 +14,24 @@ const NEAR: f64 = 1.8 * 1.8;
 /// Least mass, kg, that it may go to and from: below it no record tells one from another.
 const LEAST: f64 = 0.05;
 
-fn internal_mass(base: &Params) -> Number {
-    let own = base.scalar("internal_mass").max(LEAST);
+fn internal_mass(base: &Params) -> FreeNumber {
+    let own = base.number(number!("internal_mass")).max(LEAST);
     let mut from = *base;
-    let _ = from.set("internal_mass", own);
+    let _ = from.set(number!("internal_mass"), own);
     let bounds = ((own / NEAR).max(LEAST).ln(), (own * NEAR).ln());
-    Number { bounds, ..number(&from, Unknown::Log("internal_mass")) }
+    FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 
 /// Elements whose numbers [`base_numbers`] lists by itself.
-const LISTED: [&str; 8] = [
-    "fv_curve",
-    "series_compliance",
-    "parallel_spring",
-    "gas_preload",
-    "coulomb_friction",
-    "stribeck_friction",
-    "viscous_friction",
-    "side_force_friction",
+const LISTED: [Element; 8] = [
+    element!("fv_curve"),
+    element!("series_compliance"),
+    element!("parallel_spring"),
+    element!("gas_preload"),
+    element!("coulomb_friction"),
+    element!("stribeck_friction"),
+    element!("viscous_friction"),
+    element!("side_force_friction"),
 ];
 
 /// Standard deviations off what dampers show from which a number is there to switch something off: no damper is meant by it.
@@ -41,69 +41,67 @@ const SWITCHED_OFF: f64 = 5.0;
 /// would leave it to another effect to give way in their place.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
     let mut all = Vec::new();
-    for group in GROUPS.iter().filter(|g| base.is_on(g.name) && !LISTED.contains(&g.name)) {
-        for p in group.parameters.iter().filter(|p| matches!(p.shape, Shape::Scalar)) {
-            let (value, Some(prior)) = (base.scalar(p.name), priors::of(p.name)) else { continue };
-            // What a temperature does to a test is counted beside the model.
-            let is_heat = p.name == "heat_capacity";
-            if value == 0.0 || prior.usual.off(value).abs() > SWITCHED_OFF || is_heat {
-                continue;
-            }
-            all.push(if matches!(prior.usual, Usual::Size(..)) {
-                Unknown::Log(p.name)
-            } else {
-                Unknown::Linear(p.name)
-            });
+    let own = |row: &Row| row.element().is_some_and(|e| base.is_on(e) && !LISTED.contains(&e));
+    for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
+        let Ok(number) = Number::try_from(row) else { continue };
+        let (value, Some(prior)) = (base.number(number), priors::of(number)) else { continue };
+        // What a temperature does to a test is counted beside the model.
+        let is_heat = number == number!("heat_capacity");
+        if value == 0.0 || prior.usual.off(value).abs() > SWITCHED_OFF || is_heat {
+            continue;
         }
+        all.push(if matches!(prior.usual, Usual::Size(..)) { Unknown::Log(number) } else { Unknown::Linear(number) });
     }
     all
 }
 
 /// The numbers of the base model that a refit may change.
-pub fn base_numbers(base: &Params) -> Vec<Number> {
+pub fn base_numbers(base: &Params) -> Vec<FreeNumber> {
     use dashpot_estimation::unknowns::{CurveName, Unknowns};
     let mut list = Vec::new();
-    let on = |name: &str| base.is_on(name);
-    if on("series_compliance") {
+    let on = |element| base.is_on(element);
+    if on(element!("series_compliance")) {
         list.push(internal_mass(base));
     }
     let mut add = |unknown: Unknown| list.push(number(base, unknown));
     for rise in Unknowns::rises(base, CurveName::Fv) {
         add(rise);
     }
-    if on("series_compliance") {
-        add(Unknown::Log("series_stiffness"));
-        add(Unknown::Linear("series_damping"));
+    if on(element!("series_compliance")) {
+        add(Unknown::Log(number!("series_stiffness")));
+        add(Unknown::Linear(number!("series_damping")));
     }
-    if on("parallel_spring") {
-        for name in ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"] {
-            if base.scalar(name) != 0.0 {
-                add(Unknown::Linear(name));
+    if on(element!("parallel_spring")) {
+        for power in
+            [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")]
+        {
+            if base.number(power) != 0.0 {
+                add(Unknown::Linear(power));
             }
         }
-        if base.list("spring_displacement").len() > 2 {
+        if base.list(list!("spring_displacement")).len() > 2 {
             for rise in Unknowns::rises(base, CurveName::Spring) {
                 add(rise);
             }
         }
     }
-    if on("gas_preload") {
-        add(Unknown::Linear("gas_force"));
+    if on(element!("gas_preload")) {
+        add(Unknown::Linear(number!("gas_force")));
     }
-    if on("coulomb_friction") {
-        add(Unknown::Linear("coulomb_force"));
-        add(Unknown::Log("coulomb_steepness"));
+    if on(element!("coulomb_friction")) {
+        add(Unknown::Linear(number!("coulomb_force")));
+        add(Unknown::Log(number!("coulomb_steepness")));
     }
-    if on("stribeck_friction") {
-        add(Unknown::Linear("stribeck_coulomb_force"));
-        add(Unknown::Above("stribeck_breakaway_force", "stribeck_coulomb_force"));
-        add(Unknown::Log("stribeck_breakaway_velocity"));
+    if on(element!("stribeck_friction")) {
+        add(Unknown::Linear(number!("stribeck_coulomb_force")));
+        add(Unknown::Above(number!("stribeck_breakaway_force"), number!("stribeck_coulomb_force")));
+        add(Unknown::Log(number!("stribeck_breakaway_velocity")));
     }
-    if on("viscous_friction") {
-        add(Unknown::Linear("viscous_coefficient"));
+    if on(element!("viscous_friction")) {
+        add(Unknown::Linear(number!("viscous_coefficient")));
     }
-    if on("side_force_friction") {
-        add(Unknown::Linear("side_force_coefficient"));
+    if on(element!("side_force_friction")) {
+        add(Unknown::Linear(number!("side_force_coefficient")));
     }
     of_other_elements(base).into_iter().for_each(add);
     list
@@ -115,8 +113,8 @@ mod tests {
     use dashpot_estimation::hypothesis::Free;
 
     fn free(base: &Params) -> Vec<&'static str> {
-        let name = |number: Number| match number.free {
-            Free::Model(Unknown::Log(name) | Unknown::Linear(name) | Unknown::Above(name, _)) => Some(name),
+        let name = |number: FreeNumber| match number.free {
+            Free::Model(Unknown::Log(n) | Unknown::Linear(n) | Unknown::Above(n, _)) => Some(n.name()),
             _ => None,
         };
         base_numbers(base).into_iter().filter_map(name).collect()
@@ -126,8 +124,8 @@ mod tests {
     fn what_a_fit_or_a_diagnosis_has_put_into_the_model_is_refitted_with_the_rest() {
         let mut base = Params::new();
         assert!(!free(&base).contains(&"presliding_force"));
-        base.enable("presliding_friction", true).unwrap();
-        base.set("presliding_power", 1.0).unwrap();
+        base.enable(element!("presliding_friction"), true);
+        base.set(number!("presliding_power"), 1.0).unwrap();
         let names = free(&base);
         assert!(names.contains(&"presliding_force") && names.contains(&"presliding_length"), "{names:?}");
         // A creep that no seal has: the default, which means none.
@@ -137,10 +135,10 @@ mod tests {
     #[test]
     fn what_is_there_to_switch_something_off_stays() {
         let mut base = Params::new();
-        base.enable("bushing", true).unwrap();
-        base.set("bushing_loss_time", 1e3).unwrap();
-        base.set("bushing_stop_stiffness", 0.0).unwrap();
-        base.set("bushing_slip", 1e-4).unwrap();
+        base.enable(element!("bushing"), true);
+        base.set(number!("bushing_loss_time"), 1e3).unwrap();
+        base.set(number!("bushing_stop_stiffness"), 0.0).unwrap();
+        base.set(number!("bushing_slip"), 1e-4).unwrap();
         let names = free(&base);
         assert!(names.contains(&"bushing_hardening") && names.contains(&"bushing_slip"), "{names:?}");
         assert!(!names.contains(&"bushing_loss_time") && !names.contains(&"bushing_stop_stiffness"), "{names:?}");
@@ -149,8 +147,8 @@ mod tests {
     #[test]
     fn no_number_is_there_twice() {
         let mut base = Params::new();
-        for element in dashpot_core::elements::names() {
-            base.enable(element, true).unwrap();
+        for element in Element::all() {
+            base.enable(element, true);
         }
         let mut names = free(&base);
         let count = names.len();

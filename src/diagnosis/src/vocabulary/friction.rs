@@ -2,6 +2,7 @@
 
 use super::{Candidate, Start, candidate, held, linear, log};
 use crate::situation::Situation;
+use dashpot_core::{element, number};
 
 /// Power of presliding friction from which it is refined.
 const SLIPS: f64 = 1.5;
@@ -11,32 +12,30 @@ const CREEPS: f64 = 1e-4;
 /// Adds them.
 pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     let level = s.friction.max(s.friction_in_curve).max(10.0);
-    if !s.base.is_on("stribeck_friction") {
+    if !s.base.is_on(element!("stribeck_friction")) {
         all.push(candidate(
-            "coulomb_friction",
-            &["coulomb_friction"],
-            vec![linear("coulomb_force", (3.0, 200.0)), held("coulomb_steepness", (100.0, 1e4), 0.7)],
+            &[element!("coulomb_friction")],
+            vec![linear(number!("coulomb_force"), (3.0, 200.0)), held(number!("coulomb_steepness"), (100.0, 1e4), 0.7)],
             vec![Start::at(&[20.0, 1000.0])],
         ));
     }
     // The peak alone, above the level that another element carries.
-    let rise = s.base.scalar("coulomb_steepness").clamp(200.0, 5000.0);
+    let rise = s.base.number(number!("coulomb_steepness")).clamp(200.0, 5000.0);
     all.push(Candidate {
         form: "full",
         fixed: vec![
-            ("stribeck_form", 1.0),
-            ("stribeck_coulomb_force", 0.0),
-            ("stribeck_rise", 1.0),
-            ("stribeck_rise_power", 1.0),
-            ("stribeck_breakaway_velocity", 1.0 / rise),
+            (number!("stribeck_form"), 1.0),
+            (number!("stribeck_coulomb_force"), 0.0),
+            (number!("stribeck_rise"), 1.0),
+            (number!("stribeck_rise_power"), 1.0),
+            (number!("stribeck_breakaway_velocity"), 1.0 / rise),
         ],
         ..candidate(
-            "stribeck_friction",
-            &["stribeck_friction"],
+            &[element!("stribeck_friction")],
             vec![
-                linear("stribeck_breakaway_force", (3.0, 150.0)),
-                log("stribeck_velocity", (0.002, 0.06)),
-                held("stribeck_fall", (1.0, 3.0), 0.3),
+                linear(number!("stribeck_breakaway_force"), (3.0, 150.0)),
+                log(number!("stribeck_velocity"), (0.002, 0.06)),
+                held(number!("stribeck_fall"), (1.0, 3.0), 0.3),
             ],
             [0.006, 0.015, 0.035].map(|v| Start::at(&[0.4 * level, v, 1.5])).to_vec(),
         )
@@ -44,26 +43,25 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     for (back, form) in [(0.0, "slips from the first"), (1.0, "bends before it slips")] {
         all.push(Candidate {
             form,
-            fixed: vec![("presliding_return", back)],
+            fixed: vec![(number!("presliding_return"), back)],
             ..candidate(
-                "presliding_friction",
-                &["presliding_friction"],
+                &[element!("presliding_friction")],
                 vec![
-                    linear("presliding_force", (3.0, 200.0)),
-                    log("presliding_length", (0.0, 5e-3)),
-                    held("presliding_power", (0.0, 8.0), 0.7),
+                    linear(number!("presliding_force"), (3.0, 200.0)),
+                    log(number!("presliding_length"), (0.0, 5e-3)),
+                    held(number!("presliding_power"), (0.0, 8.0), 0.7),
                     // What creeps faster is no friction: its force grows with speed.
-                    held("presliding_creep", (0.0, 5e-3), 1.5),
+                    held(number!("presliding_creep"), (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]
                     .iter()
                     .flat_map(|length| {
                         let none = [
-                            ("coulomb_force", 0.2),
-                            ("stribeck_coulomb_force", 0.2),
-                            ("stribeck_breakaway_force", 0.2),
+                            (number!("coulomb_force"), 0.2),
+                            (number!("stribeck_coulomb_force"), 0.2),
+                            (number!("stribeck_breakaway_force"), 0.2),
                         ];
-                        let stiffer = [none[0], none[1], none[2], ("series_stiffness", 1.3)];
+                        let stiffer = [none[0], none[1], none[2], (number!("series_stiffness"), 1.3)];
                         [
                             Start::moving(&[level, *length, SLIPS, CREEPS], &stiffer),
                             Start::at(&[0.3 * level, *length, SLIPS, CREEPS]),
@@ -78,9 +76,8 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     all.push(candidate(
-        "side_force_friction",
-        &["side_force_friction"],
-        vec![linear("side_force_coefficient", (0.003, 0.6))],
+        &[element!("side_force_friction")],
+        vec![linear(number!("side_force_coefficient"), (0.003, 0.6))],
         vec![Start::at(&[0.05])],
     ));
 }

@@ -17,8 +17,9 @@ pub use base::base_numbers;
 
 use super::sentence::Template;
 use super::situation::Situation;
-use dashpot_core::elements;
+use dashpot_core::parameter::{Element, Number};
 use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::unknowns::Unknown;
 
 /// A number that an effect brings along.
@@ -39,7 +40,7 @@ pub struct Start {
     /// Values of the fresh numbers in physical units, in their order.
     pub values: Vec<f64>,
     /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
-    pub moves: Vec<(&'static str, f64)>,
+    pub moves: Vec<(Number, f64)>,
     /// A branch of the FV curve that is drawn on: a capped branch hides the cap.
     pub unbend: Option<DrawnOn>,
     /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
@@ -69,7 +70,7 @@ impl Start {
         !self.moves.is_empty() || self.unbend.is_some() || self.straighten.is_some() || self.level > 0.0
     }
 
-    fn moving(values: &[f64], moves: &[(&'static str, f64)]) -> Start {
+    fn moving(values: &[f64], moves: &[(Number, f64)]) -> Start {
         Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, straighten: None, level: 0.0 }
     }
 }
@@ -82,9 +83,9 @@ pub struct Candidate {
     /// Which form, where there are several.
     pub form: &'static str,
     /// Elements that it switches on.
-    pub elements: &'static [&'static str],
+    pub elements: &'static [Element],
     /// Parameters that it sets and leaves.
-    pub fixed: Vec<(&'static str, f64)>,
+    pub fixed: Vec<(Number, f64)>,
     /// Numbers that it frees.
     pub fresh: Vec<Fresh>,
     /// Where to search.
@@ -112,30 +113,32 @@ fn fresh(free: Free, plausible: (f64, f64)) -> Fresh {
     Fresh { free, plausible, deviation: None }
 }
 
-fn log(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    fresh(Free::Model(Unknown::Log(name)), plausible)
+fn log(number: Number, plausible: (f64, f64)) -> Fresh {
+    fresh(Free::Model(Unknown::Log(number)), plausible)
 }
 
-fn held(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
-    Fresh { deviation: Some(deviation), ..log(name, plausible) }
+fn held(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..log(number, plausible) }
 }
 
-fn linear(name: &'static str, plausible: (f64, f64)) -> Fresh {
-    fresh(Free::Model(Unknown::Linear(name)), plausible)
+fn linear(number: Number, plausible: (f64, f64)) -> Fresh {
+    fresh(Free::Model(Unknown::Linear(number)), plausible)
 }
 
 /// Near an expected value by nature: `deviation` in its own unit.
-fn near(name: &'static str, plausible: (f64, f64), deviation: f64) -> Fresh {
-    Fresh { deviation: Some(deviation), ..linear(name, plausible) }
+fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
+    Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
 
-fn candidate(
-    effect: &'static str,
-    elements: &'static [&'static str],
-    fresh: Vec<Fresh>,
-    starts: Vec<Start>,
-) -> Candidate {
+/// An effect that has the name of the first of its elements.
+fn candidate(elements: &'static [Element], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
+    let effect = elements.first().map_or("", |element| element.name());
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, jumps: false, unnamed: None }
+}
+
+/// An effect that the measurement adds.
+fn of_the_rig(artefact: Artefact, fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
+    Candidate { effect: artefact.name(), ..candidate(&[], fresh, starts) }
 }
 
 fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
@@ -153,10 +156,7 @@ pub fn candidates(s: &Situation) -> Vec<Candidate> {
     stops::stops(s, &mut all);
     rig::rig(s, &mut all);
     unnamed::unnamed(&mut all);
-    all.retain(|c| {
-        let known = |name: &str| elements::names().any(|n| n == name);
-        c.elements.iter().all(|e| known(e)) && (c.is_artefact() || !s.base.is_on(c.elements[0]))
-    });
+    all.retain(|c| c.elements.first().is_none_or(|element| !s.base.is_on(*element)));
     all
 }
 
@@ -165,12 +165,13 @@ mod tests {
     use super::*;
     use crate::EFFECTS;
     use dashpot_core::Params;
+    use dashpot_core::element;
 
     #[test]
     fn every_candidate_has_a_name_of_the_list_or_none_and_a_value_for_each_number() {
         let mut base = Params::new();
-        base.enable("stribeck_friction", false).unwrap();
-        base.enable("gas_preload", false).unwrap();
+        base.enable(element!("stribeck_friction"), false);
+        base.enable(element!("gas_preload"), false);
         let mut situation = Situation::new(&base, &[], &[]);
         (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
         let all = candidates(&situation);
@@ -180,8 +181,9 @@ mod tests {
         }
         let missing: Vec<&&str> = EFFECTS.iter().filter(|e| all.iter().all(|c| c.effect != **e)).collect();
         // What the base has on is no candidate, and what no rig can separate never is one.
+        let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| base.is_on(element));
         assert!(
-            missing.iter().all(|e| base.is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
+            missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
             "{missing:?}"
         );
     }
@@ -192,8 +194,8 @@ mod tests {
         for preload in [false, true] {
             for measured in [false, true] {
                 let mut base = Params::new();
-                base.enable("gas_preload", preload).unwrap();
-                base.enable("stribeck_friction", false).unwrap();
+                base.enable(element!("gas_preload"), preload);
+                base.enable(element!("stribeck_friction"), false);
                 let mut situation = Situation::new(&base, &[], &[]);
                 (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
                 situation.temperature_measured = measured;

@@ -2,6 +2,7 @@
 
 use super::{Candidate, DrawnOn, Fresh, Start, candidate, fresh, grid, held, linear, log, near};
 use crate::situation::Situation;
+use dashpot_core::{element, number};
 use dashpot_estimation::hypothesis::Free;
 
 /// One over the length of an oil column, 1/m.
@@ -26,60 +27,57 @@ fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, DrawnOn)> {
 
 /// Oil that yields, tears off or thins.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
-    let stiffness = if s.base.is_on("series_compliance") { s.base.scalar("series_stiffness") } else { 2e6 };
+    let stiffness =
+        if s.base.is_on(element!("series_compliance")) { s.base.number(number!("series_stiffness")) } else { 2e6 };
     for (chambers, form) in [(0.0, "rebound chamber"), (1.0, "both chambers")] {
         all.push(Candidate {
             form,
-            fixed: vec![("oil_chambers", chambers), ("oil_compression", 1.0)],
+            fixed: vec![(number!("oil_chambers"), chambers), (number!("oil_compression"), 1.0)],
             ..candidate(
-                "oil_compressibility",
-                &["oil_compressibility"],
+                &[element!("oil_compressibility")],
                 // A column of eight to fifty centimetres.
-                vec![log("oil_stiffness", (3e5, 2e7)), near("oil_shortening", (0.0, 20.0), 4.0)],
+                vec![log(number!("oil_stiffness"), (3e5, 2e7)), near(number!("oil_shortening"), (0.0, 20.0), 4.0)],
                 vec![
                     Start::at(&[1e7, COLUMN]),
                     Start::at(&[2.5e6, COLUMN]),
                     Start::at(&[7e5, COLUMN]),
-                    Start::moving(&[2.0 * stiffness, COLUMN], &[("series_stiffness", 2.0)]),
-                    Start::moving(&[1.3 * stiffness, COLUMN], &[("series_stiffness", 4.0)]),
+                    Start::moving(&[2.0 * stiffness, COLUMN], &[(number!("series_stiffness"), 2.0)]),
+                    Start::moving(&[1.3 * stiffness, COLUMN], &[(number!("series_stiffness"), 4.0)]),
                     // Soft oil passes for a soft mount altogether.
-                    Start::moving(&[1.1 * stiffness, COLUMN], &[("series_stiffness", 12.0)]),
+                    Start::moving(&[1.1 * stiffness, COLUMN], &[(number!("series_stiffness"), 12.0)]),
                 ],
             )
         });
     }
     all.push(Candidate {
         form: "one chamber softer than the other",
-        fixed: vec![("oil_chambers", 1.0), ("oil_shortening", 0.0)],
+        fixed: vec![(number!("oil_chambers"), 1.0), (number!("oil_shortening"), 0.0)],
         ..candidate(
-            "oil_compressibility",
-            &["oil_compressibility"],
+            &[element!("oil_compressibility")],
             // A twin tube yields by the area of its rod alone. What is softer than any oil is something else.
-            vec![log("oil_stiffness", (3e5, 5e7)), held("oil_compression", (0.03, 30.0), 1.0)],
+            vec![log(number!("oil_stiffness"), (3e5, 5e7)), held(number!("oil_compression"), (0.03, 30.0), 1.0)],
             [(4.0, 0.25, 2.0), (4.0, 0.25, 6.0), (1.3, 3.0, 3.0), (1.3, 8.0, 6.0)]
                 .map(|(rebound, share, stiffer)| {
-                    Start::moving(&[rebound * stiffness, share], &[("series_stiffness", stiffer)])
+                    Start::moving(&[rebound * stiffness, share], &[(number!("series_stiffness"), stiffer)])
                 })
                 .to_vec(),
         )
     });
     all.push(candidate(
-        "aeration",
-        &["aeration"],
+        &[element!("aeration")],
         // Air that no oil holds is play, a mount, or a chamber that yields.
         vec![
-            log("aeration_stroke", (2e-5, 4.5e-3)),
-            held("aeration_force", (40.0, 1500.0), 0.8),
-            held("aeration_compression", (0.1, 10.0), 0.7),
+            log(number!("aeration_stroke"), (2e-5, 4.5e-3)),
+            held(number!("aeration_force"), (40.0, 1500.0), 0.8),
+            held(number!("aeration_compression"), (0.1, 10.0), 0.7),
         ],
         [[1e-4, 120.0], [1e-4, 300.0], [4e-4, 120.0], [4e-4, 300.0]]
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
             // The base takes air up in its series stiffness, much air nearly whole.
-            .chain(
-                [(2e-4, 1.4), (1e-3, 4.0)]
-                    .map(|(stroke, stiffer)| Start::moving(&[stroke, 200.0, 1.0], &[("series_stiffness", stiffer)])),
-            )
+            .chain([(2e-4, 1.4), (1e-3, 4.0)].map(|(stroke, stiffer)| {
+                Start::moving(&[stroke, 200.0, 1.0], &[(number!("series_stiffness"), stiffer)])
+            }))
             .collect(),
     ));
     for (side, stroke, top) in [(0.0, -1.0, s.top_compression), (1.0, 1.0, s.top_rebound)] {
@@ -91,11 +89,10 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                     (false, true) => "rebound capped, force stays",
                     (false, false) => "rebound capped, dead return",
                 },
-                fixed: vec![("cavitation_side", side), ("cavitation_return", kept)],
+                fixed: vec![(number!("cavitation_side"), side), (number!("cavitation_return"), kept)],
                 ..candidate(
-                    "cavitation",
-                    &["cavitation"],
-                    vec![log("cavitation_force", (100.0, 5000.0))],
+                    &[element!("cavitation")],
+                    vec![log(number!("cavitation_force"), (100.0, 5000.0))],
                     capped(s, stroke, top)
                         .into_iter()
                         .map(|(cap, drawn)| Start { unbend: Some(drawn), ..Start::at(&[cap]) })
@@ -107,14 +104,13 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     }
     all.push(Candidate {
         form: "compression capped, gas expands in the void",
-        fixed: vec![("cavitation_side", 0.0), ("cavitation_return", 1.0)],
+        fixed: vec![(number!("cavitation_side"), 0.0), (number!("cavitation_return"), 1.0)],
         ..candidate(
-            "cavitation",
-            &["cavitation"],
+            &[element!("cavitation")],
             vec![
-                log("cavitation_force", (100.0, 5000.0)),
-                linear("cavitation_onset", (0.0, 1.0)),
-                held("cavitation_expansion", (3e-5, 0.02), 1.2),
+                log(number!("cavitation_force"), (100.0, 5000.0)),
+                linear(number!("cavitation_onset"), (0.0, 1.0)),
+                held(number!("cavitation_expansion"), (3e-5, 0.02), 1.2),
             ],
             capped(s, -1.0, s.top_compression)
                 .into_iter()
@@ -125,25 +121,33 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(Candidate {
         form: "foot valve does not refill",
         jumps: true,
-        fixed: vec![("cavitation_form", 1.0), ("cavitation_side", 1.0)],
+        fixed: vec![(number!("cavitation_form"), 1.0), (number!("cavitation_side"), 1.0)],
         ..candidate(
-            "cavitation",
-            &["cavitation"],
-            vec![log("cavitation_unfilled", (0.003, 0.6)), held("cavitation_velocity", (0.03, 1.5), 0.7)],
+            &[element!("cavitation")],
+            vec![
+                log(number!("cavitation_unfilled"), (0.003, 0.6)),
+                held(number!("cavitation_velocity"), (0.03, 1.5), 0.7),
+            ],
             grid(&[0.01, 0.02, 0.04, 0.08, 0.15, 0.25, 0.4], &[0.1, 0.2, 0.35, 0.5]),
         )
     });
     let fade = |source: f64, reference: f64| {
-        vec![("fade_source", source), ("fade_reference", reference), ("fade_slackening", 1.0 / (reference + VOGEL))]
+        vec![
+            (number!("fade_source"), source),
+            (number!("fade_reference"), reference),
+            (number!("fade_slackening"), 1.0 / (reference + VOGEL)),
+        ]
     };
     if s.temperature_measured {
         all.push(Candidate {
             form: "measured temperature",
             fixed: fade(0.0, s.temperature),
             ..candidate(
-                "temperature_fade",
-                &["temperature_fade"],
-                vec![linear("fade_coefficient", (0.001, 0.07)), held("fade_laminar_force", (50.0, 1e6), 1.2)],
+                &[element!("temperature_fade")],
+                vec![
+                    linear(number!("fade_coefficient"), (0.001, 0.07)),
+                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
+                ],
                 vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
             )
         });
@@ -152,13 +156,12 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             form: "oil warmer than measured",
             fixed: fade(1.0, s.temperature),
             ..candidate(
-                "temperature_fade",
-                &["temperature_fade"],
+                &[element!("temperature_fade")],
                 vec![
-                    linear("fade_coefficient", (0.001, 0.07)),
+                    linear(number!("fade_coefficient"), (0.001, 0.07)),
                     Fresh { deviation: Some(0.8), ..fresh(Free::Cooling, (0.01, 0.5)) },
                     Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 1500.0)) },
-                    held("fade_laminar_force", (50.0, 1e6), 1.2),
+                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
                 ],
                 vec![
                     Start::at(&[0.004, 0.06, 250.0, 1e4]),
@@ -172,14 +175,13 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             form: "heated by its own work",
             fixed: fade(1.0, 20.0),
             ..candidate(
-                "temperature_fade",
-                &["temperature_fade"],
+                &[element!("temperature_fade")],
                 vec![
-                    linear("fade_coefficient", (0.001, 0.07)),
+                    linear(number!("fade_coefficient"), (0.001, 0.07)),
                     Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
                     // Beside the coefficient it counts where the fall is no straight line.
                     Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
-                    held("fade_laminar_force", (50.0, 1e6), 1.2),
+                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
                 ],
                 vec![
                     Start::at(&[0.004, 2e-3, 600.0, 1e4]),

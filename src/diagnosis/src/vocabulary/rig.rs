@@ -1,7 +1,8 @@
 //! The rig: mass on the load cell, late channels, zeros that are off or move.
 
-use super::{Candidate, Start, candidate, fresh, linear};
+use super::{Candidate, Start, candidate, fresh, linear, of_the_rig};
 use crate::situation::Situation;
+use dashpot_core::{element, number};
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::measurement::Artefact;
 
@@ -14,30 +15,28 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         all.push(Candidate {
             form,
             // Its force may lag no more than it must: at 25 Hz a tenth of a millisecond is 1.6 %.
-            fixed: vec![("moving_mass_place", place), ("moving_mass_time", 1e-4)],
+            fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
             ..candidate(
-                "moving_mass",
-                &["moving_mass"],
-                vec![linear("moving_mass", (0.2, 30.0))],
+                &[element!("moving_mass")],
+                vec![linear(number!("moving_mass"), (0.2, 30.0))],
                 vec![
                     Start::at(&[2.0]),
                     // The base takes a mass up in its series stiffness, either way.
-                    Start::moving(&[4.0], &[("series_stiffness", 0.5)]),
-                    Start::moving(&[4.0], &[("series_stiffness", 2.0)]),
+                    Start::moving(&[4.0], &[(number!("series_stiffness"), 0.5)]),
+                    Start::moving(&[4.0], &[(number!("series_stiffness"), 2.0)]),
                 ],
             )
         });
     }
     let added = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
-        ..candidate(
-            artefact.name(),
-            &[],
+        ..of_the_rig(
+            artefact,
             vec![fresh(Free::Rig(artefact), plausible)],
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };
     // The base takes a late force for a soft mount.
-    let stiffer = || Start::moving(&[1e-3], &[("series_stiffness", 3.0)]);
+    let stiffer = || Start::moving(&[1e-3], &[(number!("series_stiffness"), 3.0)]);
     all.push(Candidate {
         starts: vec![Start::at(&[3e-4]), Start::at(&[-3e-4]), stiffer()],
         ..added(Artefact::Delay, (-4.9e-3, 4.9e-3), &[])
@@ -47,7 +46,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
         starts: vec![Start::at(&[3e-4]), stiffer()],
         ..added(Artefact::LowPass, (1e-6, 4.9e-3), &[])
     });
-    if !s.base.is_on("gas_preload") {
+    if !s.base.is_on(element!("gas_preload")) {
         all.push(added(Artefact::Offset, (-OFF, OFF), &[10.0]));
     }
     if s.clock_span > 1.0 {

@@ -2,34 +2,34 @@
 
 use super::{Candidate, Start, candidate, held, linear, log};
 use crate::situation::Situation;
+use dashpot_core::parameter::Element;
+use dashpot_core::{element, number};
 use dashpot_estimation::spring_end::excess;
 
 /// Adds them.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
     let (low, high) = s.reach;
-    for (effect, elements, names, side, reach) in [
+    for (elements, names, side, reach) in [
         (
-            "bump_stop",
-            &["bump_stop"] as &'static [&'static str],
+            &[element!("bump_stop")] as &'static [Element],
             [
-                "bump_stop_clearance",
-                "bump_stop_stiffness",
-                "bump_stop_damping",
-                "bump_stop_progression",
-                "bump_stop_flow",
+                number!("bump_stop_clearance"),
+                number!("bump_stop_stiffness"),
+                number!("bump_stop_damping"),
+                number!("bump_stop_progression"),
+                number!("bump_stop_flow"),
             ],
             -1.0,
             -low,
         ),
         (
-            "rebound_stop",
-            &["rebound_stop"],
+            &[element!("rebound_stop")],
             [
-                "rebound_stop_clearance",
-                "rebound_stop_stiffness",
-                "rebound_stop_damping",
-                "rebound_stop_progression",
-                "rebound_stop_flow",
+                number!("rebound_stop_clearance"),
+                number!("rebound_stop_stiffness"),
+                number!("rebound_stop_damping"),
+                number!("rebound_stop_progression"),
+                number!("rebound_stop_flow"),
             ],
             1.0,
             high,
@@ -43,7 +43,6 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
         all.push(Candidate {
             form: "rubber",
             ..candidate(
-                effect,
                 elements,
                 vec![log(names[1], (500.0, 3e5)), linear(names[0], (0.01, 0.15)), held(names[3], (2e-3, 0.2), 1.0)],
                 clearances
@@ -64,7 +63,6 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 form,
                 fixed: vec![(names[1], 0.0), (names[4], orifice)],
                 ..candidate(
-                    effect,
                     elements,
                     // A gap that closes faster and faster has hardly a slope at its mouth.
                     vec![log(names[2], (1.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (0.0, 0.2), 1.0)],

@@ -1,6 +1,6 @@
 //! What a rig may add that the vocabulary has no name for.
 
-use super::{Candidate, Start, candidate, fresh};
+use super::{Candidate, Start, fresh, of_the_rig};
 use crate::phrases;
 use crate::sentence::Template;
 use dashpot_estimation::hypothesis::Free;
@@ -14,7 +14,7 @@ const TURNS_OVER: [u32; 3] = [50, 150, 400];
 /// Something that looks like `words`, made of these artefacts.
 fn looks_like(words: Template, artefacts: &[Artefact], start: &[f64]) -> Candidate {
     let numbers = artefacts.iter().map(|a| fresh(Free::Rig(*a), a.bounds())).collect();
-    Candidate { unnamed: Some(words), ..candidate(artefacts[0].name(), &[], numbers, vec![Start::at(start)]) }
+    Candidate { unnamed: Some(words), ..of_the_rig(artefacts[0], numbers, vec![Start::at(start)]) }
 }
 
 /// What a rig may add that the vocabulary has no name for.

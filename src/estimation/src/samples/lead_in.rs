@@ -98,6 +98,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
 mod tests {
     use super::*;
     use dashpot_core::Input;
+    use dashpot_core::{element, list, number};
     use std::f64::consts::TAU;
 
     const COUNT: usize = 100;
@@ -138,11 +139,11 @@ mod tests {
 
     fn on_a_mount(stiffness: f64) -> Params {
         let mut params = Params::new();
-        params.enable("series_compliance", true).unwrap();
-        params.set("series_stiffness", stiffness).unwrap();
+        params.enable(element!("series_compliance"), true);
+        params.set(number!("series_stiffness"), stiffness).unwrap();
         // Three times as hard in rebound as in compression: its mean force moves until the spring has taken it up.
-        params.set_list("fv_velocity", &[-2.0, 0.0, 2.0]).unwrap();
-        params.set_list("fv_force", &[-6e3, 0.0, 18e3]).unwrap();
+        params.set_list(list!("fv_velocity"), &[-2.0, 0.0, 2.0]).unwrap();
+        params.set_list(list!("fv_force"), &[-6e3, 0.0, 18e3]).unwrap();
         params
     }
 

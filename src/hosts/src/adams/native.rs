@@ -2,6 +2,7 @@
 //! parallel spring and friction.
 
 use dashpot_core::{Input, Model, Params, State, evaluate::force};
+use dashpot_core::{element, number};
 use std::fmt::Write as _;
 
 /// Points of a spline.
@@ -17,10 +18,10 @@ const FINE: f64 = 2.0;
 /// # Errors
 /// Where the model has what a spline of velocity or displacement cannot: private states, side force, no internal mass.
 pub fn fragment(params: &Params, model: &Model, states: usize, length: f64) -> Result<String, &'static str> {
-    if !params.is_on("series_compliance") {
+    if !params.is_on(element!("series_compliance")) {
         return Err("the element series_compliance is off");
     }
-    if params.is_on("side_force_friction") {
+    if params.is_on(element!("side_force_friction")) {
         return Err("friction by side force is no function of velocity alone");
     }
     if states > 2 {
@@ -39,9 +40,9 @@ pub fn fragment(params: &Params, model: &Model, states: usize, length: f64) -> R
     let friction = spline(3, &velocities, |v| at(0.0, v).friction_force);
     Ok(include_str!("templates/native.adm")
         .replace("{splines}", format!("{primary}{spring}{friction}").trim_end())
-        .replace("{series_stiffness}", &format!("{:?}", 1e-3 * params.scalar("series_stiffness")))
-        .replace("{series_damping}", &format!("{:?}", 1e-3 * params.scalar("series_damping")))
-        .replace("{mass}", &format!("{:?}", params.scalar("internal_mass")))
+        .replace("{series_stiffness}", &format!("{:?}", 1e-3 * params.number(number!("series_stiffness"))))
+        .replace("{series_damping}", &format!("{:?}", 1e-3 * params.number(number!("series_damping"))))
+        .replace("{mass}", &format!("{:?}", params.number(number!("internal_mass"))))
         .replace("{gas}", &format!("{:?}", -at(0.0, 0.0).gas_force))
         .replace("{half}", &format!("{:?}", 0.5 * length))
         .replace("{length}", &format!("{length:?}")))

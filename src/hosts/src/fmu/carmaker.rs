@@ -5,6 +5,7 @@ use super::Scales;
 use crate::adams::property::Curve;
 use anyhow::bail;
 use dashpot_core::Params;
+use dashpot_core::element;
 use dashpot_identification::model_file::prepared;
 use std::fmt::Write as _;
 
@@ -59,7 +60,7 @@ pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: 
          Susp.Damper.SubstModel.Spring:\n\t0.0 0.0\n\t1.0 0.0\n",
         env!("CARGO_PKG_VERSION")
     );
-    if shown && params.is_on("fv_curve") {
+    if shown && params.is_on(element!("fv_curve")) {
         let curve = Curve::of(params, &prepared(params)?);
         out += "Susp.Damper.SubstModel.Damper:\n";
         for (v, f) in curve.velocities.iter().zip(&curve.forces) {

@@ -1,6 +1,5 @@
 //! The variables of a damper FMU, in the order of their value references.
 
-use dashpot_core::elements::{self, GROUPS};
 use dashpot_core::parameter::{self, Parameter, Shape};
 use dashpot_core::{Input, Model, Params, step};
 
@@ -324,7 +323,7 @@ fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
 fn parameters(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
     let mut all = Vec::new();
     for row in parameter::table() {
-        if row.group < elements::COUNT && !params.is_on(GROUPS[row.group].name) {
+        if row.element().is_some_and(|element| !params.is_on(element)) {
             continue;
         }
         let p = row.parameter;

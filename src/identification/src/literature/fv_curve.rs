@@ -9,6 +9,7 @@ use super::law::options;
 use super::observation::{Motion, Observation};
 use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS, NEAREST};
+use dashpot_core::{element, list, number};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve};
 use serde::{Deserialize, Serialize};
 
@@ -214,13 +215,12 @@ impl FvCurve {
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
-        for element in ["fv_curve", "gas_preload"] {
-            let _ = params.enable(element, true);
-        }
-        let _ = params.set_list("fv_velocity", &self.velocity_m_s);
-        let _ = params.set_list("fv_force", &self.force_n);
-        let bounds = dashpot_core::parameter::find("gas_force").map(|row| (row.parameter.low, row.parameter.high));
-        let _ = params.set("gas_force", bounds.map_or(self.gas_force_n, |(l, h)| self.gas_force_n.clamp(l, h)));
+        params.enable(element!("fv_curve"), true);
+        params.enable(element!("gas_preload"), true);
+        let _ = params.set_list(list!("fv_velocity"), &self.velocity_m_s);
+        let _ = params.set_list(list!("fv_force"), &self.force_n);
+        let gas = number!("gas_force");
+        let _ = params.set(gas, gas.inside(self.gas_force_n));
         params
     }
 }

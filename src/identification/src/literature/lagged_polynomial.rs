@@ -7,7 +7,7 @@
 use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
 use dashpot_core::Params;
-use dashpot_core::parameter::find;
+use dashpot_core::{element, list, number};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ const LARGEST: f64 = 120.0;
 /// Most coefficients: as many as the kernel's range of coefficients holds. A coefficient of a high power becomes
 /// enormous where all tests are slow.
 fn most_terms(s: &Scales) -> usize {
-    let high = find("polynomial").map_or(1e9, |row| row.parameter.high);
+    let (_, high) = list!("polynomial").bounds();
     (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)
 }
 
@@ -112,16 +112,15 @@ impl LaggedPolynomial {
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
-        let _ = params.enable("lagged_polynomial", true);
-        let _ = params.set_list("polynomial", &self.coefficients);
-        for (name, value) in [
-            ("lag_slow", self.lag_slow_s),
-            ("lag_fast", self.lag_fast_s),
-            ("lag_v1", self.ramp_m_s[0]),
-            ("lag_v2", self.ramp_m_s[1]),
+        params.enable(element!("lagged_polynomial"), true);
+        let _ = params.set_list(list!("polynomial"), &self.coefficients);
+        for (number, value) in [
+            (number!("lag_slow"), self.lag_slow_s),
+            (number!("lag_fast"), self.lag_fast_s),
+            (number!("lag_v1"), self.ramp_m_s[0]),
+            (number!("lag_v2"), self.ramp_m_s[1]),
         ] {
-            let inside = find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
-            let _ = params.set(name, inside);
+            let _ = params.set(number, number.inside(value));
         }
         params
     }
@@ -129,7 +128,7 @@ impl LaggedPolynomial {
 
 impl<const N: usize> Law for WithTerms<N> {
     fn numbers(s: &Scales) -> Vec<Number> {
-        let high = find("polynomial").map_or(1e9, |row| row.parameter.high);
+        let (_, high) = list!("polynomial").bounds();
         let coefficient = |k: usize| Number::Linear { typical: s.force / s.velocity.powi(k as i32), low: -high, high };
         let mut numbers: Vec<Number> = (0..N).map(coefficient).collect();
         numbers.extend([Number::Log { low: 1e-5, high: 1.0 }; 2]);

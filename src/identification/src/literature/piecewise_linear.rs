@@ -7,7 +7,7 @@
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use dashpot_core::Params;
-use dashpot_core::parameter::find;
+use dashpot_core::{element, number};
 use serde::{Deserialize, Serialize};
 
 /// Its numbers.
@@ -43,26 +43,24 @@ impl PiecewiseLinear {
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
-        for element in ["fv_curve", "gas_preload"] {
-            let _ = params.enable(element, true);
-        }
-        let _ = params.set("fv_form", 1.0);
+        params.enable(element!("fv_curve"), true);
+        params.enable(element!("gas_preload"), true);
+        let _ = params.set(number!("fv_form"), 1.0);
         let [c1, c2, c3] = self.rebound_slopes_n_s_m;
         let [v1, v2] = self.rebound_knees_m_s;
         let [b1, b2] = self.compression_slopes_n_s_m;
-        for (name, value) in [
-            ("fv_rebound_c1", c1),
-            ("fv_rebound_c2", c2),
-            ("fv_rebound_c3", c3),
-            ("fv_rebound_v1", v1),
-            ("fv_rebound_v2", v2),
-            ("fv_compression_c1", b1),
-            ("fv_compression_c2", b2),
-            ("fv_compression_v1", self.compression_knee_m_s),
-            ("gas_force", self.gas_force_n),
+        for (number, value) in [
+            (number!("fv_rebound_c1"), c1),
+            (number!("fv_rebound_c2"), c2),
+            (number!("fv_rebound_c3"), c3),
+            (number!("fv_rebound_v1"), v1),
+            (number!("fv_rebound_v2"), v2),
+            (number!("fv_compression_c1"), b1),
+            (number!("fv_compression_c2"), b2),
+            (number!("fv_compression_v1"), self.compression_knee_m_s),
+            (number!("gas_force"), self.gas_force_n),
         ] {
-            let inside = find(name).map_or(value, |row| value.clamp(row.parameter.low, row.parameter.high));
-            let _ = params.set(name, inside);
+            let _ = params.set(number, number.inside(value));
         }
         params
     }

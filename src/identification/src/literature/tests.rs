@@ -1,6 +1,7 @@
 //! Every model finds itself again, is the same in the kernel and from its file.
 
 use super::*;
+use dashpot_core::list;
 use std::f64::consts::TAU;
 
 /// Sines of these amplitudes, m, and frequencies, Hz, with the forces of a model.
@@ -196,7 +197,7 @@ fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
     let found = Literature::fit("lag", &tests).unwrap();
     let params = found.params().unwrap();
     let Literature::Lag(own) = &found else { panic!("{found:?}") };
-    assert_eq!(params.list("polynomial"), own.coefficients);
+    assert_eq!(params.list(list!("polynomial")), own.coefficients);
     assert!(dashpot_core::Model::new(&params).is_ok());
 }
 

@@ -2,6 +2,8 @@
 
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
+use dashpot_core::parameter::Number;
+use dashpot_core::{element, list, number};
 use dashpot_hosts::adams::property;
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
@@ -28,21 +30,19 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let curve = &read.curve;
     let mut params = Params::new();
     params.disable_all();
-    let set = |params: &mut Params, name: &str, values: &[f64]| {
-        params.set_list(name, values).map_err(|fault| anyhow!("{}: {name} {}", named(), fault.reason.text()))
-    };
-    params.enable("fv_curve", true).map_err(|fault| anyhow!("fv_curve {}", fault.reason.text()))?;
-    set(&mut params, "fv_velocity", &curve.velocities)?;
-    set(&mut params, "fv_force", &curve.forces)?;
-    let scalar = |params: &mut Params, name: &str, value: f64| {
-        params.set(name, value).map_err(|fault| anyhow!("{}: {name} {}", named(), fault.reason.text()))
+    params.enable(element!("fv_curve"), true);
+    for (list, values) in [(list!("fv_velocity"), &curve.velocities), (list!("fv_force"), &curve.forces)] {
+        params.set_list(list, values).map_err(|fault| anyhow!("{}: {list} {}", named(), fault.reason.text()))?;
+    }
+    let set = |params: &mut Params, number: Number, value: f64| {
+        params.set(number, value).map_err(|fault| anyhow!("{}: {number} {}", named(), fault.reason.text()))
     };
     if read.straight {
-        scalar(&mut params, "fv_interpolation", 1.0)?;
+        set(&mut params, number!("fv_interpolation"), 1.0)?;
     }
     if read.gas_force != 0.0 {
-        params.enable("gas_preload", true).map_err(|fault| anyhow!("gas_preload {}", fault.reason.text()))?;
-        scalar(&mut params, "gas_force", read.gas_force)?;
+        params.enable(element!("gas_preload"), true);
+        set(&mut params, number!("gas_force"), read.gas_force)?;
     }
     prepared(&params).with_context(named)?;
     let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));

@@ -2,6 +2,7 @@
 
 use anyhow::{Context as _, anyhow, bail};
 use dashpot_core::Params;
+use dashpot_core::{element, list, number};
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
 use dashpot_output::Kind;
@@ -62,16 +63,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut params = Params::new();
     params.disable_all();
-    let fault = |name: &str, fault: dashpot_core::Fault| anyhow!("{}: {name} {}", named(), fault.reason.text());
-    params.enable("fv_curve", true).map_err(|f| fault("fv_curve", f))?;
-    params.set_list("fv_velocity", &velocities).map_err(|f| fault("fv_velocity", f))?;
-    params.set_list("fv_force", &forces).map_err(|f| fault("fv_force", f))?;
-    for (element, name, value) in
-        [("gas_preload", "gas_force", args.gas_force), ("coulomb_friction", "coulomb_force", args.friction)]
-    {
+    params.enable(element!("fv_curve"), true);
+    for (list, values) in [(list!("fv_velocity"), &velocities), (list!("fv_force"), &forces)] {
+        params.set_list(list, values).map_err(|f| anyhow!("{}: {list} {}", named(), f.reason.text()))?;
+    }
+    for (element, number, value) in [
+        (element!("gas_preload"), number!("gas_force"), args.gas_force),
+        (element!("coulomb_friction"), number!("coulomb_force"), args.friction),
+    ] {
         if value > 0.0 {
-            params.enable(element, true).map_err(|f| fault(element, f))?;
-            params.set(name, value).map_err(|f| fault(name, f))?;
+            params.enable(element, true);
+            params.set(number, value).map_err(|f| anyhow!("{}: {number} {}", named(), f.reason.text()))?;
         }
     }
     prepared(&params).with_context(named)?;

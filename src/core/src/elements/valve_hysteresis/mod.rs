@@ -6,6 +6,7 @@ use crate::dual::{Dual, Real};
 use crate::elements::fv_curve::FvCurve;
 use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
+use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 use conductance::Conductance;
 use core::cell::Cell;
@@ -136,23 +137,23 @@ impl Prepare for ValveHysteresis {
         conductance: Conductance::NONE,
     };
 
-    fn prepare(p: &View) -> Result<Self, Fault> {
-        let form = match p.number(5) {
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
             2.0 => Form::Spool,
             _ => Form::Opening,
         };
-        let closing = if form == Form::Opening { p.number(2) } else { 1.0 };
-        let (opens, closes) = (p.number(1), p.number(1) * closing);
+        let closing = if form == Form::Opening { p.number(own!("valve_closing_ratio")) } else { 1.0 };
+        let (opens, closes) = (p.number(own!("valve_opening_force")), p.number(own!("valve_opening_force")) * closing);
         Ok(ValveHysteresis {
             form,
-            play: p.number(6),
-            damping: p.number(7),
-            share: p.number(0),
+            play: p.number(own!("valve_play")),
+            damping: p.number(own!("valve_damping")),
+            share: p.number(own!("valve_hysteresis_share")),
             middle: 0.5 * (opens + closes),
             half_width: 0.5 * (opens - closes),
-            per_width: 1.0 / p.number(4),
-            per_time: 1.0 / p.number(3),
+            per_width: 1.0 / p.number(own!("valve_width")),
+            per_time: 1.0 / p.number(own!("valve_time")),
             conductance: Conductance::NONE,
         })
     }

@@ -5,6 +5,7 @@ mod units;
 mod xml;
 
 use dashpot_core::{Model, Params};
+use dashpot_core::{list, number};
 
 /// A force-velocity table in SI.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,11 +20,11 @@ impl Curve {
     /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
     pub fn of(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().fv_curve;
-        let velocities = if params.scalar("fv_form") == 0.0 {
-            params.list("fv_velocity").to_vec()
+        let velocities = if params.number(number!("fv_form")) == 0.0 {
+            params.list(list!("fv_velocity")).to_vec()
         } else {
-            let of = |name: &str| params.scalar(name);
-            let (r1, r2, c1) = (of("fv_rebound_v1"), of("fv_rebound_v2"), of("fv_compression_v1"));
+            let knees = [number!("fv_rebound_v1"), number!("fv_rebound_v2"), number!("fv_compression_v1")];
+            let [r1, r2, c1] = knees.map(|knee| params.number(knee));
             vec![
                 -3.0 * c1.max(r2),
                 -2.0 * c1,

@@ -1,0 +1,188 @@
+//! The values a user fills in.
+
+use crate::elements::DEFAULT_ON;
+use crate::fault::{Fault, Reason};
+use crate::parameter::{COUNT, Element, List, Number, Row, SLOTS, Shape, table};
+
+/// A full set of parameter values, and which elements are on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Params {
+    elements: u64,
+    lengths: [u32; COUNT],
+    values: [f64; SLOTS],
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params::new()
+    }
+}
+
+impl Params {
+    /// The defaults of the table, with the elements of the thesis's model on.
+    pub fn new() -> Params {
+        let mut params = Params { elements: DEFAULT_ON, lengths: [0; COUNT], values: [0.0; SLOTS] };
+        for row in table() {
+            params.store(&row, row.parameter.default);
+        }
+        params
+    }
+
+    fn store(&mut self, row: &Row, values: &[f64]) {
+        if let Some(length) = self.lengths.get_mut(row.index) {
+            *length = values.len() as u32;
+        }
+        for (to, from) in self.values.iter_mut().skip(row.slot).zip(values) {
+            *to = *from;
+        }
+    }
+
+    /// The values of a row.
+    pub fn get(&self, row: &Row) -> &[f64] {
+        let length = self.lengths.get(row.index).map_or(0, |l| *l as usize);
+        let tail = self.values.get(row.slot..).unwrap_or(&[]);
+        tail.get(..length.min(row.parameter.slots())).unwrap_or(&[])
+    }
+
+    /// The value of a number or a choice.
+    pub fn number(&self, number: Number) -> f64 {
+        self.get(number.row()).first().copied().unwrap_or(f64::NAN)
+    }
+
+    /// The values of a list.
+    pub fn list(&self, list: List) -> &[f64] {
+        self.get(list.row())
+    }
+
+    /// Sets one number or choice.
+    ///
+    /// # Errors
+    /// A non-finite or out-of-bounds value. Nothing is changed then.
+    pub fn set(&mut self, number: Number, value: f64) -> Result<(), Fault> {
+        self.set_row(number.row(), &[value])
+    }
+
+    /// Sets a list.
+    ///
+    /// # Errors
+    /// Too many numbers, a non-finite or out-of-bounds number. Nothing is changed then.
+    pub fn set_list(&mut self, list: List, values: &[f64]) -> Result<(), Fault> {
+        self.set_row(list.row(), values)
+    }
+
+    fn set_row(&mut self, row: &Row, values: &[f64]) -> Result<(), Fault> {
+        check(row, values)?;
+        self.store(row, values);
+        Ok(())
+    }
+
+    /// Checks every value against the table: for sets that did not come through the setters.
+    ///
+    /// # Errors
+    /// The first parameter that the table does not allow.
+    pub fn check(&self) -> Result<(), Fault> {
+        for row in table() {
+            if self.lengths.get(row.index).is_none_or(|l| *l as usize > row.parameter.slots()) {
+                return Err(row.fault(Reason::PointCount));
+            }
+            check(&row, self.get(&row))?;
+        }
+        Ok(())
+    }
+
+    /// Switches an element on or off.
+    pub fn enable(&mut self, element: Element, on: bool) {
+        if on {
+            self.elements |= element.bit();
+        } else {
+            self.elements &= !element.bit();
+        }
+    }
+
+    /// Switches every element off.
+    pub fn disable_all(&mut self) {
+        self.elements = 0;
+    }
+
+    /// Whether an element is on.
+    pub fn is_on(&self, element: Element) -> bool {
+        self.elements & element.bit() != 0
+    }
+
+    /// The elements that are on, one bit each in the order of the table's groups.
+    pub(crate) fn elements(&self) -> u64 {
+        self.elements
+    }
+}
+
+fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
+    let p = row.parameter;
+    let fault = |reason| Err(row.fault(reason));
+    if values.len() > p.slots() || (values.is_empty() && !matches!(p.shape, Shape::List(_))) {
+        return fault(Reason::PointCount);
+    }
+    for value in values {
+        if !value.is_finite() {
+            return fault(Reason::NotFinite);
+        }
+        if matches!(p.shape, Shape::Choice(_)) {
+            let whole = *value >= p.low && *value <= p.high && *value == (*value as i64) as f64;
+            if !whole {
+                return fault(Reason::NotAChoice);
+            }
+        } else if *value < p.low || *value > p.high {
+            return fault(Reason::OutOfBounds);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameter::find;
+    use crate::{list, number};
+
+    #[test]
+    fn names_are_unique_and_defaults_allowed() {
+        for (i, row) in table().enumerate() {
+            assert_eq!(find(row.parameter.name).unwrap().index, i, "{} appears twice", row.parameter.name);
+            check(&row, row.parameter.default).unwrap_or_else(|_| panic!("default of {}", row.parameter.name));
+            assert!(row.parameter.low <= row.parameter.high);
+        }
+        assert_eq!(table().count(), COUNT);
+        Params::new().check().unwrap();
+    }
+
+    #[test]
+    fn setting_one_row_leaves_all_others() {
+        let before = Params::new();
+        for row in table() {
+            let mut after = before;
+            let p = row.parameter;
+            match p.shape {
+                Shape::List(_) => after.set_list(List::find(p.name).unwrap(), &[p.low]).unwrap(),
+                _ => after.set(Number::find(p.name).unwrap(), p.high).unwrap(),
+            }
+            for other in table().filter(|o| o.index != row.index) {
+                assert_eq!(before.get(&other), after.get(&other), "{} disturbed {}", p.name, other.parameter.name);
+            }
+        }
+    }
+
+    #[test]
+    fn refusals_change_nothing_and_name_the_row() {
+        let before = Params::new();
+        let mut params = before;
+        let stiffness = number!("series_stiffness");
+        for (value, reason) in
+            [(f64::NAN, Reason::NotFinite), (-1.0, Reason::OutOfBounds), (f64::INFINITY, Reason::NotFinite)]
+        {
+            assert_eq!(params.set(stiffness, value), Err(stiffness.fault(reason)));
+        }
+        assert_eq!(params.set(number!("fv_interpolation"), 0.5).unwrap_err().reason, Reason::NotAChoice);
+        assert_eq!(params.set_list(list!("fv_force"), &[0.0; 64]).unwrap_err().reason, Reason::PointCount);
+        assert_eq!(params, before);
+    }
+}
