@@ -251,6 +251,8 @@ impl Hash for Element {
 
 /// Its name in quotes.
 impl fmt::Debug for Element {
+    // Inline for the same reason as above: the formatting that it calls can panic.
+    #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.name(), f)
     }
@@ -258,6 +260,7 @@ impl fmt::Debug for Element {
 
 /// Its name.
 impl fmt::Display for Element {
+    #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.pad(self.name())
     }
