@@ -1,33 +1,10 @@
-"""libcosim, the co-simulation host of the Open Simulation Platform, with an exported FMU 2.0, beside the library itself.
-
-Arguments: FMU, shared library, model file. Every step gets displacement and velocity at its end, as a vehicle model hands them over. The
-force has to be that of `dashpot_step` with the same motion, to rounding."""
-import math
-import sys
-from pathlib import Path
-
-from libcosimpy.CosimEnums import CosimVariableType
+"""libcosim, the co-simulation host of the Open Simulation Platform, with an exported FMU 2.0: see beside_library.py."""
+from beside_library import STEP, STEPS, compare, fmu
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimManipulator import CosimManipulator
 from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
-
-sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
-from dashpot_damper import Damper  # noqa: E402
-
-fmu, library, model_file = sys.argv[1:4]
-STEP, STEPS = 1e-3, 1500
-tests = [(0.05, 0.3), (0.03, 5.6), (0.005, 20.0)]
-
-
-def motion(amplitude, frequency, t):
-    w = 2 * math.pi * frequency
-    return [-amplitude * math.cos(w * t), amplitude * w * math.sin(w * t)]
-
-
-def of_library(test):
-    damper = Damper(library, model_file, motion(*test, 0.0)[0])
-    return [damper.step(*motion(*test, (k + 1) * STEP), STEP) for k in range(STEPS)]
+from sine import motion
 
 
 def of_host(test):
@@ -48,9 +25,4 @@ def of_host(test):
     return forces
 
 
-for test in tests:
-    ours, theirs = of_library(test), of_host(test)
-    top = max(map(abs, ours))
-    worst = max(abs(a - b) for a, b in zip(ours, theirs))
-    print(f"{1e3 * test[0]:g} mm, {test[1]:g} Hz: largest difference {worst:.2e} N of {top:.0f} N")
-    assert worst < 1e-6 * top, test
+compare(of_host, 1e-6)

@@ -1,32 +1,14 @@
-"""Ecos, a co-simulation host of its own FMI library, with an exported FMU of either version, beside the library itself.
-
-Arguments: FMU, shared library, model file. Every step gets displacement and velocity at its end. The force has to be that of
-`dashpot_step` with the same motion, to rounding."""
+"""Ecos, a co-simulation host of its own FMI library, with an exported FMU of either version: see beside_library.py."""
 import ctypes
-import math
 import sys
 from pathlib import Path
+
+from beside_library import STEP, STEPS, compare, fmu
+from sine import motion
 
 # Its wheel needs this library of Intel's and does not bring it; a system may have another.
 ctypes.CDLL(str(Path(sys.prefix) / "lib" / "libtbb.so.12"), mode=ctypes.RTLD_GLOBAL)
 from ecospy import EcosSimulation, EcosSimulationStructure  # noqa: E402
-
-sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
-from dashpot_damper import Damper  # noqa: E402
-
-fmu, library, model_file = sys.argv[1:4]
-STEP, STEPS = 1e-3, 1500
-tests = [(0.05, 0.3), (0.03, 5.6), (0.005, 20.0)]
-
-
-def motion(amplitude, frequency, t):
-    w = 2 * math.pi * frequency
-    return [-amplitude * math.cos(w * t), amplitude * w * math.sin(w * t)]
-
-
-def of_library(test):
-    damper = Damper(library, model_file, motion(*test, 0.0)[0])
-    return [damper.step(*motion(*test, (k + 1) * STEP), STEP) for k in range(STEPS)]
 
 
 def of_host(test):
@@ -46,9 +28,4 @@ def of_host(test):
     return forces
 
 
-for test in tests:
-    ours, theirs = of_library(test), of_host(test)
-    top = max(map(abs, ours))
-    worst = max(abs(a - b) for a, b in zip(ours, theirs))
-    print(f"{1e3 * test[0]:g} mm, {test[1]:g} Hz: largest difference {worst:.2e} N of {top:.0f} N")
-    assert worst < 1e-9 * top, test
+compare(of_host, 1e-9)

@@ -14,6 +14,7 @@ import tempfile
 import numpy as np
 from fmpy import extract, read_model_description, simulate_fmu
 from fmu_instance import begun
+from sine import motion
 
 SECONDS = 1.0
 path, limit, tests = sys.argv[1], float(sys.argv[2]), [tuple(map(float, t.split(":"))) for t in sys.argv[3:]]
@@ -23,11 +24,6 @@ reference = {v.name: v.valueReference for v in description.modelVariables}
 inputs, force = [reference["displacement"], reference["velocity"]], [reference["force"]]
 three = description.fmiVersion.startswith("3")
 fmusim = os.environ.get("DASHPOT_FMUSIM")
-
-
-def motion(amplitude, frequency, t):
-    w = 2 * math.pi * frequency
-    return [-amplitude * math.cos(w * t), amplitude * w * math.sin(w * t)]
 
 
 def right(test, interval, parts=50):

@@ -1,0 +1,30 @@
+"""The force of an FMU in a host for co-simulation beside that of the library itself, over three sine tests.
+
+The arguments of the program: FMU, shared library, model file. Every step gets displacement and velocity at its end, as a vehicle model
+hands them over. The force has to be that of `dashpot_step` with the same motion, to rounding."""
+import sys
+from pathlib import Path
+
+from sine import motion
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
+from dashpot_damper import Damper  # noqa: E402
+
+fmu, library, model_file = sys.argv[1:4]
+STEP, STEPS = 1e-3, 1500
+TESTS = [(0.05, 0.3), (0.03, 5.6), (0.005, 20.0)]
+
+
+def of_library(test):
+    damper = Damper(library, model_file, motion(*test, 0.0)[0])
+    return [damper.step(*motion(*test, (k + 1) * STEP), STEP) for k in range(STEPS)]
+
+
+def compare(of_host, share):
+    """`of_host` gives the forces of a test at the ends of its steps; they may differ by so much of the largest force."""
+    for test in TESTS:
+        ours, theirs = of_library(test), of_host(test)
+        top = max(map(abs, ours))
+        worst = max(abs(a - b) for a, b in zip(ours, theirs, strict=True))
+        print(f"{1e3 * test[0]:g} mm, {test[1]:g} Hz: largest difference {worst:.2e} N of {top:.0f} N")
+        assert worst < share * top, test
