@@ -2,6 +2,7 @@
 
 use super::first_guess::{self, SLOW};
 use super::intervals::{Estimate, Standing, estimates};
+use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
 use super::variants::{
@@ -502,17 +503,7 @@ fn as_found(segments: &[Segment], unknowns: Unknowns) -> Found {
 fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: "piecewise-linear curve" });
     let base = kernel_model("piecewise", segments)?;
-    const POSITIVE: [Number; 8] = [
-        number!("fv_rebound_c1"),
-        number!("fv_rebound_c2"),
-        number!("fv_rebound_c3"),
-        number!("fv_rebound_v1"),
-        number!("fv_rebound_v2"),
-        number!("fv_compression_c1"),
-        number!("fv_compression_c2"),
-        number!("fv_compression_v1"),
-    ];
-    let mut list: Vec<Unknown> = POSITIVE.map(Unknown::Log).to_vec();
+    let mut list: Vec<Unknown> = SLOPES_AND_KNEES.map(Unknown::Log).to_vec();
     list.push(Unknown::Linear(number!("gas_force")));
     Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
 }

@@ -5,8 +5,9 @@ use crate::session::model::{Reach, Tuned, usual_band};
 use crate::units::{shown, typed};
 use crate::views::{View, named_list};
 use crate::words::Words;
-use dashpot_core::parameter::{self, Element, Number, Row, Shape};
+use dashpot_core::parameter::{self, Element, Row, Shape};
 use dashpot_core::{list, number};
+use dashpot_identification::literature::piecewise_linear::SLOPES_AND_KNEES;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
 
@@ -247,17 +248,7 @@ fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
 
 /// The FV curve is a table of points or has slopes and knees: the numbers of the other form say nothing.
 pub fn is_of_form(row: &Row, table: bool) -> bool {
-    const KNEES: [Number; 8] = [
-        number!("fv_rebound_c1"),
-        number!("fv_rebound_c2"),
-        number!("fv_rebound_c3"),
-        number!("fv_rebound_v1"),
-        number!("fv_rebound_v2"),
-        number!("fv_compression_c1"),
-        number!("fv_compression_c2"),
-        number!("fv_compression_v1"),
-    ];
-    let knees = KNEES.iter().any(|knee| knee.row() == row);
+    let knees = SLOPES_AND_KNEES.iter().any(|knee| knee.row() == row);
     let points = [list!("fv_velocity").row(), list!("fv_force").row(), number!("fv_interpolation").row()];
     if table { !knees } else { !points.contains(&row) }
 }

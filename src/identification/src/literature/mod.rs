@@ -33,7 +33,7 @@ mod lagged_polynomial;
 mod law;
 mod neural_network;
 pub mod observation;
-mod piecewise_linear;
+pub mod piecewise_linear;
 mod restoring_force_surface;
 mod spencer;
 

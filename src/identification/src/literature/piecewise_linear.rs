@@ -6,9 +6,20 @@
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
-use dashpot_core::Params;
-use dashpot_core::{element, number};
+use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
+
+/// The kernel's numbers of this form of the curve.
+pub const SLOPES_AND_KNEES: [parameter::Number; 8] = [
+    number!("fv_rebound_c1"),
+    number!("fv_rebound_c2"),
+    number!("fv_rebound_c3"),
+    number!("fv_rebound_v1"),
+    number!("fv_rebound_v2"),
+    number!("fv_compression_c1"),
+    number!("fv_compression_c2"),
+    number!("fv_compression_v1"),
+];
 
 /// Its numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -49,17 +60,8 @@ impl PiecewiseLinear {
         let [c1, c2, c3] = self.rebound_slopes_n_s_m;
         let [v1, v2] = self.rebound_knees_m_s;
         let [b1, b2] = self.compression_slopes_n_s_m;
-        for (number, value) in [
-            (number!("fv_rebound_c1"), c1),
-            (number!("fv_rebound_c2"), c2),
-            (number!("fv_rebound_c3"), c3),
-            (number!("fv_rebound_v1"), v1),
-            (number!("fv_rebound_v2"), v2),
-            (number!("fv_compression_c1"), b1),
-            (number!("fv_compression_c2"), b2),
-            (number!("fv_compression_v1"), self.compression_knee_m_s),
-            (number!("gas_force"), self.gas_force_n),
-        ] {
+        let curve = SLOPES_AND_KNEES.into_iter().zip([c1, c2, c3, v1, v2, b1, b2, self.compression_knee_m_s]);
+        for (number, value) in curve.chain([(number!("gas_force"), self.gas_force_n)]) {
             let _ = params.set(number, number.inside(value));
         }
         params
