@@ -106,6 +106,9 @@ impl Carried {
         let after = stage.along(&seed);
         if stage.last {
             self.states = after.states;
+            if stage.shuts {
+                self.states[place::VOID] = 0.0;
+            }
             self.force = after.force;
         } else if let Some(gains) = self.gains.get_mut(stage.index) {
             *gains = gain::<ON>(&after.states, &seed.known);
@@ -429,7 +432,7 @@ impl Substep<'_> {
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
             let known = Known { index, last, row, g, since, valve_jumps, raised: now.raised, states: known, kept };
-            let stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
+            let mut stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
                 least = if balance.force < least { balance.force } else { least };
@@ -445,11 +448,12 @@ impl Substep<'_> {
                     return Ended::Thrown;
                 }
             }
+            stage.shuts = last && balance.states[place::VOID] < SHUT;
             follow.paths_stage(e, &stage);
             (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
                 now.states = balance.states;
-                if now.states[place::VOID] < SHUT {
+                if stage.shuts {
                     now.states[place::VOID] = 0.0;
                 }
                 (now.force, now.primary, now.inner) = (balance.force, balance.primary, balance.inner);

@@ -85,6 +85,8 @@ const STEPS: usize = 60;
 const CLOSE: f64 = 1e-7;
 /// Force, N, below which the valve makes nothing late.
 const NOTHING: f64 = 1e-9;
+/// Share of the force by which a valve stands apart from where that has it, at least: below it the difference is rounding.
+const STEADY: f64 = 1e-12;
 /// What a round may leave of the last so that three, and two, rounds do.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
@@ -279,12 +281,14 @@ impl ValveHysteresis {
     }
 
     /// By how much a valve that stands at p raises F, with its slope over the ratio of what the passage conducts at F to what
-    /// it conducts at p.
+    /// it conducts at p; `widens` is the slope of that over the force along the stroke, at p.
     #[inline(always)]
-    fn raises(&self, force: f64, p: f64, ratio: f64) -> (f64, f64) {
-        let opens = (force - p) * force > 0.0;
+    fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
+        let ahead = (force - p) * force;
+        // Where it stands where F has it, rounding would choose.
+        let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
         // Where the FV curve rises by more than the square no valve opens.
-        if (ratio > 1.0) != opens {
+        if !opens {
             return (1.0, 0.0);
         }
         let divide = 1.0 / (1.0 + LEAKS * ratio);
@@ -314,7 +318,7 @@ impl ValveHysteresis {
             let p = self.follows(Dual::<2>::along(found, 0), Dual::along(known, 1), g);
             let now = self.conducts(curve, p.value * stroke, stroke);
             let ratio = steady.g / now.g;
-            let (by, slope) = self.raises(force, p.value, ratio);
+            let (by, slope) = self.raises(force, p.value, ratio, now.by_x);
             let late = force * by;
             // ∂F_h over what the passage conducts at F, and at p.
             let (by_steady, by_now) = (force * slope / now.g, -force * slope * ratio / now.g);
@@ -368,7 +372,7 @@ impl ValveHysteresis {
         let stroke = if f < 0.0 { -1.0 } else { 1.0 };
         let [steady, now] = [f, p].map(|x| self.conducts(curve, x * stroke, stroke));
         let ratio = force.chain(steady.g, steady.by_x * stroke) * stands.chain(now.g, now.by_x * stroke).inverse();
-        let (by, slope) = self.raises(f, p, ratio.value());
+        let (by, slope) = self.raises(f, p, ratio.value(), now.by_x);
         let late = force * ratio.chain(by, slope);
         if self.is_spool() {
             let pushed = late - stands - rate * (2.0 * self.damping);

@@ -45,6 +45,8 @@ pub struct PathsStage<'a, const ON: u32> {
     known: [f64; STATES],
     /// Those of them that were brought back into their ranges, as bits.
     pub(super) kept: u32,
+    /// Whether the void is closed after it, whatever is left of it by a hair or beyond.
+    pub(super) shuts: bool,
     /// Slope of the FV curve.
     slope: f64,
     at: Look,
@@ -180,6 +182,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             raised: given.raised.get(),
             known: states,
             kept: known.kept,
+            shuts: false,
             slope: curve.slope,
             at,
             per: if by_w != 0.0 { 1.0 / by_w } else { 0.0 },
