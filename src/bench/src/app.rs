@@ -10,6 +10,7 @@ use dashpot_output::Kind;
 use eframe::egui::{self, CentralPanel, ColorImage, Panel, Rect, Ui};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
@@ -21,6 +22,8 @@ pub struct App {
     pub view: View,
     dialogs: Box<dyn Dialogs>,
     waker: Waker,
+    /// Work called for the window to be drawn, and it was not since.
+    called: Arc<AtomicBool>,
     pictures: (Sender<Picture>, Receiver<Picture>),
 }
 
@@ -43,18 +46,30 @@ impl App {
 
     /// The same with a list of recent campaigns of one's own.
     pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
-        let own = ctx.clone();
-        let waker: Waker = Arc::new(move || own.request_repaint());
+        let called = Arc::new(AtomicBool::new(false));
+        let (own, calls) = (ctx.clone(), called.clone());
+        let waker: Waker = Arc::new(move || {
+            calls.store(true, Ordering::Release);
+            own.request_repaint();
+        });
         let view = View { language: words::of_system(), ..View::default() };
-        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, pictures: channel() }
+        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, called, pictures: channel() }
+    }
+
+    /// Takes what work has brought and asks to be drawn while there is any, or while work called and nothing was drawn since. Where a picture comes
+    /// a quarter of a second late, as on a busy machine or behind other windows, eframe runs the logic alone and drops the request
+    /// for the picture: what was asked for once would stay away until the mouse moves.
+    fn stay_awake(&mut self, ctx: &egui::Context) {
+        if self.session.poll() || self.called.load(Ordering::Acquire) {
+            ctx.request_repaint_after(LOOK);
+        }
     }
 
     /// Draws everything.
     pub fn show(&mut self, ui: &mut Ui) {
         self.take_drops(ui);
-        if self.session.poll() {
-            ui.ctx().request_repaint_after(LOOK);
-        }
+        self.called.store(false, Ordering::Release);
+        self.stay_awake(ui.ctx());
         bar::keys(ui, &mut self.session, &mut self.view);
         let (session, view) = (&mut self.session, &mut self.view);
         Panel::top("bar").show(ui, |ui| bar::show(ui, session, view));
@@ -211,8 +226,39 @@ fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
 }
 
 impl eframe::App for App {
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        self.stay_awake(ctx);
+    }
+
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+}
+
+#[cfg(test)]
+mod waking {
+    use super::*;
+    use crate::dialogs::Told;
+
+    /// What work brought is drawn, however often eframe runs the logic without a picture before it comes to one; then the window rests.
+    #[test]
+    fn a_call_is_not_forgotten_before_it_is_drawn() {
+        let ctx = egui::Context::default();
+        let mut app = App::with_recent(&ctx, Box::new(Told::default()), Recent::read(None));
+        let input = egui::RawInput::default;
+        let mut draws = |app: &mut App, rounds: usize| {
+            for _ in 0..rounds {
+                let _ = ctx.run_ui(input(), |ui| app.show(ui));
+            }
+            ctx.has_requested_repaint()
+        };
+        assert!(!draws(&mut app, 10), "nothing moves, and the window is drawn");
+        (app.waker)();
+        for _ in 0..5 {
+            let _ = ctx.run_logic(&input(), |ctx| app.stay_awake(ctx));
+            assert!(ctx.has_requested_repaint(), "what work brought is forgotten");
+        }
+        assert!(!draws(&mut app, 10), "nothing moves any more, and the window is drawn");
     }
 }
 
