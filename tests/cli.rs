@@ -1,4 +1,4 @@
-//! The command `dashpot` as it is shipped, and campaigns to run it on.
+//! The command `dashpot`, and campaigns to run it on.
 
 use crate::library::{root, succeed};
 use serde_json::Value;
@@ -10,13 +10,19 @@ use std::sync::OnceLock;
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
-        let mut build = Command::new(env!("CARGO"));
-        build.args(["build", "--release", "--quiet", "-p", "dashpot-cli"]).current_dir(root());
-        succeed(&mut build);
+        build_program();
         // target/<profile>/deps/<this test>
         let test = std::env::current_exe().expect("the path of this test");
         test.ancestors().nth(3).expect("a target directory").join("release").join("dashpot")
     })
+}
+
+/// Builds the release of the command. It unwinds where it panics, unlike the shipped one, which aborts: so it takes the crates that the
+/// tests are linked of, instead of compiling every one again.
+pub fn build_program() {
+    let mut build = Command::new(env!("CARGO"));
+    build.args(["build", "--release", "--quiet", "-p", "dashpot-cli"]).env("CARGO_PROFILE_RELEASE_PANIC", "unwind");
+    succeed(build.current_dir(root()));
 }
 
 /// What a run of the command left behind.

@@ -1,6 +1,6 @@
 //! FMUs that tests export.
 
-use crate::cli::{done, program, run};
+use crate::cli::{build_program, done, program, run};
 use crate::library::{directory, root, succeed};
 use std::path::Path;
 use std::process::Command;
@@ -25,11 +25,7 @@ pub fn runtimes() {
             // target/<profile>/dashpot
             program().ancestors().nth(2).expect("a target directory").join("runtimes"),
         ));
-        succeed(
-            Command::new(env!("CARGO"))
-                .args(["build", "--release", "--quiet", "-p", "dashpot-cli"])
-                .current_dir(root()),
-        );
+        build_program();
         done(at.path(), &export);
     });
 }
