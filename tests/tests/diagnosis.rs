@@ -154,7 +154,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let delay = improved.identification.measured().into_iter().find(|m| m.name == "delay").expect("a delay");
     assert!((delay.value - 2e-3).abs() < 1e-4 && delay.low < delay.value && delay.value < delay.high, "{delay:?}");
     let note = improved.identification.right(&mut records).expect("a note");
-    assert!(note.text.contains("taken out of the records"), "{note:?}");
+    assert!(note.text.to_string().contains("taken out of the records"), "{note:?}");
     let again = of(&records, &improved.params);
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
 }

@@ -37,6 +37,11 @@ pub struct DateArgs {
 }
 
 impl PageArgs {
+    /// The texts, and what goes on paper.
+    pub fn words_and_print(&self) -> (&'static Words, Print) {
+        (self.text.words(), self.print())
+    }
+
     /// What goes on paper.
     pub fn print(&self) -> Print {
         if self.full { Print::Whole } else { Print::Brief }

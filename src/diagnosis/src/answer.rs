@@ -5,9 +5,9 @@ use super::outcome::{Rival, Verdict};
 use super::phrases;
 use super::round::{Round, Tried};
 use super::search::Search;
-use super::sentence::{Sentence, Template};
 use super::tree::{decided, tree};
 use dashpot_estimation::samples::Test;
+use dashpot_records::sentence::{Sentence, Template};
 
 /// Most suspects and rivals told.
 const TOLD: usize = 4;
@@ -28,7 +28,7 @@ pub struct Judged {
     pub notes: Vec<Sentence>,
 }
 
-fn percent(x: f64) -> String {
+pub fn percent(x: f64) -> String {
     format!("{:.0} %", 100.0 * x)
 }
 

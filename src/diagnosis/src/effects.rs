@@ -1,10 +1,10 @@
 //! One card an effect: where it acts, what it is, what records must show of it, and the test that shows it best.
 
 use super::phrases;
-use super::sentence::{Sentence, Template};
 use super::situation::Situation;
 use dashpot_core::element;
 use dashpot_core::elements::GROUPS;
+use dashpot_records::sentence::{Sentence, Template};
 
 /// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the
 /// vocabulary.

@@ -1,13 +1,15 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
+use super::answer::percent;
 use super::name_of;
 use super::outcome::Diagnosis;
+use super::phrases;
 use super::search::{Search, physical};
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
-use dashpot_records::Record;
+use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
 pub(super) fn estimates(found: &Search, deviations: &[f64]) -> Vec<Estimate> {
@@ -28,7 +30,7 @@ pub(super) fn estimates(found: &Search, deviations: &[f64]) -> Vec<Estimate> {
                 low: known.then(|| at(value - 1.96 * deviation)),
                 high: known.then(|| at(value + 1.96 * deviation)),
                 unit,
-                from: "all fitted tests".to_owned(),
+                from: phrases::ALL_FITTED_TESTS.into(),
                 standing: if known { Standing::Identified } else { Standing::NotIdentified },
             })
         })
@@ -70,14 +72,10 @@ impl Diagnosis {
             .filter(|(_, out)| !**out)
             .map(|(r, _)| r)
             .collect();
-        let mut notes = vec![format!("diagnosis: {}", self.summary)];
+        let mut notes = vec![Sentence::from(phrases::DIAGNOSIS).with_said("answer", self.summary.clone())];
         notes.extend(self.findings.iter().map(|f| {
-            let place = if f.of_the_rig {
-                "of the rig: corrected in the comparison, not in the damper of this model"
-            } else {
-                "added to this model"
-            };
-            format!("{} ({:.0} % sure) {place}", f.effect, 100.0 * f.confidence)
+            let place = if f.of_the_rig { phrases::OF_THE_RIG } else { phrases::ADDED };
+            Sentence::from(place).with("effect", f.effect).with("percent", percent(f.confidence))
         }));
         Fit {
             params: self.improved,

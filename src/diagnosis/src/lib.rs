@@ -14,7 +14,7 @@
 //! | [`calibration`] | what a probability of that rule is worth |
 //! | [`tree`] | all probabilities: path, family, effect, form |
 //! | [`answer`], [`outcome`] | the answer in words and figures |
-//! | [`sentence`], [`phrases`] | every text that it says, in English, and what lets it be said in another language |
+//! | [`phrases`] | every text that it says, in English |
 //! | [`regions`] | where model and records disagree |
 //! | [`reference`] | what changed against the same tests on a good damper |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
@@ -40,7 +40,6 @@ mod regions;
 mod round;
 mod screening;
 mod search;
-mod sentence;
 mod situation;
 mod tree;
 mod unbent;
@@ -50,8 +49,7 @@ mod vocabulary;
 pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_held_out;
 pub use outcome::*;
-pub use phrases::texts;
-pub use sentence::{Sentence, Template};
+pub use phrases::{templates, texts};
 pub use tree::Branch;
 
 use answer::{explained, judge, rivals};
@@ -64,7 +62,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::unknowns::Unknown;
-use dashpot_records::Record;
+use dashpot_records::{Record, Sentence};
 use decisions::{SURE, SUSPECTED};
 use search::{Limits, Search, physical, search};
 use situation::Situation;

@@ -36,7 +36,7 @@ impl Diagnosis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Sentence;
+    use dashpot_records::sentence::Sentence;
 
     #[test]
     fn a_sine_is_a_row_and_a_soak_is_none() {

@@ -4,13 +4,13 @@
 use super::effects::remedy;
 use super::outcome::NextTest;
 use super::phrases;
-use super::sentence::Sentence;
 use dashpot_core::Input;
 use dashpot_core::element;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_records::sentence::Sentence;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 

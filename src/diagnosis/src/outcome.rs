@@ -1,8 +1,8 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
-use super::sentence::Sentence;
 use super::tree::Branch;
 use dashpot_core::Params;
+use dashpot_records::sentence::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -1,17 +1,9 @@
 //! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
 
 use super::effects::{CARDS, EFFECTS, meaning};
-use super::sentence::Template;
+use dashpot_records::sentence::Template;
 
-macro_rules! phrases {
-    ($($name:ident: $text:literal;)*) => {
-        $(pub(super) const $name: Template = Template($text);)*
-        /// Every text with places for values.
-        const TEMPLATES: &[Template] = &[$($name),*];
-    };
-}
-
-phrases! {
+dashpot_records::phrases! {
     // Lists.
     COMMA: ", ";
     AND: " and ";
@@ -88,6 +80,11 @@ phrases! {
     NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
     NEEDS_ZERO: "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper unhooked, before and after";
     NEEDS_ONE_CLOCK: "every record starts its clock anew: keep one clock through the campaign and repeat a reference test";
+    // What is said of the improved model.
+    DIAGNOSIS: "diagnosis: {answer}";
+    ADDED: "{effect} ({percent} sure) added to this model";
+    OF_THE_RIG: "{effect} ({percent} sure) of the rig: corrected in the comparison, not in the damper of this model";
+    ALL_FITTED_TESTS: "all fitted tests";
     // How the comparison was made.
     WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";
     AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{aside}";
@@ -145,6 +142,11 @@ pub(super) const FORMS: &[&str] = &[
     "zero set anew during the campaign",
     "settles as the rig warms up",
 ];
+
+/// Every template of a sentence.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
 
 /// Every English text that is said of a diagnosis, each once: sentences with the places of their values, and what paths, families,
 /// effects and forms are called.

@@ -3,9 +3,9 @@
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
 use super::phrases;
-use super::sentence::Sentence;
 use super::situation::Situation;
 use dashpot_core::parameter::Element;
+use dashpot_records::sentence::Sentence;
 
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
 const TRACE: f64 = 20.0;

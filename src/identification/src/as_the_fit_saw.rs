@@ -5,8 +5,9 @@
 
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, off};
+use super::phrases;
 use dashpot_records::taken_out::{Off, taken_out};
-use dashpot_records::{Note, Record};
+use dashpot_records::{Note, Record, Sentence};
 use rayon::prelude::*;
 
 /// The kind of the note that says so.
@@ -29,21 +30,19 @@ impl Identification {
             return None;
         }
         let records: Vec<&mut Record> = records.into_iter().collect();
-        let found: Vec<String> = measured.iter().map(Measured::finding).collect();
+        let found: Vec<Sentence> = measured.iter().map(Measured::finding).collect();
         if !records.iter().any(|record| self.used(record)) {
             let options: Vec<String> = measured.iter().filter_map(Measured::as_option).collect();
-            let then = match options.is_empty() {
-                true => String::new(),
-                false => format!(": if the same rig measured these, give {}", options.join(" ")),
-            };
-            let text = format!(
-                "the model's fit found in its own records that {}; these are other records, and nothing was taken out of them{then}",
-                found.join(", that ")
-            );
+            let option = (!options.is_empty())
+                .then(|| Sentence::from(phrases::IF_THE_SAME_RIG).with("options", options.join(" ")));
+            let text = Sentence::from(phrases::FOUND_IN_ITS_OWN)
+                .with_list("findings", found, phrases::THAT)
+                .with_any("option", option);
             return Some(Note { kind: AS_THE_FIT_SAW, text });
         }
         records.into_par_iter().for_each(|record| *record = taken_out(record, &off));
-        let text = format!("taken out of the records, as the model's fit did: {}", found.join("; "));
+        let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);
+        let text = text.with_list("findings", found, phrases::SEMICOLON);
         Some(Note { kind: AS_THE_FIT_SAW, text })
     }
 }
@@ -77,7 +76,7 @@ mod tests {
             ..Identification::default()
         };
         let note = identification.right(&mut own).unwrap();
-        assert!(note.text.contains("2.000 kg"), "{}", note.text);
+        assert!(note.text.to_string().contains("2.000 kg"), "{}", note.text);
         let top = 2.0 * 0.01 * (std::f64::consts::TAU * 4.0f64).powi(2);
         for record in &own {
             let left = record.force[20..480].iter().fold(0.0f64, |most, f| most.max(f.abs()));
@@ -87,7 +86,7 @@ mod tests {
         let mut other = vec![record(2.0)];
         let before = other[0].force.clone();
         let note = identification.right(&mut other).unwrap();
-        assert!(other[0].force == before && note.text.contains("--rig-mass=2.0"), "{}", note.text);
+        assert!(other[0].force == before && note.text.to_string().contains("--rig-mass=2.0"), "{}", note.text);
         assert!(Identification::default().right(&mut own).is_none());
     }
 }

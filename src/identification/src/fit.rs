@@ -5,6 +5,7 @@ use super::intervals::{Estimate, Standing, estimates};
 use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
+use super::phrases;
 use super::variants::{
     Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
     physical_springs, with_slow_points,
@@ -19,6 +20,7 @@ use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_records::Record;
+use dashpot_records::sentence::{Sentence, Template};
 use rayon::prelude::*;
 
 /// Which kind of model is fitted.
@@ -108,7 +110,7 @@ pub struct Fit {
     /// What the records are off by, taken out of the comparison and never part of the model.
     pub measured: Vec<Measured>,
     /// Remarks for the engineer.
-    pub notes: Vec<String>,
+    pub notes: Vec<Sentence>,
     /// Names of the tests used.
     pub tests: Vec<String>,
     /// Their contents in short, in the same order.
@@ -125,17 +127,17 @@ struct Found {
     estimates: Vec<Estimate>,
     choices: Vec<Choice>,
     measured: Vec<Measured>,
-    notes: Vec<String>,
+    notes: Vec<Sentence>,
     misfit: f64,
 }
 
 impl Found {
     /// Names a parameter that this data cannot determine, and whose element therefore stays off.
-    fn leave_out(&mut self, number: Number, why: &str) {
-        self.notes.push(format!("{number} could not be identified from this data ({why}); its element is off"));
+    fn leave_out(&mut self, number: Number, why: Template) {
+        self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_said("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
         let standing = Standing::NotIdentified;
-        let from = why.to_owned();
+        let from = why.into();
         self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
     }
 }
@@ -188,10 +190,8 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     };
     let plain = misfit(&segments, &fv_only);
     if found.misfit > 1.02 * plain {
-        found.notes.push(format!(
-            "this model fits worse than the plain FV curve ({:.2} against {plain:.2} of the allowed error)",
-            found.misfit
-        ));
+        let (error, plain) = (format!("{:.2}", found.misfit), format!("{plain:.2}"));
+        found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
     found.notes.extend(coverage_notes(&segments));
     progress(Stage { done: 1.0, text: "done" });
@@ -268,7 +268,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         (structure, from) = look_at_the_measurement(structure, from, segments, options.late, &mut choices, progress);
         if structure.rig != before.rig {
             // What the measurement did was taken for friction or a spring until now.
-            choices.retain(|choice| choice.of == "measurement");
+            choices.retain(|choice| choice.of == MEASUREMENT);
             (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         }
     }
@@ -276,34 +276,34 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
     let unknowns = structure.unknowns(&from, segments);
     let mut found = finish(segments, unknowns, choices);
     if few {
-        found.notes.push(format!(
-            "with fewer than {FEWEST_TESTS} tests no variant can be judged by leaving tests out: {} friction and no parallel \
-             spring were taken",
-            structure.friction.name
-        ));
+        let few = Sentence::from(phrases::TOO_FEW_TESTS).with("fewest", FEWEST_TESTS);
+        found.notes.push(few.with_word("friction", structure.friction.name));
     }
     if structure.series && !of_the_rig::tells_delay(segments) {
-        found.notes.push(
-            "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the \
-             channel was taken as on time; the same stroke at three times the frequency would tell them apart"
-                .to_owned(),
-        );
+        found.notes.push(phrases::ONE_RATE.into());
     }
     if !varied_side_force && allowed(element!("side_force_friction")) {
-        found.leave_out(
-            number!("side_force_coefficient"),
-            "it needs slow tests at two or more side forces, with a side-force channel",
-        );
+        found.leave_out(number!("side_force_coefficient"), phrases::NEEDS_SIDE_FORCES);
     }
     if !structure.friction.elements.contains(&element!("viscous_friction")) && allowed(element!("viscous_friction")) {
-        found.leave_out(number!("viscous_coefficient"), "a free FV curve takes a v² term up");
+        found.leave_out(number!("viscous_coefficient"), phrases::TAKEN_UP);
     }
     found
 }
 
-/// The choice of a spring, and of what a curved one is.
+/// What is chosen: among them a spring, and what a curved one is.
+const FRICTIONS: &str = "friction";
 const SPRINGS: &str = "spring";
 const CURVED: &str = "curved spring";
+const POINTS: &str = "FV points";
+const MEASUREMENT: &str = "measurement";
+/// Whether the FV curve has points where only slow tests are, and whether the records are what they seem.
+const WITHOUT_SLOW: &str = "without slow tests";
+const WITH_SLOW: &str = "with slow tests";
+const AS_RECORDED: &str = "as recorded";
+/// What a choice is of and what is chosen, beside the variants and what may be off in the measurement.
+pub(super) const WORDS: [&str; 8] =
+    [FRICTIONS, SPRINGS, CURVED, POINTS, MEASUREMENT, WITHOUT_SLOW, WITH_SLOW, AS_RECORDED];
 /// Passes through friction and spring. Each is judged with the other as it stands, and the wrong spring hides every friction behind what
 /// it leaves: so the friction is chosen again once the spring has changed, and the spring once the friction has. It settles after one
 /// or two passes; the bound is there for records in which each undoes the other.
@@ -340,7 +340,7 @@ fn choose_structure(
         if may_yield {
             list.extend(frictions.iter().map(|v| with(way(v, false), v.rigid, &from)));
         }
-        (structure, from) = take("friction", &list);
+        (structure, from) = take(FRICTIONS, &list);
         if pass > 0 && (structure.friction, structure.series) == (before.friction, before.series) {
             break;
         }
@@ -361,8 +361,8 @@ fn choose_structure(
     let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
     if let Some(denser) = with_slow_points(&from, slow_peak) {
         progress(Stage { done: 0.8, text: "choosing the FV points" });
-        let list = [with(structure, "without slow tests", &from), with(structure, "with slow tests", &denser)];
-        (structure, from) = take("FV points", &list);
+        let list = [with(structure, WITHOUT_SLOW, &from), with(structure, WITH_SLOW, &denser)];
+        (structure, from) = take(POINTS, &list);
     }
     (structure, from)
 }
@@ -378,7 +378,7 @@ fn look_at_the_measurement(
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: "looking at the measurement" });
-    let mut list = vec![Candidate { name: "as recorded", structure, starts: vec![from] }];
+    let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
     let ways = OfTheRig::ways(segments, late).into_iter();
     list.extend(ways.map(|(name, rig)| Candidate {
         name,
@@ -388,7 +388,7 @@ fn look_at_the_measurement(
     if list.len() == 1 {
         return (structure, from);
     }
-    let chosen = choose("measurement", &list, segments, Keep::First);
+    let chosen = choose(MEASUREMENT, &list, segments, Keep::First);
     choices.push(chosen.choice);
     if chosen.place == 0 {
         return (structure, from);
@@ -434,10 +434,7 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
         left_out.push(estimate);
     };
     for estimate in &left_out {
-        notes.push(format!(
-            "{} could not be identified from this data; it is held at {:.4} {}",
-            estimate.name, estimate.value, estimate.unit
-        ));
+        notes.push(of_number(phrases::HELD, estimate));
     }
     let mut estimates = estimates;
     let mut measured = of_the_rig::measured(segments, &unknowns, &theta, Accuracy::Full);
@@ -454,13 +451,16 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
     measured.sort_by_key(|m| m.name);
     notes.extend(measured.iter().map(Measured::in_words));
     for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
-        notes.push(format!(
-            "{} ran into the bound of its range at {:.4} {}: the data asks for something this element cannot do",
-            estimate.name, estimate.value, estimate.unit
-        ));
+        notes.push(of_number(phrases::AT_BOUND, estimate));
     }
     estimates.extend(left_out);
     Found { params, estimates, choices, measured, notes, misfit }
+}
+
+/// What is said of a number of the model.
+fn of_number(template: Template, estimate: &Estimate) -> Sentence {
+    let value = format!("{:.4}", estimate.value);
+    Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
 
 /// Rise of the cost at which a default is no worse than a fitted value.
@@ -525,21 +525,15 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
 }
 
 /// What the campaign cannot show.
-fn coverage_notes(segments: &[Segment]) -> Vec<String> {
+fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(format!(
-            "there is no slow test (peak below {:.0} mm/s): friction is taken from the slow parts of faster tests",
-            1e3 * SLOW
-        ));
+        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", format!("{:.0}", 1e3 * SLOW)));
     }
     let amplitudes: Vec<f64> = segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude).collect();
     let (low, high) = amplitudes.iter().fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
     if high < 2.0 * low {
-        notes.push(
-            "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone"
-                .to_owned(),
-        );
+        notes.push(phrases::ONE_AMPLITUDE.into());
     }
     notes
 }

@@ -1,12 +1,14 @@
 //! 95 % intervals, where each parameter was identified from, and which were not.
 
 use super::first_guess::SLOW;
+use super::phrases;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 use dashpot_estimation::least_squares::covariance;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
 use dashpot_estimation::unknowns::{Unknown, Unknowns, anchor};
+use dashpot_records::Sentence;
 use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
@@ -36,7 +38,7 @@ pub struct Estimate {
     /// Unit.
     pub unit: &'static str,
     /// Which tests it was identified from.
-    pub from: String,
+    pub from: Sentence,
     /// Whether the data determines it.
     pub standing: Standing,
 }
@@ -185,10 +187,9 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
 }
 
 /// For every unknown, which kind of test carries its information.
-fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<String> {
+fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<Sentence> {
     let n = unknowns.list.len();
-    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![String::new(); n] };
-    let kinds = ["slow tests", "small strokes", "large strokes"];
+    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![Sentence::default(); n] };
     let mut information = vec![[0.0; 3]; n];
     for segment in segments {
         let kind = match segment {
@@ -207,12 +208,17 @@ fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<Stri
         .map(|by_kind| {
             let sum: f64 = by_kind.iter().sum();
             if sum <= 0.0 {
-                return "no test shows it".to_owned();
+                return phrases::NO_TEST.into();
             }
             let mut parts: Vec<(f64, &str)> =
-                by_kind.iter().map(|i| i / sum).zip(kinds).filter(|p| p.0 >= 0.1).collect();
+                by_kind.iter().map(|i| i / sum).zip(phrases::KINDS_OF_TESTS).filter(|p| p.0 >= 0.1).collect();
             parts.sort_by(|a, b| b.0.total_cmp(&a.0));
-            parts.iter().map(|(share, kind)| format!("{kind} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
+            let said = |(share, kind): &(f64, &str)| {
+                Sentence::from(phrases::SHARE_OF)
+                    .with_word("tests", kind)
+                    .with("percent", format!("{:.0}", 100.0 * share))
+            };
+            Sentence::list(parts.iter().map(said).collect(), phrases::COMMA)
         })
         .collect()
 }

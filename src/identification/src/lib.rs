@@ -13,6 +13,7 @@ pub mod literature;
 pub mod model_file;
 mod of_the_rig;
 pub mod peaks;
+mod phrases;
 pub mod validation;
 mod variants;
 
@@ -20,4 +21,5 @@ pub use as_the_fit_saw::AS_THE_FIT_SAW;
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
 pub use of_the_rig::{Measured, off};
+pub use phrases::{templates, texts};
 pub use variants::Choice;

@@ -3,7 +3,7 @@
 //! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
 //! are for validation, diagnosis and people.
 
-use crate::{Estimate, Fit, Measured, Standing};
+use crate::{Choice, Estimate, Fit, Measured, Standing};
 use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
@@ -373,8 +373,8 @@ pub fn write(fit: &Fit) -> String {
         .collect();
     not.dedup();
     let _ = writeln!(out, "not_identified = {}", list(&not));
-    let mut notes: Vec<String> = fit.choices.iter().map(|c| format!("{}: {} — {}", c.of, c.chosen, c.why)).collect();
-    notes.extend(fit.notes.iter().cloned());
+    let choices = fit.choices.iter().map(Choice::in_words);
+    let notes: Vec<String> = choices.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
     let _ = writeln!(out, "notes = {}", list(&notes));
     out += "\n[identification.intervals]  # 95 %\n";
     let mut names: Vec<&str> = fit.estimates.iter().map(|e| e.name).collect();
@@ -408,7 +408,7 @@ pub fn write(fit: &Fit) -> String {
     out += "\n[identification.sources]  # share of the information by kind of test\n";
     for name in &names {
         if let [Estimate { index: None, from, .. }] = of(name)[..] {
-            let _ = writeln!(out, "{name} = {}", text(from));
+            let _ = writeln!(out, "{name} = {}", text(&from.to_string()));
         }
     }
     let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");

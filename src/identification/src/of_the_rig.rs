@@ -6,12 +6,14 @@
 //! numbers of the model, where tests left out of the fit are predicted better with them, and never become part of the model.
 
 use super::intervals::Z;
+use super::phrases;
 use dashpot_estimation::as_read::RigNumber;
 use dashpot_estimation::least_squares::covariance;
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::unknowns::Unknowns;
+use dashpot_records::Sentence;
 use dashpot_records::taken_out::Off;
 use serde::Serialize;
 
@@ -42,6 +44,14 @@ const GAIN: f64 = 0.02;
 /// How much its zero usually moves, N: a tenth of a percent of a cell of 20 kN. It pulls as that of the gain does.
 const ZERO: f64 = 20.0;
 
+/// What each is called, alone and all together.
+const LATE: &str = "a late force channel";
+const WITH_MASS: &str = "a mass on the load cell";
+const GAIN_DRIFTS: &str = "a gain that drifts";
+const ZERO_DRIFTS: &str = "a zero that drifts";
+const ALL: &str = "all of these";
+pub(super) const WORDS: [&str; 5] = [LATE, WITH_MASS, GAIN_DRIFTS, ZERO_DRIFTS, ALL];
+
 /// All that is looked for, in the order in which the load cell makes it.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
 
@@ -58,8 +68,8 @@ impl OfTheRig {
         if tells_delay(segments) {
             all.delay = around(late.unwrap_or(0.0), DELAY);
             all.mass = around(0.0, MASS);
-            ways.push(("a late force channel", OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
-            ways.push(("a mass on the load cell", OfTheRig { mass: all.mass, ..OfTheRig::NONE }));
+            ways.push((LATE, OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
+            ways.push((WITH_MASS, OfTheRig { mass: all.mass, ..OfTheRig::NONE }));
         }
         let clocks = segments.iter().map(|s| s.clock);
         let last = clocks.clone().fold(0.0, f64::max);
@@ -67,11 +77,11 @@ impl OfTheRig {
         // Each file with a clock of its own says nothing about the campaign's.
         if segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
             (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO / last));
-            ways.push(("a gain that drifts", OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
-            ways.push(("a zero that drifts", OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
+            ways.push((GAIN_DRIFTS, OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
+            ways.push((ZERO_DRIFTS, OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
         }
         if ways.len() > 1 {
-            ways.push(("all of these", all));
+            ways.push((ALL, all));
         }
         ways
     }
@@ -195,29 +205,21 @@ impl Measured {
     }
 
     /// What was found, in words.
-    pub fn finding(&self) -> String {
-        let (factor, unit, what) = match self.name {
-            "delay" => (1e3, "ms", "the force channel comes late by"),
-            "rig_mass" => (1.0, "kg", "the load cell moves a mass of its own, of"),
-            "gain_drift" => (100.0 * 60.0, "% a minute", "the gain of the force channel drifts by"),
-            _ => (60.0, "N a minute", "the zero of the force channel drifts by"),
+    pub fn finding(&self) -> Sentence {
+        let (factor, what) = match self.name {
+            "delay" => (1e3, phrases::FOUND_DELAY),
+            "rig_mass" => (1.0, phrases::FOUND_MASS),
+            "gain_drift" => (100.0 * 60.0, phrases::FOUND_GAIN_DRIFT),
+            _ => (60.0, phrases::FOUND_DRIFT),
         };
         let of = |value: f64| format!("{:.3}", factor * value);
-        format!("{what} {} {unit} (95 %: {} to {})", of(self.value), of(self.low), of(self.high))
+        Sentence::from(what).with("value", of(self.value)).with("low", of(self.low)).with("high", of(self.high))
     }
 
     /// The same in a sentence that says what became of it.
-    pub fn in_words(&self) -> String {
-        let other = match self.as_option() {
-            Some(option) => {
-                format!("; for other records of this rig give {option}, or write it into their campaign.toml")
-            }
-            None => String::new(),
-        };
-        let what = self.finding();
-        format!(
-            "{what}: taken out here, not in the model; validate and diagnose take it out of these records too{other}"
-        )
+    pub fn in_words(&self) -> Sentence {
+        let option = self.as_option().map(|option| Sentence::from(phrases::GIVE_OPTION).with("option", option));
+        Sentence::from(phrases::TAKEN_OUT_HERE).with_said("finding", self.finding()).with_any("option", option)
     }
 }
 

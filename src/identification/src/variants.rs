@@ -1,6 +1,7 @@
 //! The variants of friction and spring, and the choice among them by tests that the fit did not see.
 
 use super::of_the_rig::OfTheRig;
+use super::phrases;
 use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use dashpot_core::parameter::{Element, Number};
@@ -10,6 +11,7 @@ use dashpot_estimation::priors::unusual;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::spring_end::excess;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_records::Sentence;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -428,7 +430,17 @@ pub struct Choice {
     /// Each variant with its error on left-out tests, in units of what a test's noise and floor allow.
     pub scores: Vec<Score>,
     /// Why, in words.
-    pub why: String,
+    pub why: Sentence,
+}
+
+impl Choice {
+    /// The whole choice in one sentence.
+    pub fn in_words(&self) -> Sentence {
+        Sentence::from(phrases::CHOICE)
+            .with_word("of", self.of)
+            .with_word("chosen", self.chosen)
+            .with_said("why", self.why.clone())
+    }
 }
 
 /// Error of one variant on left-out tests.
@@ -553,24 +565,20 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
                 .then(mean(*a).total_cmp(&mean(*b)))
         })
         .unwrap_or(if keep == Keep::First && priced(0) - priced(best) < BELIEVED { 0 } else { best });
-    let others = places
-        .clone()
-        .filter(|k| *k != kept)
-        .map(|k| format!("{} {:.2}", candidates[k].name, rms(k)))
-        .collect::<Vec<_>>()
-        .join(", ");
-    let why = format!(
-        "error on left-out tests {:.2} of the allowed error{}; {}",
-        rms(kept),
-        if others.is_empty() { String::new() } else { format!(" ({others})") },
-        if kept == best {
-            "no other is better by what its parameters cost"
-        } else if keep == Keep::First {
-            "no other is so much likelier that it is not as well an error of the model's form"
-        } else {
-            "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper"
-        }
-    );
+    let error = |k: usize| format!("{:.2}", rms(k));
+    let other = |k: usize| Sentence::from(phrases::OTHER).with_word("name", candidates[k].name).with("error", error(k));
+    let others: Vec<Sentence> = places.clone().filter(|k| *k != kept).map(other).collect();
+    let others =
+        (!others.is_empty()).then(|| Sentence::from(phrases::OTHERS).with_list("others", others, phrases::COMMA));
+    let reason = if kept == best {
+        phrases::NO_OTHER_IS_BETTER
+    } else if keep == Keep::First {
+        phrases::NO_OTHER_IS_LIKELIER
+    } else {
+        phrases::SIMPLEST
+    };
+    let why =
+        Sentence::from(phrases::WHY).with("error", error(kept)).with_any("others", others).with_said("reason", reason);
     let scores = places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
     let choice = Choice { of, chosen: candidates[kept].name, scores, why };
     Chosen { place: kept, choice, params: judged[kept].params, rig: judged[kept].rig }

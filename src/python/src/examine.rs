@@ -7,7 +7,7 @@ use crate::work;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::held_out;
-use dashpot_records::{Record, Unusable};
+use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -21,7 +21,7 @@ struct DiagnosisJson<'a> {
     found: &'a Diagnosis,
     over_whole_records: OfDiagnosis,
     #[serde(skip_serializing_if = "Option::is_none")]
-    as_the_fit_saw: Option<&'a str>,
+    as_the_fit_saw: Option<&'a Sentence>,
     unusable: &'a [Unusable],
 }
 
@@ -74,7 +74,7 @@ pub fn diagnose<'py>(
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
         let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
-        let as_the_fit_saw = note.as_ref().map(|n| &*n.text);
+        let as_the_fit_saw = note.as_ref().map(|n| &n.text);
         let json = serde_json::to_string(&DiagnosisJson {
             found: &found,
             over_whole_records,

@@ -6,7 +6,7 @@ use crate::work;
 use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
 use dashpot_records::hold_out::kept;
-use dashpot_records::{SignFinding, Unusable};
+use dashpot_records::{Sentence, SignFinding, Unusable};
 use dashpot_simulation::whole_records;
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -18,7 +18,7 @@ struct FitJson<'a> {
     parameters: &'a [Estimate],
     choices: &'a [Choice],
     measured: &'a [Measured],
-    notes: &'a [String],
+    notes: &'a [Sentence],
     misfit: f64,
     over_whole_records: Deviation,
     sign: &'a SignFinding,

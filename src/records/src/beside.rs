@@ -2,6 +2,8 @@
 //! told and not read; text between rows is a fault.
 
 use super::error::RecordError;
+use super::phrases;
+use super::sentence::Sentence;
 use super::table::Rows;
 
 /// Lines right below a heading that hold no figures: names of sensors, rates, remarks of a channel.
@@ -54,10 +56,10 @@ impl Beside {
     /// Says of the tests of a table what was not read beside them.
     pub fn tell(self, rows: &mut Rows) {
         for (line, text) in self.labels {
-            rows.note("ignored", format!("line {line}, below the heading, holds no figures: {text}"));
+            rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));
         }
         if let Some(Foot { line, text, .. }) = self.foot {
-            rows.note("ignored", format!("from line {line} on, below the table, not read: {text}"));
+            rows.note("ignored", Sentence::from(phrases::BELOW_TABLE).with("line", line).with("text", text));
         }
     }
 }

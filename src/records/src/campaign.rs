@@ -13,10 +13,12 @@ use super::cleaning;
 use super::delay::Delay;
 use super::error::RecordError;
 use super::options::Options;
+use super::phrases;
 use super::plausibility;
 use super::profile::{self, Profile};
 use super::record::{Note, Record};
 use super::samples::Samples;
+use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
 use super::{csv, glob, mat, mdf, not_read, rpc, slips, tdms, xlsx};
@@ -147,7 +149,8 @@ fn tell_gaps(motions: &[cleaning::Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
         if let Some(note) = motion.notes.iter().find(|n| n.kind == "gap") {
-            let text = format!("{}: {}", motion.at.file.display(), note.text);
+            let file = motion.at.file.display().to_string();
+            let text = Sentence::from(phrases::OF_FILE).with("file", file).with_said("text", note.text.clone());
             if told.iter().all(|n| n.text != text) {
                 told.push(Note { kind: "gap", text });
             }
@@ -249,7 +252,7 @@ fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<F
                         let said = profile.options().unwrap_or_default();
                         notes.push(Note {
                             kind: "profile",
-                            text: format!("read as {} says", folder.join(profile::FILE).display()),
+                            text: Sentence::from(phrases::PROFILE).with("file", folder.join(profile::FILE).display()),
                         });
                         let own = options.over(&said);
                         found.folders.push((folder.clone(), said));
@@ -307,7 +310,11 @@ fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Ve
     if !ignored.is_empty() {
         notes.push(Note {
             kind: "ignored",
-            text: format!("in {}, not read as records: {}", folder.display(), ignored.join(", ")),
+            text: Sentence::from(phrases::STRAY).with("folder", folder.display()).with_names(
+                "names",
+                ignored,
+                phrases::COMMA,
+            ),
         });
     }
     Ok(files)
@@ -455,10 +462,10 @@ mod tests {
         assert_eq!(campaign.sign.positive, super::super::Positive::Rebound);
         let note = &campaign.notes[0];
         assert!(
-            note.kind == "ignored" && note.text.contains("README.md, campaign.toml")
-                || note.text.contains("campaign.toml, README.md")
+            note.kind == "ignored" && note.text.to_string().contains("README.md, campaign.toml")
+                || note.text.to_string().contains("campaign.toml, README.md")
         );
-        assert!(!note.text.contains("hidden"));
+        assert!(!note.text.to_string().contains("hidden"));
         for (record, frequency) in campaign.records.iter().zip([0.02, 0.5, 2.0]) {
             assert_eq!(record.cycles.len(), 5);
             assert!((record.frequency / frequency - 1.0).abs() < 2e-3, "{}", record.frequency);
@@ -541,7 +548,8 @@ mod tests {
         ];
         let campaign = load_folder(&folder(&files), &Options::default()).unwrap();
         assert_eq!(campaign.records.len(), 1);
-        let told: Vec<&str> = campaign.notes.iter().filter(|n| n.kind == "left_out").map(|n| n.text.as_str()).collect();
+        let told: Vec<String> =
+            campaign.notes.iter().filter(|n| n.kind == "left_out").map(|n| n.text.to_string()).collect();
         assert_eq!(told.len(), 5, "{told:?}");
         for (name, why) in [
             ("b.csv", "no header line"),
@@ -601,7 +609,7 @@ mod tests {
             let campaign = load(&[path], &Options::default(), &quiet).unwrap();
             assert_eq!(campaign.records.len(), 1);
             assert!(campaign.sign.given && campaign.sign.positive == super::super::Positive::Compression);
-            assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.contains("campaign.toml")));
+            assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
         }
         // The command line wins.
         let options = Options { positive: Some(super::super::Positive::Rebound), ..Options::default() };
@@ -637,7 +645,9 @@ mod tests {
         }
         let campaign = load_folder(&folder(&[("a.csv", &text), ("z.pdf", "")]), &Options::default()).unwrap();
         assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a part 1", "a part 2"]);
-        assert!(campaign.notes[0].kind == "gap" && campaign.notes[0].text.contains("a.csv: gaps in time: 5.0"));
+        assert!(
+            campaign.notes[0].kind == "gap" && campaign.notes[0].text.to_string().contains("a.csv: gaps in time: 5.0")
+        );
     }
 
     #[test]

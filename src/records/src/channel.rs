@@ -6,6 +6,8 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use super::heading::{headings, words};
+use super::phrases;
+use super::sentence::Sentence;
 use super::unit::{Dimension, Unit};
 
 /// A quantity that a rig record may hold.
@@ -50,10 +52,11 @@ impl Channel {
     }
 
     /// How to do without the channel, for messages; nothing where a record needs it.
-    pub(crate) fn leave_out_advice(self) -> String {
+    pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
-            Channel::Time | Channel::Force => String::new(),
-            _ => format!(", or leave the channel out with --ignore {self}"),
+            Channel::Time | Channel::Force => None,
+            // The option takes the name as it is.
+            _ => Some(Sentence::from(phrases::OR_IGNORE).with("channel", self)),
         }
     }
 

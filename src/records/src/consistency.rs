@@ -3,6 +3,8 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::derive::integrate;
+use super::phrases;
+use super::sentence::{Sentence, Template};
 
 /// How velocity and displacement agree.
 #[derive(Debug, Clone, Copy)]
@@ -55,44 +57,33 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
 }
 
 /// The likely cause where the two contradict each other grossly.
-pub(crate) fn contradiction(agreement: &Agreement) -> Option<String> {
+pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
-    let advice = "or read one of them only: --ignore velocity (or --ignore displacement)";
+    let by = |cause: Template, figure: &'static str, value: String| {
+        Sentence::from(cause).with(figure, value).with_said("advice", phrases::READ_ONE_ONLY)
+    };
     if explained < 0.5 {
-        return Some(format!(
-            "the integral of the velocity explains only {:.0} % of the displacement; they do not belong to one motion. Check \
-             that the right columns are read (--column velocity=\"heading\"), {advice}",
-            100.0 * explained.max(0.0)
-        ));
+        return Some(by(phrases::OTHER_MOTION, "percent", format!("{:.0}", 100.0 * explained.max(0.0))));
     }
     if gain < 0.0 {
-        return Some(format!(
-            "they have opposite signs (velocity is {gain:.3} times the derivative of displacement). Turn one of them in the \
-             export, {advice}"
-        ));
+        return Some(by(phrases::OPPOSITE_SIGNS, "gain", format!("{gain:.3}")));
     }
     let slips = [
-        (1000.0, "displacement or velocity is in mm where the header says m"),
-        (100.0, "displacement or velocity is in cm where the header says m"),
-        (10.0, "displacement or velocity is in mm where the header says cm"),
-        (25.4, "one of them is in inches where the header says mm, or the reverse"),
-        (39.370_078_740_157_48, "one of them is in inches where the header says m, or the reverse"),
+        (1000.0, phrases::MM_NOT_M),
+        (100.0, phrases::CM_NOT_M),
+        (10.0, phrases::MM_NOT_CM),
+        (25.4, phrases::INCH_NOT_MM),
+        (39.370_078_740_157_48, phrases::INCH_NOT_M),
     ];
     for (factor, cause) in slips {
         for slip in [factor, 1.0 / factor] {
             if (gain / slip - 1.0).abs() < 0.06 {
-                return Some(format!(
-                    "velocity is {gain:.4} times the derivative of displacement: a unit slip, {cause}. Give the unit \
-                     (--unit velocity=mm/s, --unit displacement=mm), {advice}"
-                ));
+                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_said("slip", cause));
             }
         }
     }
     if !(0.75..1.33).contains(&gain) {
-        return Some(format!(
-            "velocity is {gain:.3} times the derivative of displacement. Check the units and calibration of both, the unit \
-             of time, and whether the sampling is fast enough for the motion, {advice}"
-        ));
+        return Some(by(phrases::OTHER_SCALE, "gain", format!("{gain:.3}")));
     }
     None
 }
@@ -124,7 +115,7 @@ mod tests {
         let (time, x, v) = channels();
         let cause = |factor: f64| {
             let other: Vec<f64> = v.iter().map(|v| factor * v).collect();
-            contradiction(&compare(&time, &x, &other).unwrap()).unwrap_or_default()
+            contradiction(&compare(&time, &x, &other).unwrap()).unwrap_or_default().to_string()
         };
         assert!(cause(-1.0).contains("opposite signs"));
         assert!(cause(1000.0).contains("mm where the header says m"));
@@ -133,7 +124,7 @@ mod tests {
         assert!(cause(2.0).contains("calibration"));
         assert!(cause(1.1).is_empty());
         let unrelated: Vec<f64> = time.iter().map(|t| (7.3 * t).sin()).collect();
-        assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().contains("do not belong"));
+        assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().to_string().contains("do not belong"));
         assert!(compare(&time, &x, &vec![0.0; x.len()]).is_none());
     }
 }

@@ -12,6 +12,7 @@ use super::error::{Place, RecordError};
 use super::heading::{Heading, HeadingUnit, heading, nearest};
 use super::lvm;
 use super::options::Options;
+use super::phrases;
 use super::samples::Samples;
 use super::table::{HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
 use super::unit::Unit;
@@ -328,11 +329,7 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
         }
         beside.row()?;
         if record.len() > header.len() && record.iter().skip(header.len()).any(|cell| !cell.trim_ascii().is_empty()) {
-            let hint = if delimiter == b',' {
-                "; decimal commas need quotes around the cells, or a semicolon or tab between the columns"
-            } else {
-                ""
-            };
+            let hint = (delimiter == b',').then_some(phrases::QUOTE_DECIMAL_COMMAS);
             let (found, expected) = (record.len(), header.len());
             return Err(RecordError::Fields { at: at.clone(), line, found, expected, hint });
         }
@@ -376,7 +373,7 @@ fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError 
         line,
         column: heading.to_owned(),
         text: cell.trim().chars().take(40).collect(),
-        hint: if cell.contains(',') { "; write it without thousands separators" } else { "" },
+        hint: cell.contains(',').then_some(phrases::WITHOUT_SEPARATORS),
     }
 }
 

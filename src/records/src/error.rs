@@ -1,9 +1,11 @@
 //! Why a record or a campaign cannot be read, in words that say where and what to do.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::channel::Channel;
+use super::phrases;
+use super::sentence::{Sentence, Template};
 use super::unit::Unit;
 
 /// The files that are read, for messages.
@@ -58,7 +60,7 @@ pub enum RecordError {
     #[error("{folder}: holds no record; a campaign folder holds {}", kinds(), folder = .folder.display())]
     EmptyFolder { folder: PathBuf },
 
-    #[error("{file}: is empty (0 bytes); export it again", file = .file.display())]
+    #[error("{}", self.fault())]
     EmptyFile { file: PathBuf },
 
     #[error("--exclude {pattern:?} matches no file and no test; the first file is called {first:?}")]
@@ -90,31 +92,28 @@ pub enum RecordError {
     #[error("no record given; name a record file or a campaign folder")]
     NoPaths,
 
-    #[error("{file}: is no record; records are {} files", kinds(), file = .file.display())]
+    #[error("{}", self.fault())]
     UnknownType { file: PathBuf },
 
-    #[error("{file}: is {is}, which is not read; {instead}", file = .file.display())]
+    #[error("{}", self.fault())]
     NotRead { file: PathBuf, is: &'static str, instead: &'static str },
 
-    #[error("{file}: cannot be read as a workbook ({cause}); save it again as .xlsx, or export the sheet as CSV", file = .file.display())]
+    #[error("{}", self.fault())]
     Workbook { file: PathBuf, cause: String },
 
-    #[error("{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')", file = .file.display())]
+    #[error("{}", self.fault())]
     Mat { file: PathBuf, cause: String },
 
     #[error("{at}, line {line}: {cause}")]
     PeakTable { at: Place, line: usize, cause: String },
 
-    #[error("{file}: cannot be read as {kind} ({cause})", file = .file.display())]
+    #[error("{}", self.fault())]
     Binary { file: PathBuf, kind: &'static str, cause: String },
 
-    #[error("{file}: cannot be read as an RPC III time history ({cause})", file = .file.display())]
+    #[error("{}", self.fault())]
     Rpc { file: PathBuf, cause: String },
 
-    #[error(
-        "{at}: no header line found that names time and other channels; the first line reads '{found}'. Understood are: \
-         {understood}. Other headings can be given as --column force=\"Load Cell 1\""
-    )]
+    #[error("{} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"", self.fault())]
     Header { at: Place, found: String, understood: String },
 
     #[error(
@@ -149,37 +148,28 @@ pub enum RecordError {
     )]
     UnknownUnit { at: Place, line: usize, column: String, unit: String, channel: Channel },
 
-    #[error("{at}, line {line}, column '{column}': '{text}' is no number{hint}")]
-    Cell { at: Place, line: usize, column: String, text: String, hint: &'static str },
+    #[error("{}", self.fault())]
+    Cell { at: Place, line: usize, column: String, text: String, hint: Option<Template> },
 
-    #[error("{at}, line {line}: has {found} fields where the header has {expected}{hint}")]
-    Fields { at: Place, line: usize, found: usize, expected: usize, hint: &'static str },
+    #[error("{}", self.fault())]
+    Fields { at: Place, line: usize, found: usize, expected: usize, hint: Option<Template> },
 
-    #[error(
-        "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to \
-         drop. Repair the export{advice}",
-        advice = channel.leave_out_advice()
-    )]
+    #[error("{}", self.fault())]
     Missing { at: Place, line: usize, channel: Channel, count: usize, rows: usize },
 
-    #[error("{at}: has a header but no data rows")]
+    #[error("{}", self.fault())]
     NoData { at: Place },
 
-    #[error("{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again")]
+    #[error("{}", self.fault())]
     TooFew { at: Place, samples: usize, needed: usize },
 
-    #[error("{at}: time does not advance, it is {time} s in every row; check that the right column is read as time")]
+    #[error("{}", self.fault())]
     ConstantTime { at: Place, time: f64 },
 
-    #[error(
-        "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, \
-         add a column 'test' or split it; otherwise cut the stray block"
-    )]
+    #[error("{}", self.fault())]
     TimeBackwards { at: Place, line: usize, from: f64, to: f64 },
 
-    #[error(
-        "{at}, lines {first} to {last}: {channel} is frozen at {value:.6} (SI) for {seconds:.3} s while {moving}; {advice}"
-    )]
+    #[error("{}", self.fault())]
     Frozen {
         at: Place,
         channel: Channel,
@@ -187,25 +177,17 @@ pub enum RecordError {
         last: usize,
         value: f64,
         seconds: f64,
-        moving: &'static str,
-        advice: &'static str,
+        moving: Template,
+        advice: Template,
     },
 
-    #[error(
-        "{at}, first at line {line}: {channel} is clipped at {value:.5} (SI) in {percent:.1} % of the samples, which leaves too \
-         little to trust; {advice}"
-    )]
-    Clipped { at: Place, line: usize, channel: Channel, value: f64, percent: f64, advice: &'static str },
+    #[error("{}", self.fault())]
+    Clipped { at: Place, line: usize, channel: Channel, value: f64, percent: f64, advice: Template },
 
-    #[error(
-        "{at}: the damper does not move: {channel} shows nothing but noise, within {range:.4} {unit}. Measure the test again, or, if \
-         it is meant to stand, take it out"
-    )]
+    #[error("{}", self.fault())]
     NoMotion { at: Place, channel: Channel, range: f64, unit: &'static str },
 
-    #[error(
-        "{at}: force is {value:.6} N in every row while the damper moves; check the load cell and its cable, and measure again"
-    )]
+    #[error("{}", self.fault())]
     ConstantForce { at: Place, value: f64 },
 
     #[error(
@@ -234,9 +216,82 @@ pub enum RecordError {
     #[error("{channel} cannot be left out of records; take it off --ignore")]
     Indispensable { channel: Channel },
 
-    #[error("{at}: displacement and velocity contradict each other: {cause}")]
-    Contradiction { at: Place, cause: String },
+    #[error("{}", self.fault())]
+    Contradiction { at: Place, cause: Sentence },
 
     #[error("the damper would feed energy into the rig, so a sign is wrong: {cause}")]
     FeedsEnergy { cause: String, tests: Vec<String> },
+}
+
+impl RecordError {
+    /// What is wrong with a file or test that a campaign can do without, as a sentence that reports say in their own language. What is a
+    /// question to the user is said on the terminal alone.
+    pub(crate) fn fault(&self) -> Sentence {
+        let of = |template: Template, at: &Place| Sentence::from(template).with("at", at);
+        let in_file = |template: Template, file: &Path| Sentence::from(template).with("file", file.display());
+        let any = |sentence: Sentence, name, template: &Option<Template>| {
+            sentence.with_any(name, template.map(Sentence::from))
+        };
+        match self {
+            RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with("kinds", kinds()),
+            RecordError::NotRead { file, is, instead } => {
+                in_file(phrases::NOT_READ, file).with_word("is", is).with_word("instead", instead)
+            }
+            RecordError::EmptyFile { file } => in_file(phrases::EMPTY_FILE, file),
+            RecordError::Workbook { file, cause } => in_file(phrases::WORKBOOK, file).with("cause", cause),
+            RecordError::Rpc { file, cause } => in_file(phrases::RPC, file).with("cause", cause),
+            RecordError::Binary { file, kind, cause } => {
+                in_file(phrases::BINARY, file).with("kind", kind).with("cause", cause)
+            }
+            RecordError::Mat { file, cause } => in_file(phrases::MAT, file).with("cause", cause),
+            RecordError::Header { at, found, .. } => of(phrases::NO_HEADER, at).with("found", found),
+            RecordError::NoData { at } => of(phrases::NO_DATA, at),
+            RecordError::TooFew { at, samples, needed } => {
+                of(phrases::TOO_FEW, at).with("samples", samples).with("needed", needed)
+            }
+            RecordError::Missing { at, line, channel, count, rows } => of(phrases::MISSING, at)
+                .with("line", line)
+                .with_word("channel", channel.name())
+                .with("count", count)
+                .with("rows", rows)
+                .with_any("advice", channel.leave_out_advice()),
+            RecordError::ConstantTime { at, time } => of(phrases::CONSTANT_TIME, at).with("time", time),
+            RecordError::TimeBackwards { at, line, from, to } => {
+                of(phrases::TIME_BACKWARDS, at).with("line", line).with("from", from).with("to", to)
+            }
+            RecordError::Frozen { at, channel, first, last, value, seconds, moving, advice } => of(phrases::FROZEN, at)
+                .with("first", first)
+                .with("last", last)
+                .with_word("channel", channel.name())
+                .with("value", format!("{value:.6}"))
+                .with("seconds", format!("{seconds:.3}"))
+                .with_said("moving", *moving)
+                .with_said("advice", *advice),
+            RecordError::Clipped { at, line, channel, value, percent, advice } => of(phrases::CLIPPED, at)
+                .with("line", line)
+                .with_word("channel", channel.name())
+                .with("value", format!("{value:.5}"))
+                .with("percent", format!("{percent:.1}"))
+                .with_said("advice", *advice),
+            RecordError::NoMotion { at, channel, range, unit } => of(phrases::NO_MOTION, at)
+                .with_word("channel", channel.name())
+                .with("range", format!("{range:.4}"))
+                .with("unit", unit),
+            RecordError::ConstantForce { at, value } => {
+                of(phrases::CONSTANT_FORCE, at).with("value", format!("{value:.6}"))
+            }
+            RecordError::Cell { at, line, column, text, hint } => {
+                let cell = of(phrases::CELL, at).with("line", line).with("column", column).with("text", text);
+                any(cell, "hint", hint)
+            }
+            RecordError::Fields { at, line, found, expected, hint } => {
+                let fields = of(phrases::FIELDS, at).with("line", line);
+                any(fields.with("found", found).with("expected", expected), "hint", hint)
+            }
+            RecordError::Contradiction { at, cause } => {
+                of(phrases::CONTRADICTION, at).with_said("cause", cause.clone())
+            }
+            question => Sentence::read(&question.to_string(), &[], &[]),
+        }
+    }
 }

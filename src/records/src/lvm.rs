@@ -110,7 +110,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
                     line: *line,
                     column: column.heading.clone(),
                     text: cell.trim().chars().take(40).collect(),
-                    hint: "",
+                    hint: None,
                 })?);
             }
             same_clock(packet, &cells, has_x, separator).map_err(|()| {

@@ -47,6 +47,12 @@ const KINDS: &[Kind] = &[
 
 /// First numbers of binary files of catman: its versions 5.0 to 5.99 as a 16-bit number (HBM, catman file format).
 const CATMAN: std::ops::RangeInclusive<u16> = 5000..=5999;
+const OF_CATMAN: (&str, &str) = ("a binary file of catman", "export it from catman as ASCII, MDF 4 or MAT");
+
+/// All that is said of such files.
+pub(crate) fn words() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().flat_map(|kind| [kind.is, kind.instead]).chain([OF_CATMAN.0, OF_CATMAN.1])
+}
 
 /// What a file is that is not read, and what to do; nothing where it may be a text.
 pub(crate) fn known(file: &Path) -> Option<(&'static str, &'static str)> {
@@ -62,8 +68,7 @@ fn of(head: &[u8]) -> Option<(&'static str, &'static str)> {
     let first = u16::from_le_bytes([*head.first()?, *head.get(1)?]);
     // Two letters of a text may be that number; the length that follows then is no small one.
     let second = u32::from_le_bytes(head.get(2..6)?.try_into().ok()?);
-    (CATMAN.contains(&first) && second < 1 << 24 && head.contains(&0))
-        .then_some(("a binary file of catman", "export it from catman as ASCII, MDF 4 or MAT"))
+    (CATMAN.contains(&first) && second < 1 << 24 && head.contains(&0)).then_some(OF_CATMAN)
 }
 
 #[cfg(test)]

@@ -5,8 +5,10 @@
 use std::collections::HashMap;
 
 use super::error::RecordError;
+use super::phrases;
 use super::record::{Note, Record};
 use super::samples::range;
+use super::sentence::Sentence;
 
 /// Largest displacement amplitude, m; the longest suspensions travel half of it.
 const LARGEST_AMPLITUDE: f64 = 0.5;
@@ -68,17 +70,14 @@ pub(crate) fn remark(records: &[Record], notes: &mut Vec<Note>) -> Result<(), Re
                 noise: first.noise.force_rms,
             });
         }
-        let names: Vec<&str> = silent.iter().map(|r| r.name.as_str()).collect();
+        let names = silent.iter().map(|r| &r.name);
         notes.push(Note {
             kind: "no_force",
-            text: format!(
-                "the force shows nothing but noise in {}; check the load cell, or leave these tests out",
-                names.join(", ")
-            ),
+            text: Sentence::from(phrases::NO_FORCE).with_names("tests", names, phrases::COMMA),
         });
     }
     let most = |figure: fn(&Record) -> f64| records.iter().map(figure).fold(0.0_f64, f64::max);
-    let mut small = |figure: f64, limit: f64, text: String| {
+    let mut small = |figure: f64, limit: f64, text: Sentence| {
         if figure < limit {
             notes.push(Note { kind: "small", text });
         }
@@ -87,25 +86,17 @@ pub(crate) fn remark(records: &[Record], notes: &mut Vec<Note>) -> Result<(), Re
     small(
         amplitude,
         SMALL_AMPLITUDE,
-        format!("the largest amplitude is {:.4} mm: is the unit of displacement right?", 1e3 * amplitude),
+        Sentence::from(phrases::SMALL_AMPLITUDE).with("amplitude", format!("{:.4}", 1e3 * amplitude)),
     );
-    small(
-        speed,
-        SMALL_SPEED,
-        format!(
-            "the fastest test reaches {:.3} mm/s: are the units of time and motion right? From slow tests alone a model \
-             knows nothing of driving",
-            1e3 * speed
-        ),
-    );
-    small(force, SMALL_FORCE, format!("the force never changes by more than {force:.3} N: is its unit right?"));
+    small(speed, SMALL_SPEED, Sentence::from(phrases::SLOW).with("velocity", format!("{:.3}", 1e3 * speed)));
+    small(force, SMALL_FORCE, Sentence::from(phrases::SMALL_FORCE).with("force", format!("{force:.3}")));
     let mut known: HashMap<String, &Record> = HashMap::with_capacity(records.len());
     for record in records {
         let twin = *known.entry(record.fingerprint()).or_insert(record);
         if !std::ptr::eq(twin, record) && twin.force == record.force && twin.time == record.time {
             notes.push(Note {
                 kind: "duplicated",
-                text: format!("{} holds the same samples as {} and counts twice", record.name, twin.name),
+                text: Sentence::from(phrases::TWINS).with("test", &record.name).with("twin", &twin.name),
             });
         }
     }
@@ -161,7 +152,7 @@ mod tests {
         let twin = Record { name: "b".into(), ..record([1e-3, 7.0]) };
         let quiet = |r: Record| Record { noise: Noise { force_rms: 0.1, ..r.noise }, ..r };
         remark(&[quiet(record([1e-3, 7.0])), quiet(twin)], &mut notes).unwrap();
-        let text: Vec<&str> = notes.iter().map(|n| n.text.as_str()).collect();
+        let text: Vec<String> = notes.iter().map(|n| n.text.to_string()).collect();
         for wanted in ["0.0500 mm", "0.300 mm/s", "13.999 N", "b holds the same samples as a"] {
             assert!(text.iter().any(|t| t.contains(wanted)), "{wanted}: {text:?}");
         }

@@ -1,5 +1,6 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
+use super::sentence::Sentence;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -99,8 +100,8 @@ pub struct Note {
     /// `outlier`, `drift`, `derived`, `converted`, ...).
     #[serde(deserialize_with = "known_kind")]
     pub kind: Kind,
-    /// The sentence a person reads, with figures.
-    pub text: String,
+    /// What a person reads, with figures.
+    pub text: Sentence,
 }
 
 /// A kind read back, as a word that lasts: there are some dozens of kinds, each of which is kept once.

@@ -3,6 +3,7 @@
 use super::channel::Channel;
 use super::error::Place;
 use super::record::Note;
+use super::sentence::Sentence;
 
 /// One test before cleaning. All channels have the length of `time`; missing values are NaN.
 #[derive(Debug, Clone)]
@@ -29,7 +30,7 @@ impl Samples {
         self.time.len()
     }
 
-    pub fn note(&mut self, kind: &'static str, text: String) {
+    pub fn note(&mut self, kind: &'static str, text: Sentence) {
         self.notes.push(Note { kind, text });
     }
 

@@ -11,8 +11,10 @@ use super::cleaning::{Motion, delay_motion};
 use super::delay::{self, Cause, Delay, UNCLEAR};
 use super::error::RecordError;
 use super::options::{Options, Positive};
+use super::phrases;
 use super::record::Note;
 use super::samples::{median, quantile};
+use super::sentence::Sentence;
 
 /// What is known about the direction that the files count positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -24,7 +26,7 @@ pub struct SignFinding {
     /// How sure that is: 0 a coin toss, 1 certain.
     pub confidence: f64,
     /// What speaks for and against, in words.
-    pub reasons: Vec<String>,
+    pub reasons: Vec<Sentence>,
     /// Force at standstill, tension positive, N: minus the gas force, with whatever offset the load cell has.
     pub standstill_force: f64,
     /// Damping force in rebound over that in compression at like speed, where it could be told; with `positive` applied.
@@ -96,13 +98,10 @@ fn lateness(
 ) -> Result<Option<Delay>, RecordError> {
     let feeding: Vec<usize> = (0..evidence.len()).filter(|&i| evidence[i].power < -UNCLEAR).collect();
     let told = |late: &Delay| {
-        format!(
-            "the force comes about {:.1} ms after the motion: taken so, a curve over velocity leaves {:.1} % of its variance \
-             unexplained, as recorded {:.1} %",
-            1e3 * late.seconds,
-            100.0 * late.unexplained,
-            100.0 * late.unexplained_as_recorded
-        )
+        Sentence::from(phrases::LATE)
+            .with("delay", format!("{:.1}", 1e3 * late.seconds))
+            .with("left", format!("{:.1}", 100.0 * late.unexplained))
+            .with("recorded", format!("{:.1}", 100.0 * late.unexplained_as_recorded))
     };
     let flag = |late: &Delay| format!("--delay {:.4}", options.delay_s + late.seconds);
     let late = if feeding.is_empty() {
@@ -118,13 +117,14 @@ fn lateness(
         }
     };
     if let Some(late) = &late {
-        let energy = match feeding.len() {
-            0 => String::new(),
-            n => format!("; as recorded, the damper would feed energy in {n} of {} tests", evidence.len()),
-        };
+        let energy = (!feeding.is_empty())
+            .then(|| Sentence::from(phrases::WOULD_FEED).with("count", feeding.len()).with("all", evidence.len()));
         notes.push(Note {
             kind: "late",
-            text: format!("{}{energy}. Nothing was moved; to correct it give {}", told(late), flag(late)),
+            text: Sentence::from(phrases::LATE_NOT_MOVED)
+                .with_said("late", told(late))
+                .with_any("energy", energy)
+                .with("option", flag(late)),
         });
     }
     Ok(late)
@@ -201,12 +201,15 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     (positive > 0.0 && negative > 0.0).then(|| (positive / negative).ln())
 }
 
-fn list(names: &[&Evidence]) -> String {
-    let mut text = names.iter().take(8).map(|e| format!("'{}'", e.name)).collect::<Vec<_>>().join(", ");
-    if names.len() > 8 {
-        text.push_str(&format!(" and {} more", names.len() - 8));
+fn list(names: &[&Evidence]) -> Sentence {
+    /// Tests that are named.
+    const NAMED: usize = 8;
+    let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("name", &e.name);
+    let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
+    match names.len().saturating_sub(NAMED) {
+        0 => named,
+        more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
     }
-    text
 }
 
 /// The refusal of tests that feed energy, with the likely cause.
@@ -266,16 +269,20 @@ fn direction(
     // Log odds for rebound positive.
     let gas = standstill.map_or(0.0, |(force, uncertainty)| (-2.0 * force / uncertainty).clamp(-6.0, 6.0));
     match standstill {
-        Some((force, uncertainty)) => reasons.push(format!(
-            "force at standstill is {force:+.0} N ± {uncertainty:.0} N as counted in the files; gas pushes the rod out, so that \
-             {}",
-            match gas {
-                g if g > 1.0 => "speaks for tension positive (rebound)",
-                g if g < -1.0 => "speaks for push positive (compression)",
-                _ => "is too small to tell the direction",
-            }
-        )),
-        None => reasons.push("no turning points at standstill, so the gas force cannot be told".into()),
+        Some((force, uncertainty)) => {
+            let verdict = match gas {
+                g if g > 1.0 => phrases::SPEAKS_FOR_TENSION,
+                g if g < -1.0 => phrases::SPEAKS_FOR_PUSH,
+                _ => phrases::TOO_SMALL_TO_TELL,
+            };
+            reasons.push(
+                Sentence::from(phrases::STANDSTILL)
+                    .with("force", format!("{force:+.0}"))
+                    .with("error", format!("{uncertainty:.0}"))
+                    .with_said("verdict", verdict),
+            );
+        }
+        None => reasons.push(phrases::NO_STANDSTILL.into()),
     }
     let fastest = evidence.iter().map(|e| e.peak_velocity).fold(0.0, f64::max);
     let mut ratios: Vec<f64> =
@@ -285,30 +292,26 @@ fn direction(
     // than seven to one, since some dampers are symmetric or the other way round.
     let shape = ratio.map_or(0.0, |r| (2.5 * r).clamp(-2.0, 2.0));
     if let Some(r) = ratio {
-        reasons.push(format!(
-            "forces at positive velocity are {:.2} times those at negative velocity in the faster tests; most dampers resist \
-             rebound more, so that {}",
-            r.exp(),
-            match shape {
-                s if s > 0.3 => "speaks for rebound positive",
-                s if s < -0.3 => "speaks for compression positive",
-                _ => "tells nothing",
-            }
-        ));
+        let verdict = match shape {
+            s if s > 0.3 => phrases::SPEAKS_FOR_REBOUND,
+            s if s < -0.3 => phrases::SPEAKS_FOR_COMPRESSION,
+            _ => phrases::TELLS_NOTHING,
+        };
+        let ratio = format!("{:.2}", r.exp());
+        reasons.push(Sentence::from(phrases::ASYMMETRY).with("ratio", ratio).with_said("verdict", verdict));
     }
     if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {
-        reasons.push("gas force and asymmetry contradict each other; the stronger of the two was followed".into());
+        reasons.push(phrases::CONTRADICT.into());
     }
     if !evidence.iter().any(|e| e.power > UNCLEAR) {
-        reasons
-            .push("no test dissipates energy clearly, so it is not certain that force and motion go together".into());
+        reasons.push(phrases::NOT_DISSIPATING.into());
     }
     let odds = gas + shape;
     let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
     // The probability itself: 0.5 where nothing speaks for either.
     let sure = 1.0 / (1.0 + (-odds.abs()).exp());
     if options.positive.is_none() && sure < 0.8 {
-        reasons.push("the evidence is weak; say which it is with --positive rebound or --positive compression".into());
+        reasons.push(phrases::WEAK.into());
     }
     // Tests whose own gas force says the opposite of the campaign's.
     let odd: Vec<&Evidence> = evidence
@@ -316,28 +319,21 @@ fn direction(
         .filter(|e| e.standstill.is_some_and(|(f, u)| f.abs() > 4.0 * u && (f < 0.0) != (found == Positive::Rebound)))
         .collect();
     if !odd.is_empty() && gas.abs() > 1.0 {
-        notes.push(Note {
-            kind: "sign",
-            text: format!(
-                "the force at standstill of {} has the opposite sign of the other tests'; check whether these files \
-                           count in another direction",
-                list(&odd)
-            ),
-        });
+        notes.push(Note { kind: "sign", text: Sentence::from(phrases::OTHER_SIGN).with_said("tests", list(&odd)) });
     }
     let (positive, given, confidence) = match options.positive {
         Some(positive) => {
             if positive != found && sure > 0.9 {
                 notes.push(Note {
                     kind: "sign",
-                    text: format!(
-                        "{} positive was given, but the data speak for the opposite: {}",
-                        word(positive),
-                        reasons.join("; ")
+                    text: Sentence::from(phrases::AGAINST_GIVEN).with_word("direction", word(positive)).with_list(
+                        "reasons",
+                        reasons.clone(),
+                        phrases::SEMICOLON,
                     ),
                 });
             }
-            reasons.insert(0, format!("{} positive was given", word(positive)));
+            reasons.insert(0, Sentence::from(phrases::GIVEN).with_word("direction", word(positive)));
             (positive, true, 1.0)
         }
         None => (found, false, sure),
@@ -456,11 +452,8 @@ mod tests {
             assert_eq!(before[2].force, motions[2].force);
             assert_eq!(before[2].velocity, motions[2].velocity);
             let note = notes.iter().find(|n| n.kind == "late").unwrap();
-            assert!(
-                note.text.contains("--delay 0.0") && note.text.contains("would feed energy") == feeds,
-                "{}",
-                note.text
-            );
+            let text = note.text.to_string();
+            assert!(text.contains("--delay 0.0") && text.contains("would feed energy") == feeds, "{text}");
         }
     }
 
@@ -482,7 +475,7 @@ mod tests {
         let options = Options { positive: Some(Positive::Compression), ..Options::default() };
         let (finding, motions, notes) = settled(campaign(1.0, 1.0, -150.0), &options).unwrap();
         assert!(finding.given && finding.confidence == 1.0);
-        assert!(notes.iter().any(|n| n.kind == "sign" && n.text.contains("speak for the opposite")));
+        assert!(notes.iter().any(|n| n.kind == "sign" && n.text.to_string().contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 
         // No gas force: only the asymmetry is left, and that is no certainty.
@@ -490,6 +483,6 @@ mod tests {
         assert!((0.5..0.93).contains(&weak.confidence) && weak.positive == Positive::Rebound, "{weak:?}");
         // Gas pulls the other way than the asymmetry says.
         let (torn, ..) = settled(campaign(1.0, 1.0, 60.0), &Options::default()).unwrap();
-        assert!(torn.reasons.iter().any(|r| r.contains("contradict")), "{torn:?}");
+        assert!(torn.reasons.iter().any(|r| r.to_string().contains("contradict")), "{torn:?}");
     }
 }

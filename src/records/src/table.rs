@@ -7,8 +7,10 @@ use super::clock;
 use super::error::{Place, RecordError};
 use super::heading::{Heading, HeadingUnit, heading, is_plain, nearest, nearest_to, vocabulary, without_unit};
 use super::options::Options;
+use super::phrases;
 use super::record::Note;
 use super::samples::Samples;
+use super::sentence::Sentence;
 use super::unit::Unit;
 
 /// How many lines at the top of a file are searched for the header.
@@ -358,7 +360,7 @@ impl Rows {
     }
 
     /// Says something of the tests to come.
-    pub fn note(&mut self, kind: &'static str, text: String) {
+    pub fn note(&mut self, kind: &'static str, text: Sentence) {
         self.notes.push(Note { kind, text });
     }
 
@@ -393,21 +395,24 @@ impl Rows {
         }
         let mut notes = std::mem::take(&mut self.notes);
         if !self.layout.ignored.is_empty() {
-            notes.push(Note { kind: "ignored", text: format!("columns not read: {}", self.layout.ignored.join(", ")) });
+            let columns = Sentence::from(phrases::COLUMNS_NOT_READ);
+            let text = columns.with_names("names", &self.layout.ignored, phrases::COMMA);
+            notes.push(Note { kind: "ignored", text });
         }
-        let converted: Vec<String> = self
+        let converted: Vec<Sentence> = self
             .layout
             .columns
             .iter()
             .filter(|c| c.unit.to_si(1.0) != 1.0)
-            .map(|c| format!("{} from {}", c.channel, c.unit))
+            .map(|c| Sentence::from(phrases::FROM_UNIT).with_word("channel", c.channel.name()).with("unit", c.unit))
             .collect();
         if !converted.is_empty() {
-            notes.push(Note { kind: "converted", text: format!("converted to SI: {}", converted.join(", ")) });
+            let text = Sentence::from(phrases::CONVERTED).with_list("channels", converted, phrases::COMMA);
+            notes.push(Note { kind: "converted", text });
         }
         if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
             clock::from_first(&mut self.values[index]);
-            notes.push(Note { kind: "converted", text: "time of day taken from the first row on".into() });
+            notes.push(Note { kind: "converted", text: phrases::TIME_OF_DAY.into() });
         }
         let groups: Vec<(String, Place, Option<Vec<usize>>)> = if self.layout.test.is_some() {
             let mut members = vec![Vec::new(); self.names.len()];

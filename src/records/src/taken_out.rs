@@ -1,6 +1,7 @@
 //! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
 
 use super::cleaning::Earlier;
+use super::phrases;
 use super::record::{Note, Record};
 use super::smoothing::smooth;
 
@@ -33,8 +34,7 @@ pub fn taken_out(record: &Record, off: &Off) -> Record {
     }
     take_mass(&mut right, off.mass_kg);
     right.as_read = Some(record.fingerprint());
-    let text = "what the fit found the measurement to be off by was taken out".into();
-    right.notes.push(Note { kind: "corrected", text });
+    right.notes.push(Note { kind: "corrected", text: phrases::TAKEN_OUT.into() });
     right
 }
 

@@ -7,15 +7,28 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::RecordError;
+use super::phrases;
 use super::record::Note;
+use super::sentence::Sentence;
 
 /// A file or test that was left out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unusable {
     /// Why, in a sentence that names the file, and the test within it.
-    pub why: String,
+    pub why: Sentence,
     /// Whether it is a test, with a fault of its own; else the file is no record at all.
     pub is_test: bool,
+}
+
+impl Unusable {
+    /// The first of several in words, and how many more there are; nothing where there are none.
+    pub fn first_of(several: &[Unusable]) -> Option<Sentence> {
+        let (first, others) = several.split_first()?;
+        Some(match others.len() {
+            0 => first.why.clone(),
+            more => Sentence::from(phrases::FIRST_AND_MORE).with_said("first", first.why.clone()).with("count", more),
+        })
+    }
 }
 
 /// How far the fault of a file or test reaches.
@@ -123,7 +136,7 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();
     let more = unusable.len().saturating_sub(NAMED);
     if more > 0 {
-        notes.push(note(format!("{more} more files and tests were left out")));
+        notes.push(note(Sentence::from(phrases::MORE_LEFT_OUT).with("count", more)));
     }
     notes
 }
@@ -131,11 +144,8 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
 /// What is said of one.
 fn in_words(error: &RecordError) -> Unusable {
     let is_test = error.reach() != Reach::NoRecord;
-    let text = error.to_string();
-    // The full list of headings understood is no news here.
-    let text = &text[..text.find(" Understood are").unwrap_or(text.len())];
-    let why = if is_test { format!("left out: {text}") } else { format!("left out, as it is no record: {text}") };
-    Unusable { why, is_test }
+    let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };
+    Unusable { why: Sentence::from(left_out).with_said("fault", error.fault()), is_test }
 }
 
 #[cfg(test)]
@@ -174,8 +184,11 @@ mod tests {
         let mut notes = Vec::new();
         let unusable = some.tell(&mut notes);
         assert_eq!(unusable.iter().map(|u| u.is_test).collect::<Vec<_>>(), [false, true, true]);
-        assert!(unusable[0].why.starts_with("left out, as it is no record: e.csv: is empty"), "{unusable:?}");
-        assert!(unusable[1].why.starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
+        assert!(
+            unusable[0].why.to_string().starts_with("left out, as it is no record: e.csv: is empty"),
+            "{unusable:?}"
+        );
+        assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
         // Of two tests without a clock and two sound ones, the column of the sound ones may be the wrong one.
         let refused = sieve(vec![short(), doubtful(), doubtful()]).refuse_most(2).unwrap_err();
@@ -201,6 +214,6 @@ mod tests {
         let mut notes = Vec::new();
         let unusable = sieve((0..300).map(|_| short()).collect()).tell(&mut notes);
         assert_eq!((unusable.len(), notes.len()), (300, 21));
-        assert!(notes[20].text.contains("280 more"), "{}", notes[20].text);
+        assert!(notes[20].text.to_string().contains("280 more"), "{}", notes[20].text);
     }
 }

@@ -10,6 +10,7 @@ use super::channel::Channel;
 use super::clock;
 use super::error::{Place, RecordError};
 use super::options::Options;
+use super::phrases;
 use super::samples::Samples;
 use super::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
 
@@ -216,7 +217,7 @@ impl<'a> Sheet<'a> {
             line,
             column: column.heading.clone(),
             text: cell.to_string().chars().take(40).collect(),
-            hint: "; format the cells as numbers",
+            hint: Some(phrases::FORMAT_AS_NUMBERS),
         };
         let time = columns.iter().find(|c| c.channel == Channel::Time);
         if let Some(column) = time.or_else(|| columns.iter().find(|c| !is_figure(row.get(c.index))))
@@ -447,9 +448,12 @@ mod tests {
         ];
         let test = read_bytes(&workbook(&[("one", rows)])).unwrap().remove(0);
         assert_eq!((test.time.as_slice(), test.force.as_slice()), ([0.0, 1.0].as_slice(), [10.0, 20.0].as_slice()));
-        let told: Vec<&str> = test.notes.iter().map(|n| n.text.as_str()).collect();
-        assert!(told.contains(&"line 2, below the heading, holds no figures: 'clock LVDT U9B'"), "{told:?}");
-        assert!(told.contains(&"from line 5 on, below the table, not read: 'Max 2 20'"), "{told:?}");
+        let told: Vec<String> = test.notes.iter().map(|n| n.text.to_string()).collect();
+        assert!(
+            told.iter().any(|text| text == "line 2, below the heading, holds no figures: 'clock LVDT U9B'"),
+            "{told:?}"
+        );
+        assert!(told.iter().any(|text| text == "from line 5 on, below the table, not read: 'Max 2 20'"), "{told:?}");
         let broken: Vec<&[&str]> = rows.iter().chain(&rows[2..4]).copied().collect();
         let error = read_bytes(&workbook(&[("one", &broken)])).unwrap_err().to_string();
         assert!(error.contains("line 5") && error.contains("'Max' is no number"), "{error}");

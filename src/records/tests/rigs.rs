@@ -79,7 +79,7 @@ fn check_text(what: &str, name: &str, text: &str) -> Campaign {
 
 fn notes(campaign: &Campaign) -> String {
     let all = campaign.notes.iter().chain(campaign.records.iter().flat_map(|r| &r.notes));
-    all.map(|n| n.text.as_str()).collect::<Vec<_>>().join("\n")
+    all.map(|n| n.text.to_string()).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

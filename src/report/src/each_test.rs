@@ -64,7 +64,7 @@ fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>, words: &
     let notes = &compared.record.notes;
     if !notes.is_empty() {
         blocks.push(Block::Paragraph(words.notes_of_test.into()));
-        blocks.push(Block::List(notes.iter().map(|note| note.text.clone()).collect()));
+        blocks.push(Block::List(notes.iter().map(|note| words.say(&note.text)).collect()));
     }
     Section::new(format!("test-{number}"), figures.name.clone(), blocks)
 }

@@ -33,12 +33,16 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], wo
     let count = fit.tests.len().to_string();
     let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
-    sections.extend(parameters::section(&parameters::of_fit(fit), words));
+    sections.extend(parameters::section(&parameters::of_fit(fit, words), words));
     let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
     if !fit.choices.is_empty() {
         let columns =
             vec![Column::words(words.fit_choice_of), Column::words(words.fit_chosen), Column::words(words.col_why)];
-        let rows = fit.choices.iter().map(|c| vec![c.of.into(), c.chosen.into(), c.why.as_str().into()]).collect();
+        let rows = fit
+            .choices
+            .iter()
+            .map(|c| vec![words.word(c.of).into(), words.word(c.chosen).into(), words.say(&c.why).into()])
+            .collect();
         sections.push(Section::new("choices", words.fit_choices, table(columns, rows)));
     }
     if !fit.measured.is_empty() {
@@ -58,7 +62,7 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], wo
     let rows = fit.tests.iter().map(|name| vec![name.as_str().into()]).collect();
     sections.push(Section::new("tests", words.fit_tests, table(vec![Column::words(words.col_test)], rows)));
     let notes = fit.notes.iter().chain(unusable.iter().map(|one| &one.why));
-    let rows: Vec<Vec<Cell>> = notes.map(|note| vec![note.as_str().into()]).collect();
+    let rows: Vec<Vec<Cell>> = notes.map(|note| vec![words.say(note).into()]).collect();
     if !rows.is_empty() {
         sections.push(Section::new("notes", words.remarks, table(vec![Column::words(words.col_note)], rows)));
     }

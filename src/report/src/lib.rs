@@ -74,7 +74,7 @@ pub struct ReportInput<'a> {
 }
 
 impl<'a> ReportInput<'a> {
-    /// All that a model file, the records it was compared with and the comparison have to tell, in English and in full.
+    /// All that a model file, the records it was compared with and the comparison have to tell, in full.
     ///
     /// # Errors
     /// When no step can be taken with the model's parameters.
@@ -83,9 +83,10 @@ impl<'a> ReportInput<'a> {
         campaign: &Campaign,
         tests: &'a [Compared<'a>],
         validation: &'a Validation,
+        words: &'static Words,
     ) -> anyhow::Result<ReportInput<'a>> {
         Ok(ReportInput {
-            words: &words::EN,
+            words,
             print: Print::Whole,
             made: Made::default(),
             curve: comparison::at_constant_velocity(&prepared(&model.params)?, validation),
@@ -93,8 +94,8 @@ impl<'a> ReportInput<'a> {
             data: String::new(),
             validation,
             tests,
-            parameters: parameters::of_model(model),
-            identification: reading::blocks(campaign, &model.identification.notes),
+            parameters: parameters::of_model(model, words),
+            identification: reading::blocks(campaign, &model.identification.notes, words),
             extra: Vec::new(),
         })
     }
@@ -202,7 +203,7 @@ mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
     use dashpot_identification::validation::validate;
-    use dashpot_records::{Note, Record};
+    use dashpot_records::{Note, Record, Sentence};
     use std::collections::BTreeSet;
 
     fn with_input<T>(records: &[Record], check: impl FnOnce(&ReportInput<'_>) -> T) -> T {
@@ -223,9 +224,13 @@ mod tests {
         })
     }
 
+    fn remark(text: &str) -> Sentence {
+        Sentence::read(text, &[], &[])
+    }
+
     fn records() -> Vec<Record> {
         let mut noted = record(3, true);
-        noted.notes.push(Note { kind: "trimmed", text: "12 samples before the first cycle".into() });
+        noted.notes.push(Note { kind: "trimmed", text: remark("12 samples before the first cycle") });
         vec![noted, record(2, false), record(1, true)]
     }
 

@@ -94,7 +94,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
 }
 
 /// Those of a model file, with what its fit says of them.
-pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
+pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
     let on = |element| model.params.is_on(element);
@@ -120,7 +120,7 @@ pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    source: id.sources.get(p.name).cloned().unwrap_or_default(),
+                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
                     remark: Remark::Meaning(p.meaning),
                     missing,
                 });
@@ -154,12 +154,12 @@ pub fn of_model(model: &ModelFile) -> Vec<ParameterRow> {
 }
 
 /// Those that a fit estimated.
-pub fn of_fit(fit: &Fit) -> Vec<ParameterRow> {
+pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
     let row = |e: &Estimate| ParameterRow {
         name: e.index.map_or_else(|| e.name.to_owned(), |k| format!("{}[{k}]", e.name)),
         // What the records leave open has no number of theirs.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
-        source: e.from.clone(),
+        source: words.say(&e.from),
         ..of_estimate(e)
     };
     fit.estimates.iter().map(row).collect()

@@ -1,17 +1,19 @@
 //! What was noticed when the records were read: the sign that was worked out, gaps, channels that do not fit.
 
 use crate::blocks::Block;
+use crate::words::{Words, fill};
 use dashpot_records::{Campaign, Positive, SignFinding};
 
 /// Confidence below which the reader of a report must be warned of the sign that was worked out.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// For a report: the sign first, as a warning where it is doubtful, then the remarks, and more of them.
-pub fn blocks(campaign: &Campaign, more: &[String]) -> Vec<Block> {
-    let sign = sign_in_words(&campaign.sign);
+/// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those that a model file keeps.
+pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block> {
+    let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.given && campaign.sign.confidence < SURE_OF_SIGN;
     let mut blocks = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
-    let notes: Vec<String> = campaign.notes.iter().map(|n| n.text.clone()).chain(more.iter().cloned()).collect();
+    let notes = campaign.notes.iter().map(|note| words.say(&note.text));
+    let notes: Vec<String> = notes.chain(kept.iter().map(|text| words.say_kept(text))).collect();
     if !notes.is_empty() {
         blocks.push(Block::List(notes));
     }
@@ -19,20 +21,22 @@ pub fn blocks(campaign: &Campaign, more: &[String]) -> Vec<Block> {
 }
 
 /// The sign and the remarks, a sentence each.
-pub fn sentences(campaign: &Campaign) -> Vec<String> {
-    let notes = campaign.notes.iter().map(|n| n.text.clone());
-    std::iter::once(sign_in_words(&campaign.sign)).chain(notes).collect()
+pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
+    let notes = campaign.notes.iter().map(|note| words.say(&note.text));
+    std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()
 }
 
 /// The sign that was found or given, in a sentence.
-pub fn sign_in_words(sign: &SignFinding) -> String {
+pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
     let direction = match sign.positive {
-        Positive::Rebound => "rebound",
-        Positive::Compression => "compression",
+        Positive::Rebound => words.rebound,
+        Positive::Compression => words.compression,
     };
     if sign.given {
-        return format!("The files count {direction} positive, as given.");
+        return fill(words.sign_given, &[("direction", direction)]);
     }
-    let reasons = if sign.reasons.is_empty() { String::new() } else { format!(": {}", sign.reasons.join("; ")) };
-    format!("The files count {direction} positive ({:.0} % sure){reasons}.", 100.0 * sign.confidence)
+    let percent = format!("{:.0}", 100.0 * sign.confidence);
+    let reasons: Vec<String> = sign.reasons.iter().map(|reason| words.say(reason)).collect();
+    let figures = [("direction", direction), ("percent", &percent), ("reasons", &reasons.join(words.semicolon))];
+    fill(if reasons.is_empty() { words.sign_found } else { words.sign_found_by }, &figures)
 }

@@ -234,9 +234,16 @@ fn the_report_tells_everything_and_asks_nobody() {
     for test in list(&found, "next_tests") {
         assert!(report.contains(word(test, "text")));
     }
-    for part in ["answer", "where", "findings", "loops", "matrix", "tried", "limits", "parameters"] {
-        assert!(report.contains(&format!("<section id=\"{part}\">")), "{part}");
-    }
+    // What is printed in short comes first.
+    let brief = ["answer", "findings", "loops", "limits"];
+    let whole = ["where", "matrix", "tried", "parameters"].map(|part| (part, " class=\"beyond\""));
+    let heads = brief.map(|part| (part, "")).into_iter().chain(whole);
+    let places: Vec<usize> = heads
+        .map(|(part, class)| {
+            report.find(&format!("<section id=\"{part}\"{class}>")).unwrap_or_else(|| panic!("{part}"))
+        })
+        .collect();
+    assert!(places.is_sorted(), "{places:?}");
     for tag in ["section", "table", "tr", "figure", "svg", "p", "h3"] {
         let open = report.matches(&format!("<{tag}>")).count() + report.matches(&format!("<{tag} ")).count();
         assert_eq!(open, report.matches(&format!("</{tag}>")).count(), "{tag}");

@@ -32,7 +32,7 @@ use dashpot_core::parameter::Element;
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Validation;
 use dashpot_identification::{Estimate, Fit};
-use dashpot_records::{Options, Profile, Record};
+use dashpot_records::{Options, Profile, Record, Sentence, Unusable};
 use model::Tuned;
 use recent::Recent;
 use simulation::{Simulated, Simulator, Wanted};
@@ -50,9 +50,14 @@ pub type Waker = Arc<dyn Fn() + Send + Sync>;
 #[derive(Debug, Clone)]
 pub struct Message {
     /// The sentence.
-    pub text: String,
+    pub text: Sentence,
     /// Whether something went wrong.
     pub wrong: bool,
+}
+
+/// A text of the session itself.
+fn as_it_is(text: &str) -> Sentence {
+    Sentence::read(text, &[], &[])
 }
 
 /// What the verbs found last.
@@ -131,12 +136,12 @@ impl Session {
 
     /// Says something.
     pub fn say(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: text.into(), wrong: false });
+        self.message = Some(Message { text: as_it_is(&text.into()), wrong: false });
     }
 
     /// Says what went wrong.
     pub fn complain(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: text.into(), wrong: true });
+        self.message = Some(Message { text: as_it_is(&text.into()), wrong: true });
     }
 
     /// Opens whatever was dropped or named: model files, record files and folders.
@@ -360,10 +365,8 @@ impl Session {
 
     /// Says what was left out of records that were just read; the list of tests names each.
     fn tell_unusable(&mut self, loaded: &Loaded) {
-        match &loaded.campaign.unusable[..] {
-            [] => {}
-            [one] => self.say(one.why.clone()),
-            [first, others @ ..] => self.say(format!("{}; {} more", first.why, others.len())),
+        if let Some(text) = Unusable::first_of(&loaded.campaign.unusable) {
+            self.message = Some(Message { text, wrong: false });
         }
     }
 

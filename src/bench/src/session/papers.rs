@@ -103,12 +103,11 @@ impl Session {
             let mut validation = validate(&compared).map_err(|e| e.to_string())?;
             validation.unusable.clone_from(&loaded.campaign.unusable);
             let input = ReportInput {
-                words,
                 print: Print::Brief,
                 made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation).map_err(|e| told(&e))?
+                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words).map_err(|e| told(&e))?
             };
             write(path, paper.kind(), |path| match paper.kind() {
                 Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
@@ -125,10 +124,10 @@ impl Session {
         };
         let (model_file, model_path) = (model.name(), file_of(model));
         let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
-        let mut said = reading::sentences(&loaded.campaign);
+        let mut said = reading::sentences(&loaded.campaign, words);
         let reference = reference.clone();
         let others = reference.iter().flat_map(|other| &other.campaign.unusable);
-        said.extend(others.map(|one| one.why.clone()));
+        said.extend(others.map(|one| words.say(&one.why)));
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> = ticked.iter().filter_map(|k| loaded.campaign.records.get(*k)).collect();
             let report = DiagnosisReport {
@@ -140,6 +139,7 @@ impl Session {
                 reading: said,
                 over_whole_records,
                 made: made(model_path.as_ref(), std::iter::once(&loaded).chain(&reference)),
+                print: Print::Brief,
                 words,
             };
             write(path, paper.kind(), |path| match paper.kind() {

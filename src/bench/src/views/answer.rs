@@ -77,7 +77,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
     for choice in &found.choices {
-        wrapped(ui, RichText::new(format!("{}: {} — {}", choice.of, choice.chosen, choice.why)));
+        wrapped(ui, RichText::new(said.say(&choice.in_words())));
     }
     egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
         for e in found.estimates.iter().filter(|e| e.index.is_none()) {
@@ -94,7 +94,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
         }
     });
     for note in &found.notes {
-        wrapped(ui, RichText::new(format!("• {note}")).weak());
+        wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
     }
 }
 

@@ -8,7 +8,7 @@ use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
-    let w = view.words();
+    let (w, said) = (view.words(), view.language.words());
     if !session.has_records() {
         ui.label(w.welcome_hint);
         return;
@@ -112,7 +112,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     let reasons = session.campaign.as_ref().map_or_else(Vec::new, |c| c.campaign.sign.reasons.clone());
     egui::ScrollArea::vertical().id_salt("notes").auto_shrink([false, false]).show(ui, |ui| {
         for text in reasons.iter().chain(notes.iter().map(|n| &n.text)) {
-            ui.add(egui::Label::new(egui::RichText::new(format!("• {text}")).weak()).wrap());
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", said.say(text))).weak()).wrap());
         }
     });
 }

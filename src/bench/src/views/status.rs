@@ -7,7 +7,7 @@ use eframe::egui::{self, Ui};
 
 /// Draws the line at the bottom.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
-    let w = view.words();
+    let (w, said) = (view.words(), view.language.words());
     ui.horizontal(|ui| {
         if let Some(task) = &session.task {
             let doing = match task.kind {
@@ -32,11 +32,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         }
         match &session.message {
             Some(message) if message.wrong => {
-                let text = egui::RichText::new(format!("⚠ {}", message.text)).color(ui.visuals().error_fg_color);
+                let text =
+                    egui::RichText::new(format!("⚠ {}", said.say(&message.text))).color(ui.visuals().error_fg_color);
                 ui.add(egui::Label::new(text).wrap());
             }
             Some(message) => {
-                ui.label(&message.text);
+                ui.label(said.say(&message.text));
             }
             None => {}
         }

@@ -47,7 +47,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Positive::Compression => w.compression_positive,
     };
     let sure = if sign.given { String::new() } else { format!(" ({:.0} %)", 100.0 * sign.confidence) };
-    ui.weak(format!("{direction}{sure}")).on_hover_text(sign.reasons.join("\n"));
+    let said = view.language.words();
+    let reasons: Vec<String> = sign.reasons.iter().map(|reason| said.say(reason)).collect();
+    ui.weak(format!("{direction}{sure}")).on_hover_text(reasons.join("\n"));
     let filter = ui.add(egui::TextEdit::singleline(&mut view.filter).hint_text(w.filter).desired_width(f32::INFINITY));
     filter.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, w.filter));
     let wanted = view.filter.to_lowercase();
@@ -74,7 +76,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let others = session.reference.clone();
         let of_others = others.iter().flat_map(|o| &o.campaign.notes).filter(|n| n.kind == "left_out");
         for note in loaded.campaign.notes.iter().chain(of_others) {
-            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", note.text)).weak()).wrap());
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", said.say(&note.text))).weak()).wrap());
         }
     });
 }
@@ -180,8 +182,9 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
         }
         line(w.noise, format!("{} N", digits(record.noise.force_rms)));
     });
+    let said = view.language.words();
     for note in &record.notes {
-        let text = egui::RichText::new(format!("• {}", note.text));
+        let text = egui::RichText::new(format!("• {}", said.say(&note.text)));
         let text = if DAMAGE.contains(&note.kind) { text.color(ui.visuals().warn_fg_color) } else { text.weak() };
         ui.add(egui::Label::new(text).wrap());
     }

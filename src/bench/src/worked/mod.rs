@@ -42,7 +42,7 @@ fn stiffness(harness: &Harness<'_, App>) -> f64 {
 }
 
 fn message(harness: &Harness<'_, App>) -> (String, bool) {
-    harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.clone(), m.wrong))
+    harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.to_string(), m.wrong))
 }
 
 /// The widget of a kind with this name; labels beside it that read the same are others.
@@ -276,7 +276,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     until(&mut harness, "the report", |app| app.session.task.is_none() && papers[2].exists());
     let page = std::fs::read_to_string(&papers[2]).unwrap();
     // What the verb's report has: parameters of the model, the sign, files with their hashes.
-    for text in ["Parameter des Modells", "rebound positive", "SHA-256", "fv_force[0]", "a40_000"] {
+    for text in ["Parameter des Modells", "Zugstufe positiv", "SHA-256", "fv_force[0]", "a40_000"] {
         assert!(page.contains(text), "{text}");
     }
     // The same figures as the window's own, which come from the same forces.

@@ -2,19 +2,19 @@
 
 use super::data::{DataArgs, name_of};
 use super::groups::{self, Answers, Group};
-use crate::page::TextArgs;
+use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::{Campaign, Record, Unusable, hold_out};
+use dashpot_records::{Campaign, Record, Sentence, Unusable, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
 use dashpot_report::words::{EN, Words};
-use dashpot_report::{Made, parameters, reading, write_workbook};
+use dashpot_report::{Made, Print, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -73,7 +73,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
     #[command(flatten)]
-    text: TextArgs,
+    page: PageArgs,
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
@@ -94,7 +94,7 @@ pub struct Diagnosed {
     /// What `dashpot validate` says of the models in it.
     pub over_whole_records: OfDiagnosis,
     /// What the model's fit found in its own records, and whether it was taken out of these.
-    pub as_the_fit_saw: Option<String>,
+    pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests that could not be used, of the reference too.
     pub unusable: Vec<Unusable>,
 }
@@ -106,7 +106,7 @@ pub struct Json<'a> {
     found: &'a Diagnosis,
     over_whole_records: OfDiagnosis,
     #[serde(skip_serializing_if = "Option::is_none")]
-    as_the_fit_saw: Option<&'a str>,
+    as_the_fit_saw: Option<&'a Sentence>,
     unusable: &'a [Unusable],
 }
 
@@ -132,7 +132,7 @@ impl Diagnosed {
         Json {
             found: &self.found,
             over_whole_records: self.over_whole_records,
-            as_the_fit_saw: self.as_the_fit_saw.as_deref(),
+            as_the_fit_saw: self.as_the_fit_saw.as_ref(),
             unusable: &self.unusable,
         }
     }
@@ -157,7 +157,7 @@ impl Diagnosed {
         data: &DataArgs,
         campaign: &Campaign,
         made: Made,
-        words: &'static Words,
+        (words, print): (&'static Words, Print),
         write: impl FnOnce(&DiagnosisReport<'_>) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
         let records: Vec<&Record> = campaign.records.iter().collect();
@@ -166,10 +166,11 @@ impl Diagnosed {
             data: data.named(),
             found: &self.found,
             records: &records,
-            reading: reading::sentences(campaign),
+            reading: reading::sentences(campaign, words),
             over_whole_records: self.over_whole_records,
             parameters: parameters::of_diagnosis(&self.found, words),
             made,
+            print,
             words,
         })
     }
@@ -214,7 +215,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    say(&reading::sign_in_words(&campaign.sign))?;
+    say(&reading::sign_in_words(&campaign.sign, &EN))?;
     say(&diagnosed.told().join("\n"))?;
     if let Some(path) = out {
         dashpot_output::write(path, diagnosed.model(&model, &campaign))?;
@@ -231,8 +232,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.report.is_none() && args.excel.is_none() && args.svg.is_none() {
         return Ok(());
     }
-    let made = args.text.date.made(files)?;
-    diagnosed.report(&args.model, &args.data, &campaign, made, args.text.words(), |report| {
+    let made = args.page.text.date.made(files)?;
+    diagnosed.report(&args.model, &args.data, &campaign, made, args.page.words_and_print(), |report| {
         if let Some(path) = &args.report {
             report.write(path)?;
             say(&format!("report: {}", path.display()))?;
@@ -308,7 +309,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     if args.report.is_none() && args.excel.is_none() {
         return Ok(());
     }
-    let page = answers.page(&args.model, args.text.date.made(files)?, args.text.words());
+    let page = answers.page(&args.model, args.page.text.date.made(files)?, args.page.text.words());
     if let Some(path) = &args.report {
         dashpot_output::write(path, page.render())?;
         dashpot_output::say(json, &format!("report: {}", path.display()))?;

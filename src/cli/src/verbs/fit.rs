@@ -11,7 +11,7 @@ use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, Standing, fit};
 use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
-use dashpot_records::{Campaign, Record, SignFinding, Unusable};
+use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
 use dashpot_report::whole_records::in_words;
 use dashpot_report::words::EN;
 use dashpot_report::{Workbook, write_workbook};
@@ -111,7 +111,7 @@ struct Json<'a> {
     choices: &'a [Choice],
     /// What the records are off by; taken out before the errors below.
     measured: &'a [Measured],
-    notes: &'a [String],
+    notes: &'a [Sentence],
     misfit: f64,
     /// Errors over every sample of the fitted tests, as `dashpot validate` measures them.
     over_whole_records: Deviation,
@@ -141,8 +141,8 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
         .records
         .iter()
         .filter_map(|r| {
-            let texts: Vec<&str> =
-                r.notes.iter().filter(|n| DAMAGE.contains(&n.kind)).map(|n| n.text.as_str()).collect();
+            let texts: Vec<String> =
+                r.notes.iter().filter(|n| DAMAGE.contains(&n.kind)).map(|n| n.text.to_string()).collect();
             (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
         })
         .collect();
@@ -165,7 +165,7 @@ fn short(value: f64) -> String {
 
 /// What the reader found in the records.
 fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    say(&dashpot_report::reading::sign_in_words(&campaign.sign))?;
+    say(&dashpot_report::reading::sign_in_words(&campaign.sign, &EN))?;
     for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
@@ -246,7 +246,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     tell_of_records(&campaign, &say)?;
     for choice in &found.choices {
-        say(&format!("{}: {} — {}", choice.of, choice.chosen, choice.why))?;
+        say(&choice.in_words().to_string())?;
     }
     for e in found.estimates.iter().filter(|e| e.index.is_none()) {
         say(&match (&e.standing, e.low, e.high) {

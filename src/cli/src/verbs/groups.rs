@@ -5,7 +5,7 @@ use super::group_list::{self, GroupList};
 use anyhow::bail;
 use dashpot_diagnosis::{Change, Diagnosis, Finding};
 use dashpot_records::glob::matches as glob_matches;
-use dashpot_records::{Record, Unusable};
+use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_report::blocks::{Block, Column, Section, Table};
 use dashpot_report::numbers::{share, with_interval, with_unit};
 use dashpot_report::words::{EN, Words, fill};
@@ -183,7 +183,7 @@ pub struct Answers {
     pub unusable: Vec<Unusable>,
     /// What the model's fit found in its own records, and whether it was taken out of these.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub as_the_fit_saw: Option<String>,
+    pub as_the_fit_saw: Option<Sentence>,
     /// Every group but the reference.
     pub groups: Vec<Answer>,
 }
@@ -233,7 +233,11 @@ impl Answers {
             sections.push(Section::new("numbers", words.numbers_section, vec![Block::Table(numbers)]));
         }
         if let Some(text) = &self.as_the_fit_saw {
-            sections.push(Section::new("measurement", words.measurement_section, vec![Block::Warning(text.clone())]));
+            sections.push(Section::new(
+                "measurement",
+                words.measurement_section,
+                vec![Block::Warning(words.say(text))],
+            ));
         }
         let aside: Vec<Block> = [(words.aside, &self.left_aside), (words.without_test, &self.without_test)]
             .into_iter()
@@ -244,7 +248,7 @@ impl Answers {
             sections.push(Section::new("aside", words.aside_section, aside));
         }
         if !self.unusable.is_empty() {
-            let why = self.unusable.iter().map(|one| one.why.clone()).collect();
+            let why = self.unusable.iter().map(|one| words.say(&one.why)).collect();
             sections.push(Section::new("unusable", words.remarks, vec![Block::List(why)]));
         }
         let model = model.display().to_string();

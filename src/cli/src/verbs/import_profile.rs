@@ -4,6 +4,8 @@ use super::data::DataArgs;
 use anyhow::bail;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
+use dashpot_report::reading;
+use dashpot_report::words::EN;
 use std::path::PathBuf;
 
 /// Write what is said about records once, beside them, so that every verb obeys it
@@ -40,7 +42,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     dashpot_output::write(&path, Profile::from_options(&options).text())?;
     let to = Some(path.as_path());
-    dashpot_output::say(to, &dashpot_report::reading::sign_in_words(&campaign.sign))?;
+    dashpot_output::say(to, &reading::sign_in_words(&campaign.sign, &EN))?;
     for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
         dashpot_output::say(to, &format!("note: {}", note.text))?;
     }

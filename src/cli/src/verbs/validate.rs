@@ -135,12 +135,11 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         progress.set(0.2);
         let files = [Some(&args.model), args.limits.as_ref()].into_iter().flatten().chain(&campaign.files).cloned();
         let mut input = ReportInput {
-            words: args.page.text.words(),
             print: args.page.print(),
             made: args.page.text.date.made(files)?,
             model_file: name_of(&args.model),
             data: args.data.named(),
-            ..ReportInput::of(&model, &campaign, &compared, &validation)?
+            ..ReportInput::of(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
         input.extra.extend(against::section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {

@@ -15,12 +15,12 @@ mod valves;
 
 pub use base::base_numbers;
 
-use super::sentence::Template;
 use super::situation::Situation;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::unknowns::Unknown;
+use dashpot_records::sentence::Template;
 
 /// A number that an effect brings along.
 #[derive(Debug, Clone)]

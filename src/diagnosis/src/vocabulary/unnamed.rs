@@ -2,9 +2,9 @@
 
 use super::{Candidate, Start, fresh, of_the_rig};
 use crate::phrases;
-use crate::sentence::Template;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::measurement::{Artefact, Load};
+use dashpot_records::sentence::Template;
 
 /// Frequencies at which something in the path of the force may resonate, Hz.
 const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];

@@ -7,7 +7,7 @@ use super::hysteresis::{Hysteresis, OfEach};
 use super::matrix::ErrorMatrix;
 use crate::limits::Certificate;
 use crate::peaks::AtPeak;
-use dashpot_records::Unusable;
+use dashpot_records::{Sentence, Unusable};
 use serde::Serialize;
 
 /// Every figure of one test.
@@ -83,7 +83,7 @@ pub struct Validation {
     pub limits: Option<Certificate>,
     /// What the model's own fit found its records to be off by, and whether it was taken out of these; absent where it found nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub as_the_fit_saw: Option<String>,
+    pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests of the campaign that could not be used, and are in no figure.
     pub unusable: Vec<Unusable>,
 }

@@ -2,7 +2,9 @@
 
 use super::super::channel::Channel;
 use super::super::error::RecordError;
+use super::super::phrases;
 use super::super::samples::Samples;
+use super::super::sentence::Sentence;
 
 /// Fewest equal samples at the extreme that make a flat top.
 const RUN: usize = 4;
@@ -36,7 +38,7 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
                 channel,
                 value,
                 percent,
-                advice: "there is no other motion channel; measure again with a larger range",
+                advice: phrases::NO_OTHER_MOTION,
             });
         }
         let line = samples.lines[tops.first];
@@ -46,8 +48,12 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
         }
         samples.note(
             "clipped",
-            format!("{channel} is clipped at {value:.5} (SI) in {percent:.1} % of the samples, first at line {line}; the channel \
-                     is left out and derived from {other}"),
+            Sentence::from(phrases::CLIPPED_MOTION)
+                .with_word("channel", channel.name())
+                .with("value", format!("{value:.5}"))
+                .with("percent", format!("{percent:.1}"))
+                .with("line", line)
+                .with_word("other", other.name()),
         );
     }
     let Some(tops) = flat_tops(&samples.force) else {
@@ -62,13 +68,16 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
             channel: Channel::Force,
             value,
             percent,
-            advice: "measure again with a larger range of the load cell or its amplifier",
+            advice: phrases::LARGER_RANGE,
         });
     }
     samples.note(
         "clipped",
-        format!("force is clipped at {value:.1} N in {} samples ({percent:.2} %), first at line {line}; these samples are left out",
-            tops.count),
+        Sentence::from(phrases::CLIPPED_FORCE)
+            .with("value", format!("{value:.1}"))
+            .with("count", tops.count)
+            .with("percent", format!("{percent:.2}"))
+            .with("line", line),
     );
     Ok(tops.clipped)
 }

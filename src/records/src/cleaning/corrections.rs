@@ -1,7 +1,9 @@
 //! What the user knows of the sensors: zeros, a gain, signs, a late force channel. The only place where these are applied.
 
 use super::super::options::Options;
+use super::super::phrases;
 use super::super::record::Note;
+use super::super::sentence::Sentence;
 use super::earlier::Earlier;
 use super::{Motion, cycles};
 
@@ -9,41 +11,39 @@ use super::{Motion, cycles};
 ///
 /// Returns the range of samples that are left; the rest has no partner after a delay was taken out.
 pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<usize> {
-    let mut note = |text: String| motion.notes.push(Note { kind: "corrected", text });
+    let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.force_zero_n != 0.0 {
         motion.force.iter_mut().for_each(|f| *f -= options.force_zero_n);
-        note(format!("force zero of {} N taken off, as given", options.force_zero_n));
+        note(Sentence::from(phrases::FORCE_ZERO).with("force", options.force_zero_n));
     }
     if options.gain != 1.0 {
         motion.force.iter_mut().for_each(|f| *f *= options.gain);
-        note(format!("force multiplied by {}, as given", options.gain));
+        note(Sentence::from(phrases::GAIN).with("gain", options.gain));
     }
     if options.displacement_zero_m != 0.0 {
         motion.displacement.iter_mut().for_each(|x| *x -= options.displacement_zero_m);
-        note(format!("displacement zero of {:.4} mm taken off, as given", 1e3 * options.displacement_zero_m));
+        let zero = format!("{:.4}", 1e3 * options.displacement_zero_m);
+        note(Sentence::from(phrases::DISPLACEMENT_ZERO).with("displacement", zero));
     }
     if options.flip_force {
         motion.force.iter_mut().for_each(|f| *f = -*f);
-        motion.notes.push(Note { kind: "flipped", text: "sign of force turned, as asked".into() });
+        motion.notes.push(Note { kind: "flipped", text: phrases::FORCE_TURNED.into() });
     }
     if options.flip_motion {
         motion.displacement.iter_mut().chain(&mut motion.velocity).for_each(|v| *v = -*v);
-        motion.notes.push(Note { kind: "flipped", text: "sign of displacement and velocity turned, as asked".into() });
+        motion.notes.push(Note { kind: "flipped", text: phrases::MOTION_TURNED.into() });
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
     }
-    let mut note = |text: String| motion.notes.push(Note { kind: "corrected", text });
+    let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.rig_mass_kg != 0.0 {
-        note(format!("force that moves a mass of {} kg on the load cell taken off, as given", options.rig_mass_kg));
+        note(Sentence::from(phrases::MASS_TAKEN_OFF).with("mass", options.rig_mass_kg));
         // It takes the acceleration of the whole record, cut and turned the right way.
         motion.rig_mass_kg = options.rig_mass_kg;
     }
     if options.delay_s == 0.0 {
         return 0..motion.time.len();
     }
-    note(format!(
-        "force comes {:.3} ms after the motion, as given; the motion was moved there, the force samples are as recorded",
-        1e3 * options.delay_s
-    ));
+    note(Sentence::from(phrases::LATE_AS_GIVEN).with("delay", format!("{:.3}", 1e3 * options.delay_s)));
     delay_motion(motion, options.delay_s)
 }
 
@@ -123,7 +123,7 @@ mod tests {
         let omega = std::f64::consts::TAU * 4.0;
         for turned in [false, true] {
             let (with, without) = (record(3.0, turned), record(0.0, turned));
-            assert!(with.notes.iter().any(|n| n.kind == "corrected" && n.text.contains("3 kg")));
+            assert!(with.notes.iter().any(|n| n.kind == "corrected" && n.text.to_string().contains("3 kg")));
             let steady = without.cycles[0].start + 5..without.cycles[2].end - 5;
             for i in steady {
                 // Of a sine: the acceleration is −ω² times the distance from the middle.

@@ -1,7 +1,9 @@
 //! Slow change of mean displacement and force over the cycles: reported, never removed.
 
 use super::super::noise;
+use super::super::phrases;
 use super::super::record::Note;
+use super::super::sentence::Sentence;
 use super::cycles::Cycle;
 
 /// Drift of a cycle mean, over the record.
@@ -14,12 +16,10 @@ pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: 
     if shift.abs() > 0.02 * stroke && shift.abs() > 3.0 * scatter {
         notes.push(Note {
             kind: "drift",
-            text: format!(
-                "mean displacement drifts by {:.3} mm over {} cycles ({:.1} % of the stroke); left as it is",
-                1e3 * shift,
-                cycles.len(),
-                100.0 * shift / stroke
-            ),
+            text: Sentence::from(phrases::DISPLACEMENT_DRIFTS)
+                .with("drift", format!("{:.3}", 1e3 * shift))
+                .with("cycles", cycles.len())
+                .with("percent", format!("{:.1}", 100.0 * shift / stroke)),
         });
     }
     let span = cycles.iter().flat_map(|c| &force[c.start..c.end]);
@@ -29,11 +29,10 @@ pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: 
     if shift.abs() > 0.01 * (high - low) && shift.abs() > 3.0 * scatter.max(floor) {
         notes.push(Note {
             kind: "drift",
-            text: format!(
-                "mean force drifts by {shift:.1} N over {} cycles ({:.1} % of its range); left as it is",
-                cycles.len(),
-                100.0 * shift / (high - low)
-            ),
+            text: Sentence::from(phrases::FORCE_DRIFTS)
+                .with("drift", format!("{shift:.1}"))
+                .with("cycles", cycles.len())
+                .with("percent", format!("{:.1}", 100.0 * shift / (high - low))),
         });
     }
 }
@@ -80,9 +79,10 @@ mod tests {
         report(&time, &x, &force, &cycles::find(&time, &x), &mut notes);
         assert_eq!(notes.len(), 2, "{notes:?}");
         // Nine periods of 1 s lie between the first and the last cycle.
-        assert!(notes[0].text.contains("drifts by 4.5"), "{}", notes[0].text);
+        assert!(notes[0].text.to_string().contains("drifts by 4.5"), "{}", notes[0].text);
         assert!(
-            notes[1].text.contains("drifts by -54.") || notes[1].text.contains("drifts by -53."),
+            notes[1].text.to_string().contains("drifts by -54.")
+                || notes[1].text.to_string().contains("drifts by -53."),
             "{}",
             notes[1].text
         );

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use super::super::channel::Channel;
+use super::super::phrases;
 use super::super::samples::{Samples, median, range};
+use super::super::sentence::Sentence;
 
 /// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.
 const BLOCK: usize = 10;
@@ -49,9 +51,7 @@ fn same_time(samples: &mut Samples) {
     samples.retain(|i| !repeated[i]);
     samples.note(
         "duplicated",
-        format!(
-            "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed"
-        ),
+        Sentence::from(phrases::REPEATED_ROWS).with("count", count).with("blocks", blocks).with("line", line),
     );
 }
 
@@ -79,11 +79,11 @@ fn new_time(samples: &mut Samples) {
         let rows: usize = removed.iter().map(|r| r.1).sum();
         samples.note(
             "duplicated",
-            format!(
-                "{} blocks, {rows} rows in all, repeat the rows just before them under new time stamps (first: {length} \
-                 rows from line {line}); removed and the time behind them closed up",
-                removed.len()
-            ),
+            Sentence::from(phrases::REPEATED_BLOCKS)
+                .with("blocks", removed.len())
+                .with("rows", rows)
+                .with("first", length)
+                .with("line", line),
         );
     }
 }

@@ -3,6 +3,7 @@
 use super::super::channel::Channel;
 use super::super::error::RecordError;
 use super::super::noise::difference_noise;
+use super::super::phrases;
 use super::super::samples::{Samples, range};
 use super::cycles::turning_points;
 
@@ -82,18 +83,16 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
                     value: run[0],
                     seconds: samples.time[end - 1] - samples.time[start],
                     moving: match channel {
-                        Channel::Force => "the damper moves",
-                        Channel::Displacement if samples.velocity.is_some() => "the velocity says it moves",
-                        Channel::Displacement => "the force changes",
-                        _ => "the displacement changes",
+                        Channel::Force => phrases::DAMPER_MOVES,
+                        Channel::Displacement if samples.velocity.is_some() => phrases::VELOCITY_MOVES,
+                        Channel::Displacement => phrases::FORCE_CHANGES,
+                        _ => phrases::DISPLACEMENT_CHANGES,
                     },
                     advice: match channel {
-                        Channel::Force => "check the load cell and its cable, and cut these rows or measure again",
-                        Channel::Velocity => "cut these rows, or read the displacement only: --ignore velocity",
-                        _ if samples.velocity.is_some() => {
-                            "cut these rows, or read the velocity only: --ignore displacement"
-                        }
-                        _ => "cut these rows or measure again",
+                        Channel::Force => phrases::CHECK_CELL,
+                        Channel::Velocity => phrases::READ_DISPLACEMENT_ONLY,
+                        _ if samples.velocity.is_some() => phrases::READ_VELOCITY_ONLY,
+                        _ => phrases::CUT_OR_MEASURE,
                     },
                 });
             }

@@ -1,7 +1,9 @@
 //! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
 
+use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::{Samples, median};
+use super::super::sentence::Sentence;
 use super::FEWEST;
 
 /// How many times longer than the steps around it a step is that counts as a gap. Loggers that change their rate do so for
@@ -16,23 +18,29 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     if gaps.is_empty() {
         return vec![samples];
     }
-    let places: Vec<String> = gaps
+    let places: Vec<Sentence> = gaps
         .iter()
         .take(5)
         .map(|&i| {
             let (from, to) = (samples.time[i - 1], samples.time[i]);
-            format!("{:.4} s without samples after {from:.4} s (line {})", to - from, samples.lines[i])
+            Sentence::from(phrases::GAP)
+                .with("seconds", format!("{:.4}", to - from))
+                .with("from", format!("{from:.4}"))
+                .with("line", samples.lines[i])
         })
         .collect();
-    let more =
-        if gaps.len() > places.len() { format!(" and {} more", gaps.len() - places.len()) } else { String::new() };
+    let more = gaps.len() - places.len();
+    let more = (more > 0).then(|| Sentence::from(phrases::MORE_GAPS).with("count", more));
     let bounds: Vec<usize> = std::iter::once(0).chain(gaps).chain([samples.len()]).collect();
     let pieces: Vec<std::ops::Range<usize>> = bounds.windows(2).map(|w| w[0]..w[1]).collect();
     let kept: Vec<&std::ops::Range<usize>> = pieces.iter().filter(|p| p.len() >= FEWEST).collect();
     let dropped: usize = pieces.iter().filter(|p| p.len() < FEWEST).map(std::iter::ExactSizeIterator::len).sum();
-    let rest =
-        if dropped > 0 { format!("; {dropped} samples between gaps are too few for a test") } else { String::new() };
-    let text = format!("gaps in time: {}{more}. Read as {} tests{rest}", places.join(", "), kept.len());
+    let rest = (dropped > 0).then(|| Sentence::from(phrases::TOO_FEW_BETWEEN).with("count", dropped));
+    let text = Sentence::from(phrases::GAPS)
+        .with_list("places", places, phrases::COMMA)
+        .with_any("more", more)
+        .with("count", kept.len())
+        .with_any("rest", rest);
     samples.notes.insert(0, Note { kind: "gap", text });
     if kept.len() < 2 {
         if let [only] = kept[..] {
@@ -81,7 +89,7 @@ mod tests {
     #[test]
     fn a_pause_makes_two_tests_and_is_told_first() {
         let mut samples = SineTest::default().samples();
-        samples.note("other", "x".into());
+        samples.note("other", phrases::TIME_OF_DAY.into());
         let n = samples.len();
         for t in &mut samples.time[n / 2..] {
             *t += 3.0;
@@ -93,9 +101,10 @@ mod tests {
         assert_eq!(pieces[1].at.to_string(), "test.csv (part 2 of 2)");
         for piece in &pieces {
             assert_eq!(piece.notes[0].kind, "gap");
-            assert!(
-                piece.notes[0].text.contains("3.0050 s without samples") && piece.notes[0].text.contains("2 tests")
-            );
+            assert!({
+                let text = piece.notes[0].text.to_string();
+                text.contains("3.0050 s without samples") && text.contains("2 tests")
+            });
         }
     }
 
@@ -119,6 +128,6 @@ mod tests {
         let pieces = split(samples);
         assert_eq!(pieces.len(), 1);
         assert_eq!(pieces[0].len(), n - 5);
-        assert!(pieces[0].notes[0].text.contains("too few"));
+        assert!(pieces[0].notes[0].text.to_string().contains("too few"));
     }
 }

@@ -2,7 +2,9 @@
 
 use super::super::channel::Channel;
 use super::super::error::RecordError;
+use super::super::phrases;
 use super::super::samples::Samples;
+use super::super::sentence::Sentence;
 
 /// Largest share of rows that may be dropped.
 const SHARE: f64 = 0.02;
@@ -36,7 +38,11 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
         }
         samples.note(
             "missing",
-            format!("{count} of {rows} rows dropped for empty or not-a-number cells (line {})", lines.join(", ")),
+            Sentence::from(phrases::ROWS_DROPPED).with("count", count).with("rows", rows).with_names(
+                "lines",
+                lines,
+                phrases::COMMA,
+            ),
         );
         samples.retain(|i| !missing[i]);
     }
@@ -46,7 +52,8 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
         if let Some(values) = values {
             let bridged = bridge(time, values);
             if bridged > 0 {
-                samples.note("missing", format!("{bridged} missing values of {channel} filled by straight lines"));
+                let filled = Sentence::from(phrases::FILLED).with("count", bridged);
+                samples.note("missing", filled.with_word("channel", channel.name()));
             }
         }
     }
@@ -76,7 +83,7 @@ fn forget_empty_columns(samples: &mut Samples) {
         forgotten.push(Channel::Temperature);
     }
     for channel in forgotten {
-        samples.note("missing", format!("the column of {channel} is empty and was left out"));
+        samples.note("missing", Sentence::from(phrases::EMPTY_COLUMN).with_word("channel", channel.name()));
     }
 }
 
@@ -114,7 +121,8 @@ mod tests {
         let expected: Vec<f64> = (0..n).filter(|i| ![10, 500].contains(i)).map(|i| samples.force[i]).collect();
         drop_rows(&mut samples).unwrap();
         assert_eq!(samples.force, expected);
-        assert!(samples.notes[0].text.starts_with("2 of ") && samples.notes[0].text.contains("line 12, 502"));
+        let text = samples.notes[0].text.to_string();
+        assert!(text.starts_with("2 of ") && text.contains("line 12, 502"));
     }
 
     #[test]

@@ -20,8 +20,10 @@ use super::derive;
 use super::error::{Place, RecordError};
 use super::noise;
 use super::options::Options;
+use super::phrases;
 use super::record::{Note, Record};
 use super::samples::{Samples, range};
+use super::sentence::Sentence;
 use super::swapped;
 use super::taken_out::take_mass;
 
@@ -159,13 +161,10 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                 }
                 samples.note(
                     "consistency",
-                    format!(
-                        "velocity is {:.4} times the derivative of displacement and lags it by {:.2} ms ({:.3} % of the \
-                         displacement's variance unexplained)",
-                        agreement.gain,
-                        1e3 * agreement.lag,
-                        100.0 * (1.0 - agreement.explained).max(0.0)
-                    ),
+                    Sentence::from(phrases::CONSISTENT)
+                        .with("gain", format!("{:.4}", agreement.gain))
+                        .with("lag", format!("{:.2}", 1e3 * agreement.lag))
+                        .with("percent", format!("{:.3}", 100.0 * (1.0 - agreement.explained).max(0.0))),
                 );
             }
             Ok((displacement, velocity, cycles))
@@ -179,11 +178,10 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
             let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
             samples.note(
                 "derived",
-                format!(
-                    "velocity derived from displacement by local cubics over {} samples ({:.4} s), zero phase, -3 dB at \
-                     {:.1} Hz",
-                    filter.points, filter.window, filter.bandwidth
-                ),
+                Sentence::from(phrases::DIFFERENTIATED)
+                    .with("points", filter.points)
+                    .with("window", format!("{:.4}", filter.window))
+                    .with("frequency", format!("{:.1}", filter.bandwidth)),
             );
             Ok((displacement, velocity, cycles))
         }
@@ -213,20 +211,14 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
     }
     let displacement = derive::integrate(time, &velocity, initial);
     let seconds = time[n - 1] - time[0];
-    let basis = if cycles.is_empty() {
-        "the record is not periodic, so the damper is taken to end where it began"
-    } else {
-        "from whole cycles, in each of which the damper returns"
-    };
+    let basis = if cycles.is_empty() { phrases::NOT_PERIODIC_ENDS } else { phrases::CYCLES_RETURN };
     samples.note(
         "derived",
-        format!(
-            "displacement integrated from velocity, starting at {:.2} mm; velocity offset {:.4} mm/s removed, which is a drift \
-             of {:.2} mm over the record ({basis})",
-            1e3 * initial,
-            1e3 * removed,
-            1e3 * removed * seconds
-        ),
+        Sentence::from(phrases::INTEGRATED)
+            .with("start", format!("{:.2}", 1e3 * initial))
+            .with("offset", format!("{:.4}", 1e3 * removed))
+            .with("drift", format!("{:.2}", 1e3 * removed * seconds))
+            .with_said("basis", basis),
     );
     (displacement, velocity, cycles)
 }
@@ -320,7 +312,7 @@ mod tests {
         assert_eq!(derived.time, reference.time);
         let peak = reference.peak_velocity;
         assert!(derived.velocity.iter().zip(&reference.velocity).all(|(a, b)| (a - b).abs() < 0.01 * peak));
-        assert!(derived.notes.iter().any(|n| n.kind == "derived" && n.text.contains("-3 dB")));
+        assert!(derived.notes.iter().any(|n| n.kind == "derived" && n.text.to_string().contains("-3 dB")));
 
         let mut without_displacement = both;
         without_displacement.displacement = None;
@@ -331,7 +323,8 @@ mod tests {
         assert!((derived.mean_displacement - 0.01).abs() < 5e-4, "{}", derived.mean_displacement);
         let note = derived.notes.iter().find(|n| n.kind == "derived").unwrap();
         assert!(
-            note.text.contains("velocity offset 3.0") || note.text.contains("velocity offset 2.9"),
+            note.text.to_string().contains("velocity offset 3.0")
+                || note.text.to_string().contains("velocity offset 2.9"),
             "{}",
             note.text
         );
@@ -359,7 +352,7 @@ mod tests {
         let record = clean(cut, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 3);
         assert_eq!(record.cycles[2].end, record.time.len());
-        assert!(record.notes.iter().any(|n| n.kind == "trimmed" && n.text.contains("incomplete cycle")));
+        assert!(record.notes.iter().any(|n| n.kind == "trimmed" && n.text.to_string().contains("incomplete cycle")));
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! Time stamps that repeat or step back.
 
 use super::super::error::RecordError;
+use super::super::phrases;
 use super::super::samples::{Samples, range, sample_time};
+use super::super::sentence::Sentence;
 
 /// How far, in samples, a row may be out of its place to be put back; further is another block of data.
 const REACH: usize = 10;
@@ -32,7 +34,7 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
         samples.select(&order);
         samples.note(
             "out_of_order",
-            format!("time stepped back {} times, first at line {line}; {moved} rows put back in order", back.len()),
+            Sentence::from(phrases::OUT_OF_ORDER).with("count", back.len()).with("line", line).with("moved", moved),
         );
     }
     spread(samples);
@@ -54,12 +56,7 @@ fn spread(samples: &mut Samples) {
         spread.extend((0..run.len()).map(|j| run[0] + step * j as f64));
     }
     samples.time = spread;
-    samples.note(
-        "time_resolution",
-        format!(
-            "{shared} of {n} rows shared a time stamp with the row before; they were spread evenly to the next stamp"
-        ),
-    );
+    samples.note("time_resolution", Sentence::from(phrases::SHARED_STAMPS).with("count", shared).with("rows", n));
 }
 
 #[cfg(test)]
@@ -77,7 +74,8 @@ mod tests {
         samples.select(&order);
         restore(&mut samples).unwrap();
         assert_eq!((&samples.time, &samples.force), (&sound.time, &sound.force));
-        assert!(samples.notes[0].text.contains("line 303"), "{}", samples.notes[0].text);
+        let text = samples.notes[0].text.to_string();
+        assert!(text.contains("line 303"), "{text}");
     }
 
     #[test]

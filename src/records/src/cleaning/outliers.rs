@@ -2,7 +2,9 @@
 
 use super::super::channel::Channel;
 use super::super::noise::difference_noise;
+use super::super::phrases;
 use super::super::samples::Samples;
+use super::super::sentence::Sentence;
 
 /// Longest spike, samples.
 const LONGEST: usize = 3;
@@ -24,10 +26,9 @@ pub(crate) fn replace(samples: &mut Samples) {
             let percent = 100.0 * count as f64 / values.len() as f64;
             samples.note(
                 "outlier",
-                format!(
-                    "{channel} is spiky: {percent:.1} % of the samples stand off their \
-                                             neighbours; too many to be stray spikes, left as they are"
-                ),
+                Sentence::from(phrases::SPIKY)
+                    .with_word("channel", channel.name())
+                    .with("percent", format!("{percent:.1}")),
             );
             continue;
         }
@@ -48,11 +49,13 @@ pub(crate) fn replace(samples: &mut Samples) {
         };
         samples.note(
             "outlier",
-            format!(
-                "{count} samples of {channel} in {} spikes replaced by straight lines, first at line {line}, largest \
-                     {largest:.4} {unit} off",
-                spikes.len()
-            ),
+            Sentence::from(phrases::SPIKES)
+                .with("count", count)
+                .with_word("channel", channel.name())
+                .with("spikes", spikes.len())
+                .with("line", line)
+                .with("largest", format!("{largest:.4}"))
+                .with("unit", unit),
         );
     }
 }
@@ -165,6 +168,6 @@ mod tests {
         let before = samples.force.clone();
         replace(&mut samples);
         assert_eq!(samples.force, before);
-        assert!(samples.notes[0].text.contains("left as they are"));
+        assert!(samples.notes[0].text.to_string().contains("left as they are"));
     }
 }

@@ -1,8 +1,10 @@
 //! Cuts off what is not whole cycles: rest and run-up before, run-down and rest after, a noisy last cycle.
 
 use super::super::noise::cycle_deviations;
+use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::median;
+use super::super::sentence::Sentence;
 use super::Motion;
 
 /// A last cycle that deviates from the others by so many times their typical deviation is left out.
@@ -12,10 +14,7 @@ const NOISY: f64 = 3.0;
 pub(crate) fn trim(motion: &mut Motion) {
     let n = motion.time.len();
     if motion.cycles.is_empty() {
-        motion.notes.push(Note {
-            kind: "not_periodic",
-            text: format!("no whole cycles found; the record is kept whole ({n} samples)"),
-        });
+        motion.notes.push(Note { kind: "not_periodic", text: Sentence::from(phrases::NO_CYCLES).with("samples", n) });
         return;
     }
     drop_noisy_last(motion);
@@ -30,24 +29,19 @@ pub(crate) fn trim(motion: &mut Motion) {
         let tail = if moved { "an incomplete cycle or run-down" } else { "rest" };
         motion.notes.push(Note {
             kind: "trimmed",
-            text: format!(
-                "cut {before:.3} s ({} samples) of rest and run-up before the first whole cycle and {after:.3} s ({} samples) \
-                 after the last ({}); {count} cycles at {frequency:.4} Hz kept",
-                span.start,
-                n - span.end,
-                if span.end < n { tail } else { "nothing" },
-            ),
+            text: Sentence::from(phrases::TRIMMED)
+                .with("before", format!("{before:.3}"))
+                .with("samples_before", span.start)
+                .with("after", format!("{after:.3}"))
+                .with("samples_after", n - span.end)
+                .with_word("tail", if span.end < n { tail } else { "nothing" })
+                .with("cycles", count)
+                .with("frequency", format!("{frequency:.4}")),
         });
     }
     let runs = motion.cycles.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
     if runs > 0 {
-        motion.notes.push(Note {
-            kind: "cycles",
-            text: format!(
-                "in {runs} places between the cycles the motion is no whole cycle like the others (pause or \
-                           disturbance); kept in the record, left out of its cycles"
-            ),
-        });
+        motion.notes.push(Note { kind: "cycles", text: Sentence::from(phrases::UNLIKE_CYCLES).with("places", runs) });
     }
     let cut = |values: &mut Vec<f64>| {
         values.truncate(span.end);
@@ -79,10 +73,10 @@ fn drop_noisy_last(motion: &mut Motion) {
         motion.cycles.pop();
         motion.notes.push(Note {
             kind: "noisy_last_cycle",
-            text: format!(
-                "the last cycle (from {seconds:.3} s) deviates from the others by {last:.1} N rms where they deviate \
-                           by {typical:.1} N; left out"
-            ),
+            text: Sentence::from(phrases::NOISY_LAST)
+                .with("start", format!("{seconds:.3}"))
+                .with("last", format!("{last:.1}"))
+                .with("typical", format!("{typical:.1}")),
         });
     }
 }

@@ -13,9 +13,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
-    blocks.push(Block::Table(key_table(found, words)));
     let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
     blocks.push(Block::Wide(errors.saying(words.errors_caption)));
+    blocks.push(Block::Table(key_table(found, words)));
     Section::new("answer", words.answer, blocks)
 }
 

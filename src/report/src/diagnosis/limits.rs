@@ -5,8 +5,8 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// The last words.
-pub fn section(found: &Diagnosis, reading: &[String], words: &Words) -> Section {
+/// What else could be measured, and what these records cannot show.
+pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if !found.next_tests.is_empty() {
         blocks.push(Block::Heading(words.next_tests_section.into()));
@@ -21,12 +21,13 @@ pub fn section(found: &Diagnosis, reading: &[String], words: &Words) -> Section 
         let caption = words.cannot_show_caption.to_owned();
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: false }));
     }
-    let remarks: Vec<String> = found.notes.iter().map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
-    if !remarks.is_empty() {
-        blocks.push(Block::Heading(words.remarks.into()));
-        blocks.push(Block::List(remarks));
-    }
     Section::new("limits", words.limits_section, blocks)
+}
+
+/// What was noticed in the records and on the way; `None` where nothing was.
+pub fn remarks(found: &Diagnosis, reading: &[String], words: &Words) -> Option<Section> {
+    let remarks: Vec<String> = found.notes.iter().map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
+    (!remarks.is_empty()).then(|| Section::new("remarks", words.remarks, vec![Block::List(remarks)]))
 }
 
 fn next_tests(found: &Diagnosis, words: &Words) -> Table {

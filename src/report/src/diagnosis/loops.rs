@@ -9,29 +9,32 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 /// Tests shown of each kind.
 const SHOWN: usize = 3;
 
-/// The loops; `None` where no test can be drawn.
-pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
+/// The loops: those of the worst left-out test (of the worst, where none was left out), which the short print has, and those of the others.
+pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
-    let mut blocks = Vec::new();
-    for held_out in [false, true] {
-        for place in worst(&found.tests, held_out).into_iter().take(SHOWN) {
-            let test = &found.tests[place];
-            let kind = if held_out { words.kind_left_out } else { words.kind_fitted };
-            blocks.push(Block::Heading(fill(words.loop_heading, &[("kind", kind), ("test", &names[place])])));
-            blocks.push(Block::Paragraph(in_words(test, words)));
-            let figure = |kind: &str, svg: String| Figure::new(format!("{:03}-{kind}", place + 1), svg);
-            blocks.push(Block::Figures(vec![
-                figure("force-velocity", before_after::force_velocity(test, words)),
-                figure("force-displacement", before_after::force_displacement(test, words)),
-                figure("residual-velocity", before_after::residual_velocity(test, words)),
-            ]));
-        }
+    let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
+    let mut places = of(true).chain(of(false));
+    let blocks = |place: usize| {
+        let test = &found.tests[place];
+        let kind = if test.held_out { words.kind_left_out } else { words.kind_fitted };
+        let figure = |kind: &str, svg: String| Figure::new(format!("{:03}-{kind}", place + 1), svg);
+        let figures = vec![
+            figure("force-velocity", before_after::force_velocity(test, words)),
+            figure("force-displacement", before_after::force_displacement(test, words)),
+            figure("residual-velocity", before_after::residual_velocity(test, words)),
+        ];
+        let heading = fill(words.loop_heading, &[("kind", kind), ("test", &names[place])]);
+        [Block::Heading(heading), Block::Paragraph(in_words(test, words)), Block::Figures(figures)]
+    };
+    let Some(first) = places.next() else { return Vec::new() };
+    let about = Block::Paragraph(words.loops_about.to_owned());
+    let worst = std::iter::once(about).chain(blocks(first)).collect();
+    let mut sections = vec![Section::new("loops", words.loops_section, worst)];
+    let others: Vec<Block> = places.flat_map(blocks).collect();
+    if !others.is_empty() {
+        sections.push(Section::new("more-loops", words.more_loops_section, others).beyond());
     }
-    if blocks.is_empty() {
-        return None;
-    }
-    blocks.insert(0, Block::Paragraph(words.loops_about.to_owned()));
-    Some(Section::new("loops", words.loops_section, blocks))
+    sections
 }
 
 /// The test of one kind whose disagreement is the largest share of its force.

@@ -3,12 +3,14 @@
 //! | file | section |
 //! |---|---|
 //! | [`answer`] | the verdict, the error before and after, test by test |
-//! | [`places`] | where they disagree, in words, figures and maps |
 //! | [`findings`] | what was added, with numbers, intervals and rivals |
 //! | [`loops`] | loops of the tests with the largest disagreement |
+//! | [`limits`] | what these records cannot show, and the tests that would; what was noticed |
+//! | [`places`] | where they disagree, in words, figures and maps |
 //! | [`matrix`] | errors by amplitude and peak velocity, before and after |
 //! | [`tried`] | everything that was tried, round by round |
-//! | [`limits`] | what these records cannot show, and the tests that would |
+//!
+//! The first four, with the worst test's loops alone, are what is printed in short.
 
 mod answer;
 mod findings;
@@ -48,6 +50,8 @@ pub struct DiagnosisReport<'a> {
     pub parameters: Vec<ParameterRow>,
     /// What it was made from.
     pub made: Made,
+    /// What a printer puts on paper.
+    pub print: Print,
     /// The language.
     pub words: &'static Words,
 }
@@ -56,7 +60,7 @@ impl DiagnosisReport<'_> {
     /// The report as one HTML document; the same input gives the same bytes.
     pub fn render(&self) -> String {
         let [title, subtitle] = self.titles();
-        page::page(&title, &subtitle, &self.sections(), self.words, Print::Whole)
+        page::page(&title, &subtitle, &self.sections(), self.words, self.print)
     }
 
     /// The tables of the report as a workbook.
@@ -88,15 +92,17 @@ impl DiagnosisReport<'_> {
 
     fn sections(&self) -> Vec<Section> {
         let (found, words) = (self.found, self.words);
-        let mut sections = vec![answer::section(found, words), places::section(found, words)];
+        let mut sections = vec![answer::section(found, words)];
         sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records, words)));
         sections.extend(findings::section(found, words));
-        sections.extend(loops::section(found, words));
-        sections.extend(matrix::section(found, self.records, words));
-        sections.extend(tried::section(found, words));
-        sections.push(limits::section(found, &self.reading, words));
-        sections.extend(parameters::section(&self.parameters, words));
-        sections.push(made::section(&self.made, words));
+        sections.extend(loops::sections(found, words));
+        sections.push(limits::section(found, words));
+        sections.extend(limits::remarks(found, &self.reading, words).map(Section::beyond));
+        sections.push(places::section(found, words).beyond());
+        sections.extend(matrix::section(found, self.records, words).map(Section::beyond));
+        sections.extend(tried::section(found, words).map(Section::beyond));
+        sections.extend(parameters::section(&self.parameters, words).map(Section::beyond));
+        sections.push(made::section(&self.made, words).beyond());
         sections
     }
 }

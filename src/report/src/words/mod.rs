@@ -1,9 +1,8 @@
 //! All text of the reports, in the languages that they are written in.
 //!
 //! Every language is one value of [`Words`]: the compiler refuses a language that lacks a text. Sentences with figures carry
-//! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What a diagnosis says is made by its crate in
-//! English and looked up in [`said`], what a parameter means in the kernel's and looked up in [`meanings`]. What a reader of records and a fit
-//! noticed comes from other crates and stays English.
+//! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What reading, a fit and a diagnosis say is made
+//! by their crates in English and looked up in [`said`], what a parameter means in the kernel's and looked up in [`meanings`].
 
 mod de;
 mod en;
@@ -316,6 +315,11 @@ words!(
     // Of figures and tables everywhere.
     comma,
     sentence_end,
+    semicolon,
+    // The direction that the files count positive.
+    sign_given,
+    sign_found,
+    sign_found_by,
     range,
     before,
     after,
@@ -413,6 +417,7 @@ words!(
     shifts_caption,
     // Loops.
     loops_section,
+    more_loops_section,
     loops_about,
     loop_heading,
     loop_errors,

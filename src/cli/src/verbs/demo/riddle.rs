@@ -10,8 +10,8 @@ use dashpot_identification::FitOptions;
 use dashpot_identification::model_file;
 use dashpot_records::hold_out;
 use dashpot_report::diagnosis::picture;
-use dashpot_report::replace_file;
 use dashpot_report::words::EN;
+use dashpot_report::{Print, replace_file};
 use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
@@ -57,7 +57,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;
     let report_path = in_folder("diagnosis.html");
     let made = DateArgs::default().made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?;
-    diagnosed.report(&model_path, &data, &campaign, made, &EN, |report| report.write(&report_path))?;
+    diagnosed.report(&model_path, &data, &campaign, made, (&EN, Print::Brief), |report| report.write(&report_path))?;
     if let Some(svg) = picture(&diagnosed.found, &EN) {
         let path = in_folder("before-after.svg");
         replace_file(&path, svg.as_bytes()).with_context(|| format!("writing the figure {}", path.display()))?;

@@ -1,0 +1,66 @@
+//! Every text that a fit says, in English, in one place: a language that lacks one of them is found by a test.
+//!
+//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::Sentence::read`]).
+
+use super::variants::{FRICTION, PHYSICAL_SPRING, SPRING};
+use super::{fit, of_the_rig};
+use dashpot_records::sentence::Template;
+
+dashpot_records::phrases! {
+    // Lists.
+    COMMA: ", ";
+    SEMICOLON: "; ";
+    THAT: ", that ";
+    // Which tests a number was identified from.
+    SHARE_OF: "{tests} {percent} %";
+    NO_TEST: "no test shows it";
+    // How a variant was chosen.
+    CHOICE: "{of}: {chosen} — {why}";
+    WHY: "error on left-out tests {error} of the allowed error{others}; {reason}";
+    OTHERS: " ({others})";
+    OTHER: "{name} {error}";
+    NO_OTHER_IS_BETTER: "no other is better by what its parameters cost";
+    NO_OTHER_IS_LIKELIER: "no other is so much likelier that it is not as well an error of the model's form";
+    SIMPLEST: "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper";
+    // What the data does not determine.
+    NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";
+    HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
+    AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
+    NEEDS_SIDE_FORCES: "it needs slow tests at two or more side forces, with a side-force channel";
+    TAKEN_UP: "a free FV curve takes a v² term up";
+    // What the campaign cannot show.
+    WORSE_THAN_FV: "this model fits worse than the plain FV curve ({error} against {plain} of the allowed error)";
+    TOO_FEW_TESTS: "with fewer than {fewest} tests no variant can be judged by leaving tests out: {friction} friction and no parallel spring were taken";
+    ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
+    NO_SLOW_TEST: "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
+    ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
+    // What the measurement is off by.
+    FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
+    FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
+    FOUND_GAIN_DRIFT: "the gain of the force channel drifts by {value} % a minute (95 %: {low} to {high})";
+    FOUND_DRIFT: "the zero of the force channel drifts by {value} N a minute (95 %: {low} to {high})";
+    TAKEN_OUT_HERE: "{finding}: taken out here, not in the model; validate and diagnose take it out of these records too{option}";
+    GIVE_OPTION: "; for other records of this rig give {option}, or write it into their campaign.toml";
+    TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
+    FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
+    IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
+}
+
+/// Kinds of tests that a number may be identified from.
+pub(crate) const KINDS_OF_TESTS: [&str; 3] = ["slow tests", "small strokes", "large strokes"];
+
+/// Every template of a sentence.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every English text that is said of a fit, each once: sentences with the places of their values, and words.
+pub fn texts() -> Vec<&'static str> {
+    let variants =
+        FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|variant| [variant.name, variant.rigid]);
+    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
+    all.extend(KINDS_OF_TESTS.into_iter().chain(fit::WORDS).chain(of_the_rig::WORDS).chain(variants));
+    let mut known = std::collections::BTreeSet::new();
+    all.retain(|text| known.insert(*text));
+    all
+}

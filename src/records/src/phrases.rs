@@ -1,0 +1,161 @@
+//! Every text that reading says of records, in English, in one place: a language that lacks one of them is found by a test.
+
+use super::channel::Channel;
+use super::not_read;
+use super::sentence::Template;
+
+crate::phrases! {
+    // Lists.
+    COMMA: ", ";
+    SEMICOLON: "; ";
+    QUOTED: "'{name}'";
+    AND_MORE: "{names} and {count} more";
+    // Files and tables.
+    PROFILE: "read as {file} says";
+    STRAY: "in {folder}, not read as records: {names}";
+    COLUMNS_NOT_READ: "columns not read: {names}";
+    CONVERTED: "converted to SI: {channels}";
+    FROM_UNIT: "{channel} from {unit}";
+    TIME_OF_DAY: "time of day taken from the first row on";
+    BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
+    BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
+    // Gaps in time.
+    OF_FILE: "{file}: {text}";
+    GAPS: "gaps in time: {places}{more}. Read as {count} tests{rest}";
+    GAP: "{seconds} s without samples after {from} s (line {line})";
+    MORE_GAPS: " and {count} more";
+    TOO_FEW_BETWEEN: "; {count} samples between gaps are too few for a test";
+    // Rows.
+    ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
+    FILLED: "{count} missing values of {channel} filled by straight lines";
+    EMPTY_COLUMN: "the column of {channel} is empty and was left out";
+    REPEATED_ROWS: "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed";
+    REPEATED_BLOCKS: "{blocks} blocks, {rows} rows in all, repeat the rows just before them under new time stamps (first: {first} rows from line {line}); removed and the time behind them closed up";
+    OUT_OF_ORDER: "time stepped back {count} times, first at line {line}; {moved} rows put back in order";
+    SHARED_STAMPS: "{count} of {rows} rows shared a time stamp with the row before; they were spread evenly to the next stamp";
+    // Samples.
+    CLIPPED_MOTION: "{channel} is clipped at {value} (SI) in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
+    CLIPPED_FORCE: "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out";
+    SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
+    SPIKES: "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off";
+    // Motion.
+    CONSISTENT: "velocity is {gain} times the derivative of displacement and lags it by {lag} ms ({percent} % of the displacement's variance unexplained)";
+    DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz";
+    INTEGRATED: "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})";
+    NOT_PERIODIC_ENDS: "the record is not periodic, so the damper is taken to end where it began";
+    CYCLES_RETURN: "from whole cycles, in each of which the damper returns";
+    // What the user knows of the sensors.
+    FORCE_ZERO: "force zero of {force} N taken off, as given";
+    GAIN: "force multiplied by {gain}, as given";
+    DISPLACEMENT_ZERO: "displacement zero of {displacement} mm taken off, as given";
+    FORCE_TURNED: "sign of force turned, as asked";
+    MOTION_TURNED: "sign of displacement and velocity turned, as asked";
+    MASS_TAKEN_OFF: "force that moves a mass of {mass} kg on the load cell taken off, as given";
+    LATE_AS_GIVEN: "force comes {delay} ms after the motion, as given; the motion was moved there, the force samples are as recorded";
+    TAKEN_OUT: "what the fit found the measurement to be off by was taken out";
+    // Cycles.
+    NO_CYCLES: "no whole cycles found; the record is kept whole ({samples} samples)";
+    TRIMMED: "cut {before} s ({samples_before} samples) of rest and run-up before the first whole cycle and {after} s ({samples_after} samples) after the last ({tail}); {cycles} cycles at {frequency} Hz kept";
+    UNLIKE_CYCLES: "in {places} places between the cycles the motion is no whole cycle like the others (pause or disturbance); kept in the record, left out of its cycles";
+    NOISY_LAST: "the last cycle (from {start} s) deviates from the others by {last} N rms where they deviate by {typical} N; left out";
+    DISPLACEMENT_DRIFTS: "mean displacement drifts by {drift} mm over {cycles} cycles ({percent} % of the stroke); left as it is";
+    FORCE_DRIFTS: "mean force drifts by {drift} N over {cycles} cycles ({percent} % of its range); left as it is";
+    // Figures that no damper has.
+    NO_FORCE: "the force shows nothing but noise in {tests}; check the load cell, or leave these tests out";
+    SMALL_AMPLITUDE: "the largest amplitude is {amplitude} mm: is the unit of displacement right?";
+    SLOW: "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
+    SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
+    TWINS: "{test} holds the same samples as {twin} and counts twice";
+    // A force that comes late.
+    LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
+    LATE_NOT_MOVED: "{late}{energy}. Nothing was moved; to correct it give {option}";
+    WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
+    // The direction that the files count positive.
+    STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
+    SPEAKS_FOR_TENSION: "speaks for tension positive (rebound)";
+    SPEAKS_FOR_PUSH: "speaks for push positive (compression)";
+    TOO_SMALL_TO_TELL: "is too small to tell the direction";
+    NO_STANDSTILL: "no turning points at standstill, so the gas force cannot be told";
+    ASYMMETRY: "forces at positive velocity are {ratio} times those at negative velocity in the faster tests; most dampers resist rebound more, so that {verdict}";
+    SPEAKS_FOR_REBOUND: "speaks for rebound positive";
+    SPEAKS_FOR_COMPRESSION: "speaks for compression positive";
+    TELLS_NOTHING: "tells nothing";
+    CONTRADICT: "gas force and asymmetry contradict each other; the stronger of the two was followed";
+    NOT_DISSIPATING: "no test dissipates energy clearly, so it is not certain that force and motion go together";
+    WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
+    OTHER_SIGN: "the force at standstill of {tests} has the opposite sign of the other tests'; check whether these files count in another direction";
+    GIVEN: "{direction} positive was given";
+    AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";
+    // What a campaign does without.
+    LEFT_OUT: "left out: {fault}";
+    NO_RECORD: "left out, as it is no record: {fault}";
+    FIRST_AND_MORE: "{first}; {count} more";
+    MORE_LEFT_OUT: "{count} more files and tests were left out";
+    // Faults of files.
+    UNKNOWN_TYPE: "{file}: is no record; records are {kinds} files";
+    NOT_READ: "{file}: is {is}, which is not read; {instead}";
+    EMPTY_FILE: "{file}: is empty (0 bytes); export it again";
+    WORKBOOK: "{file}: cannot be read as a workbook ({cause}); save it again as .xlsx, or export the sheet as CSV";
+    RPC: "{file}: cannot be read as an RPC III time history ({cause})";
+    BINARY: "{file}: cannot be read as {kind} ({cause})";
+    MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
+    NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.";
+    NO_DATA: "{at}: has a header but no data rows";
+    // Faults of tests.
+    TOO_FEW: "{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again";
+    MISSING: "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to drop. Repair the export{advice}";
+    OR_IGNORE: ", or leave the channel out with --ignore {channel}";
+    TIME_BACKWARDS: "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, add a column 'test' or split it; otherwise cut the stray block";
+    CONSTANT_TIME: "{at}: time does not advance, it is {time} s in every row; check that the right column is read as time";
+    FROZEN: "{at}, lines {first} to {last}: {channel} is frozen at {value} (SI) for {seconds} s while {moving}; {advice}";
+    CLIPPED: "{at}, first at line {line}: {channel} is clipped at {value} (SI) in {percent} % of the samples, which leaves too little to trust; {advice}";
+    NO_MOTION: "{at}: the damper does not move: {channel} shows nothing but noise, within {range} {unit}. Measure the test again, or, if it is meant to stand, take it out";
+    CONSTANT_FORCE: "{at}: force is {value} N in every row while the damper moves; check the load cell and its cable, and measure again";
+    CELL: "{at}, line {line}, column '{column}': '{text}' is no number{hint}";
+    FIELDS: "{at}, line {line}: has {found} fields where the header has {expected}{hint}";
+    CONTRADICTION: "{at}: displacement and velocity contradict each other: {cause}";
+    // What moves while a channel is frozen, and what to do.
+    DAMPER_MOVES: "the damper moves";
+    VELOCITY_MOVES: "the velocity says it moves";
+    FORCE_CHANGES: "the force changes";
+    DISPLACEMENT_CHANGES: "the displacement changes";
+    CHECK_CELL: "check the load cell and its cable, and cut these rows or measure again";
+    READ_DISPLACEMENT_ONLY: "cut these rows, or read the displacement only: --ignore velocity";
+    READ_VELOCITY_ONLY: "cut these rows, or read the velocity only: --ignore displacement";
+    CUT_OR_MEASURE: "cut these rows or measure again";
+    // What to do about a clipped channel.
+    NO_OTHER_MOTION: "there is no other motion channel; measure again with a larger range";
+    LARGER_RANGE: "measure again with a larger range of the load cell or its amplifier";
+    // Why a cell or a row may be wrong.
+    WITHOUT_SEPARATORS: "; write it without thousands separators";
+    FORMAT_AS_NUMBERS: "; format the cells as numbers";
+    QUOTE_DECIMAL_COMMAS: "; decimal commas need quotes around the cells, or a semicolon or tab between the columns";
+    // How displacement and velocity contradict each other.
+    OTHER_MOTION: "the integral of the velocity explains only {percent} % of the displacement; they do not belong to one motion. Check that the right columns are read (--column velocity=\"heading\"), {advice}";
+    OPPOSITE_SIGNS: "they have opposite signs (velocity is {gain} times the derivative of displacement). Turn one of them in the export, {advice}";
+    UNIT_SLIP: "velocity is {gain} times the derivative of displacement: a unit slip, {slip}. Give the unit (--unit velocity=mm/s, --unit displacement=mm), {advice}";
+    OTHER_SCALE: "velocity is {gain} times the derivative of displacement. Check the units and calibration of both, the unit of time, and whether the sampling is fast enough for the motion, {advice}";
+    READ_ONE_ONLY: "or read one of them only: --ignore velocity (or --ignore displacement)";
+    MM_NOT_M: "displacement or velocity is in mm where the header says m";
+    CM_NOT_M: "displacement or velocity is in cm where the header says m";
+    MM_NOT_CM: "displacement or velocity is in mm where the header says cm";
+    INCH_NOT_MM: "one of them is in inches where the header says mm, or the reverse";
+    INCH_NOT_M: "one of them is in inches where the header says m, or the reverse";
+}
+
+/// What a channel, a direction, or the end of a record is called.
+const WORDS: &[&str] = &["rebound", "compression", "an incomplete cycle or run-down", "rest", "nothing"];
+
+/// Every template of a sentence.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every English text that is said of records, each once: sentences with the places of their values, and words.
+pub fn texts() -> Vec<&'static str> {
+    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
+    all.extend(WORDS.iter().copied().chain(Channel::ALL.map(Channel::name)).chain(not_read::words()));
+    let mut known = std::collections::BTreeSet::new();
+    all.retain(|text| known.insert(*text));
+    all
+}

@@ -1,0 +1,331 @@
+//! Sentences that can be said in any language: an English text with the places of its values, and the values. Scripts and the terminal
+//! get the English; who writes for people looks the text up in another language and puts the same values in. A sentence that was written
+//! to a file in English is taken apart again by the templates that it was made of ([`Sentence::read`]).
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
+
+/// A text with `{name}` where a value stands. Only [`phrases!`](crate::phrases) makes them, so that its list holds every one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Template(&'static str);
+
+impl Template {
+    /// For [`phrases!`](crate::phrases) alone: a template that is in no list is in no test of the translations.
+    #[doc(hidden)]
+    pub const fn listed(english: &'static str) -> Template {
+        Template(english)
+    }
+
+    /// The English text.
+    pub fn english(self) -> &'static str {
+        self.0
+    }
+
+    /// The text up to the first place, then every place with the text behind it.
+    fn parts(self) -> (&'static str, Vec<(&'static str, &'static str)>) {
+        let mut pieces = self.0.split('{');
+        let first = pieces.next().unwrap_or("");
+        (first, pieces.map(|piece| piece.split_once('}').unwrap_or((piece, ""))).collect())
+    }
+
+    /// Letters that the template itself brings: the more, the surer is a text that fits it of it.
+    fn own(self) -> usize {
+        let (first, places) = self.parts();
+        first.len() + places.iter().map(|(_, behind)| behind.len()).sum::<usize>()
+    }
+
+    /// What stands at the places in a text of this template. Where the text between two places occurs several times, the first one counts;
+    /// before the last place the last one, so that of `{name} {figure}` the name may hold spaces. Where there is no text between two
+    /// places, the second one begins where another sentence may (`begins`), or is empty.
+    fn taken_apart<'t>(self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
+        let (first, places) = self.parts();
+        let Some((last, between)) = places.split_last() else {
+            return (text == first).then(Vec::new);
+        };
+        let mut rest = text.strip_prefix(first)?.strip_suffix(last.1)?;
+        let mut values = Vec::with_capacity(places.len());
+        for (k, (name, behind)) in between.iter().enumerate() {
+            let at = match (behind.is_empty(), k + 1 == between.len()) {
+                (true, _) => {
+                    rest.char_indices().map(|(at, _)| at).find(|at| begins(&rest[*at..])).unwrap_or(rest.len())
+                }
+                (false, true) => rest.rfind(behind)?,
+                (false, false) => rest.find(behind)?,
+            };
+            values.push((*name, &rest[..at]));
+            rest = &rest[at + behind.len()..];
+        }
+        values.push((last.0, rest));
+        Some(values)
+    }
+}
+
+/// The templates of a crate: `NAME: "text with {places}";`, each a constant, and `TEMPLATES` with all of them.
+#[macro_export]
+macro_rules! phrases {
+    ($($name:ident: $text:literal;)*) => {
+        $(pub(crate) const $name: $crate::sentence::Template = $crate::sentence::Template::listed($text);)*
+        /// Every text with places for values.
+        pub(crate) const TEMPLATES: &[$crate::sentence::Template] = &[$($name),*];
+    };
+}
+
+/// A text that nobody can translate.
+const AS_IT_IS: Template = Template("{text}");
+
+/// What stands at a place of a sentence.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Value {
+    /// A number, a unit, a name of a test or an effect: the same in every language.
+    AsIs(String),
+    /// A word of this crate, such as a path; the same in every language where it is no word but a name.
+    Word(String),
+    /// A sentence in the sentence.
+    Said(Sentence),
+    /// Several, with the text between them.
+    List(Vec<Value>, Template),
+}
+
+/// A sentence. Serialized and shown, it is the English text; read back from that alone, it stays English.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Sentence {
+    template: Template,
+    values: Vec<(&'static str, Value)>,
+}
+
+impl From<Template> for Sentence {
+    fn from(template: Template) -> Self {
+        Sentence { template, values: Vec::new() }
+    }
+}
+
+/// What may be put into a sentence.
+impl Sentence {
+    /// With a number or a name.
+    pub fn with(self, name: &'static str, value: impl ToString) -> Self {
+        self.and(name, Value::AsIs(value.to_string()))
+    }
+
+    /// With a word of this crate.
+    pub fn with_word(self, name: &'static str, word: &str) -> Self {
+        self.and(name, Value::Word(word.to_owned()))
+    }
+
+    /// With another sentence.
+    pub fn with_said(self, name: &'static str, said: impl Into<Sentence>) -> Self {
+        self.and(name, Value::Said(said.into()))
+    }
+
+    /// With another sentence where there is one; its place stays empty otherwise.
+    pub fn with_any(self, name: &'static str, said: Option<Sentence>) -> Self {
+        match said {
+            Some(said) => self.with_said(name, said),
+            None => self,
+        }
+    }
+
+    /// With names.
+    pub fn with_names<T: ToString>(
+        self,
+        name: &'static str,
+        names: impl IntoIterator<Item = T>,
+        between: Template,
+    ) -> Self {
+        let list = names.into_iter().map(|n| Value::AsIs(n.to_string())).collect();
+        self.and(name, Value::List(list, between))
+    }
+
+    /// With several sentences.
+    pub fn with_list(self, name: &'static str, list: Vec<Sentence>, between: Template) -> Self {
+        self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
+    }
+
+    /// Several sentences in one.
+    pub fn list(list: Vec<Sentence>, between: Template) -> Self {
+        Sentence::from(AS_IT_IS).with_list("text", list, between)
+    }
+
+    /// A text taken apart by the templates and words that it was made of, where they fit it; what does not stays as it is. Its English is
+    /// the text in any case.
+    pub fn read(text: &str, templates: &[Template], words: &[&str]) -> Self {
+        match (Reader { templates, words }).value(text) {
+            Value::Said(sentence) => sentence,
+            other => Sentence::from(AS_IT_IS).and("text", other),
+        }
+    }
+
+    fn and(mut self, name: &'static str, value: Value) -> Self {
+        debug_assert!(self.template.0.contains(&format!("{{{name}}}")), "no place for {name} in {:?}", self.template);
+        self.values.push((name, value));
+        self
+    }
+
+    /// The sentence with every text as `translated` has it; what that does not know stays English. A place without a value is left empty.
+    pub fn said(&self, translated: &dyn Fn(&str) -> Option<&'static str>) -> String {
+        let mut rest = translated(self.template.0).unwrap_or(self.template.0);
+        let mut text = String::new();
+        while let Some((before, after)) = rest.split_once('{') {
+            text += before;
+            let (name, behind) = after.split_once('}').unwrap_or((after, ""));
+            if let Some((_, value)) = self.values.iter().find(|(n, _)| *n == name) {
+                text += &value.said(translated);
+            }
+            rest = behind;
+        }
+        text + rest
+    }
+}
+
+impl Value {
+    fn said(&self, translated: &dyn Fn(&str) -> Option<&'static str>) -> String {
+        match self {
+            Value::AsIs(text) => text.clone(),
+            Value::Word(word) => translated(word).map_or_else(|| word.clone(), str::to_owned),
+            Value::Said(sentence) => sentence.said(translated),
+            Value::List(values, between) => {
+                let all: Vec<String> = values.iter().map(|value| value.said(translated)).collect();
+                all.join(translated(between.0).unwrap_or(between.0))
+            }
+        }
+    }
+}
+
+/// Takes texts apart.
+struct Reader<'a> {
+    templates: &'a [Template],
+    words: &'a [&'a str],
+}
+
+impl Reader<'_> {
+    fn value(&self, text: &str) -> Value {
+        if self.words.contains(&text) {
+            return Value::Word(text.to_owned());
+        }
+        self.list(text).or_else(|| self.sentence(text).map(Value::Said)).unwrap_or_else(|| Value::AsIs(text.to_owned()))
+    }
+
+    /// Whether a value is a word of the list or holds no letters.
+    fn is_known(&self, value: &str) -> bool {
+        self.words.contains(&value) || !value.chars().any(char::is_alphabetic)
+    }
+
+    /// Whether a sentence that stands without a text before it may begin here: its template has a beginning of its own, which is no word.
+    fn begins(&self, text: &str) -> bool {
+        let beginnings = self.templates.iter().filter(|t| !t.parts().1.is_empty()).map(|t| t.parts().0);
+        beginnings.filter(|b| b.starts_with([' ', ',', ';', '(', ':'])).any(|b| text.starts_with(b))
+    }
+
+    /// By the template that leaves least to its places. One without a word of its own, such as `{name} {figure}`, fits much: it counts where
+    /// its places hold words of the list, figures or a list of such.
+    fn sentence(&self, text: &str) -> Option<Sentence> {
+        let fitting = self.templates.iter().filter(|template| template.own() > 0);
+        let (template, values) = fitting
+            .filter_map(|template| Some((*template, template.taken_apart(text, &|rest| self.begins(rest))?)))
+            .filter(|(template, values)| {
+                let speaks = template.0.split(['{', '}']).step_by(2).any(|own| own.chars().any(char::is_alphabetic));
+                speaks || values.iter().all(|(_, v)| self.is_known(v) || !matches!(self.value(v), Value::AsIs(_)))
+            })
+            .max_by_key(|(template, _)| template.own())?;
+        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
+        Some(Sentence { template, values })
+    }
+
+    /// Several of one template, whose places hold words and figures.
+    fn list(&self, text: &str) -> Option<Value> {
+        let between =
+            self.templates.iter().filter(|template| template.parts().1.is_empty() && text.contains(template.0));
+        let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
+        lists.filter(|(_, of)| of.own() > 0).find_map(|(between, of)| {
+            let (mut items, mut open) = (Vec::new(), String::new());
+            for part in text.split(between.0) {
+                open += part;
+                match of.taken_apart(&open, &|rest| self.begins(rest)) {
+                    Some(values) if values.iter().all(|(_, value)| self.is_known(value)) => {
+                        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
+                        items.push(Value::Said(Sentence { template: *of, values }));
+                        open.clear();
+                    }
+                    // A name may hold what stands between names.
+                    _ => open += between.0,
+                }
+            }
+            (open.is_empty() && items.len() > 1).then_some(Value::List(items, *between))
+        })
+    }
+}
+
+impl fmt::Display for Sentence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.said(&|_| None))
+    }
+}
+
+impl Serialize for Sentence {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Sentence {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Ok(Sentence::from(AS_IT_IS).with("text", String::deserialize(from)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TWO: Template = Template("{names} in {place}{note}");
+    const NOTE: Template = Template(", {what}");
+    const AND: Template = Template(" and ");
+
+    fn german(text: &str) -> Option<&'static str> {
+        match text {
+            "{names} in {place}{note}" => Some("in {place}: {names}{note}"),
+            " and " => Some(" und "),
+            "rig" => Some("Prüfstand"),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn values_keep_their_places_in_every_language() {
+        let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
+        // A name with braces is no place.
+        assert_eq!(sentence.to_string(), "a and {place} in rig");
+        assert_eq!(sentence.said(&german), "in Prüfstand: a und {place}");
+        let noted = sentence.with_said("note", Sentence::from(NOTE).with("what", 3));
+        assert_eq!(noted.to_string(), "a and {place} in rig, 3");
+        assert_eq!(noted.said(&german), "in Prüfstand: a und {place}, 3");
+    }
+
+    #[test]
+    fn a_text_is_taken_apart_as_it_was_made() {
+        const CHOICE: Template = Template("{of}: {chosen} — error {error}{others}; {why}");
+        const OTHERS: Template = Template(" ({others})");
+        const OTHER: Template = Template("{name} {error}");
+        const COMMA: Template = Template(", ");
+        let (templates, words) =
+            ([COMMA, OTHER, OTHERS, CHOICE], ["friction", "none", "none, rigid", "Coulomb + viscous"]);
+        let other = |name, error: &str| Sentence::from(OTHER).with_word("name", name).with("error", error);
+        for others in
+            [vec![other("none", "2.10")], vec![other("none, rigid", "1.20"), other("Coulomb + viscous", "0.97")]]
+        {
+            let list = |others: &Vec<Sentence>| match &others[..] {
+                [one] => Sentence::from(OTHERS).with_said("others", one.clone()),
+                _ => Sentence::from(OTHERS).with_list("others", others.clone(), COMMA),
+            };
+            let made = Sentence::from(CHOICE)
+                .with_word("of", "friction")
+                .with_word("chosen", "none")
+                .with("error", "0.93")
+                .with_said("others", list(&others))
+                .with("why", "the simplest");
+            assert_eq!(Sentence::read(&made.to_string(), &templates, &words), made);
+        }
+        for text in ["", "{", "by hand: nothing of ours", "none", ", , "] {
+            assert_eq!(Sentence::read(text, &templates, &words).to_string(), text);
+        }
+    }
+}
