@@ -1,10 +1,11 @@
-/* Many steps in a row, for counting instructions: cost <steps> [+<element> | -<element> | <parameter> <value>]... Run it
- * with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of one
- * dashpot_step(). */
+/* Many steps in a row, for counting instructions: cost <steps> [force] [+<element> | -<element> | <parameter> <value>]...
+ * Run it with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of
+ * one dashpot_step(), or dashpot_force(). */
 #include "dashpot.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { INPUTS = 64 };
 
@@ -17,8 +18,9 @@ int main(int argc, char **argv) {
   long steps = argc > 1 ? atol(argv[1]) : 0, i;
   double sum = 0.0, x = 0.0;
   int32_t status = dashpot_params_default(&params);
+  const int force_alone = argc > 2 && strcmp(argv[2], "force") == 0;
   int k;
-  for (k = 2; k < argc && status == DASHPOT_OK; k++) {
+  for (k = 2 + force_alone; k < argc && status == DASHPOT_OK; k++) {
     const char *word = argv[k];
     if (word[0] == '+' || word[0] == '-') {
       status = dashpot_params_enable(&params, word + 1, word[0] == '+');
@@ -35,7 +37,11 @@ int main(int argc, char **argv) {
     inputs[k] = dashpot_input_motion(x, v);
   }
   for (i = 0; i < steps && status == DASHPOT_OK; i++) {
-    status = dashpot_step(&model, &state, &inputs[i % INPUTS], 1e-3, &state, &output);
+    if (force_alone) {
+      status = dashpot_force(&model, &state, inputs[i % INPUTS].velocity, 1e-3, &output.force);
+    } else {
+      status = dashpot_step(&model, &state, &inputs[i % INPUTS], 1e-3, &state, &output);
+    }
     sum += output.force;
   }
   printf("%.17g %s\n", sum, dashpot_status_text(status));

@@ -400,7 +400,10 @@ pub struct Stage<'a> {
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
 pub trait Follow {
     /// Whether the answer's slopes are asked for.
-    const SLOPES: bool = false;
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        false
+    }
 
     /// Called after every stage.
     fn stage(&mut self, elements: &Elements, stage: &Stage);
@@ -420,6 +423,8 @@ impl Follow for () {
 
 /// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
 struct ByEnd {
+    /// Whether they are asked for.
+    wanted: bool,
     /// Whether anything depends on the end of the step yet: not before its first stage.
     moved: bool,
     x: [f64; 2],
@@ -432,17 +437,23 @@ struct ByEnd {
 
 impl ByEnd {
     #[inline(always)]
-    fn new() -> ByEnd {
+    fn new(wanted: bool) -> ByEnd {
         let zero = [0.0; 2];
-        ByEnd { moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
+        ByEnd { wanted, moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
     }
 }
 
 impl Follow for ByEnd {
-    const SLOPES: bool = true;
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        self.wanted
+    }
 
     #[inline(always)]
     fn stage(&mut self, elements: &Elements, s: &Stage) {
+        if !self.wanted {
+            return;
+        }
         let e = &elements.series_compliance;
         let divide = 1.0 / s.resistance;
         let follows = e.damping + s.g * e.stiffness;
@@ -907,6 +918,19 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 /// number: that takes an input or a state far from what a damper meets.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
+    move_on(model, state, to, dt, output, true)
+}
+
+/// The force of [`step_in_place`], to the bit, where nobody asks for its slopes; `None` where it is not a finite number.
+#[inline(always)]
+pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> Option<f64> {
+    let mut output = Output::ZERO;
+    move_on(model, state, to, dt, &mut output, false).then_some(output.force)
+}
+
+/// A step; without `slopes` those of the answer are left to chance.
+#[inline(always)]
+fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
     if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass() {
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
@@ -914,16 +938,16 @@ pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, outp
         // All is found in closed form from numbers whose fourth powers do not overflow.
         return true;
     }
-    step_of_any_kind(model, state, *to, dt, output)
+    step_of_any_kind(model, state, *to, dt, output, slopes)
 }
 
 /// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
 /// beside the others the call is nothing.
 #[cold]
 #[inline(never)]
-fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) -> bool {
+fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
     let (mut reached, mut answer) = (*state, Output::ZERO);
-    step_by_its_method(model, &mut reached, &to, dt, &mut answer);
+    step_by_its_method(model, &mut reached, &to, dt, &mut answer, slopes);
     let finite = reached.is_finite() && answer.is_finite();
     if finite {
         *state = reached;
@@ -933,32 +957,32 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
 }
 
 #[inline(always)]
-fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
+fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
         *output = model.static_output(&Input { displacement: Some(x), ..*to });
         return;
     }
     if model.elements.has_paths() {
-        step_through_paths(model, state, to, dt, output);
+        step_through_paths(model, state, to, dt, output, slopes);
         return;
     }
     let once = model.integration.substeps(dt) == 1;
     match (model.integration.method, once) {
-        (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output),
-        (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output),
-        (Method::ThreeStage, true) => answer::<ThreeStage, true>(model, state, to, dt, output),
-        (Method::ThreeStage, false) => answer::<ThreeStage, false>(model, state, to, dt, output),
-        (Method::Third, _) => answer::<Third, false>(model, state, to, dt, output),
-        (Method::Second, _) => answer::<Second, false>(model, state, to, dt, output),
-        (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output),
+        (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output, slopes),
+        (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output, slopes),
+        (Method::ThreeStage, true) => answer::<ThreeStage, true>(model, state, to, dt, output, slopes),
+        (Method::ThreeStage, false) => answer::<ThreeStage, false>(model, state, to, dt, output, slopes),
+        (Method::Third, _) => answer::<Third, false>(model, state, to, dt, output, slopes),
+        (Method::Second, _) => answer::<Second, false>(model, state, to, dt, output, slopes),
+        (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output, slopes),
     }
 }
 
-/// A step of a damper with elements in its series or hydraulic path, with exact slopes.
+/// A step of a damper with elements in its series or hydraulic path, with exact slopes where they are asked for.
 #[inline(never)]
-fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
-    let mut by_end = paths::PathsByEnd::new();
+fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+    let mut by_end = paths::PathsByEnd::new(slopes);
     advance_paths(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * paths::held(dt) * output.force_by_displacement;
@@ -1009,7 +1033,7 @@ fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {
-        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, F::SLOPES);
+        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
     }
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
@@ -1021,7 +1045,7 @@ fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
 #[inline(never)]
 fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
     if !cheap_step::<false>(model, state, &to, dt, output) {
-        answer::<Euler, false>(model, state, &to, dt, output);
+        answer::<Euler, false>(model, state, &to, dt, output, true);
     }
 }
 
@@ -1104,11 +1128,18 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A step with its exact slopes. `ONCE`: in one substep, as most steps are. Not inlined, so that each has the registers to
+/// A step with its exact slopes where they are asked for. `ONCE`: in one substep, as most steps are. Not inlined, so that each has the registers to
 /// itself.
 #[inline(never)]
-fn answer<T: Tableau, const ONCE: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) {
-    let mut by_end = ByEnd::new();
+fn answer<T: Tableau, const ONCE: bool>(
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
+    let mut by_end = ByEnd::new(slopes);
     advance_by::<T, _, ONCE>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
@@ -1204,7 +1235,7 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     if e.has_extras() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, F::SLOPES);
+        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
         force += sum.force;
         by_x += sum.by_x;
         by_v += sum.by_v;

@@ -1,7 +1,7 @@
 //! A motion imposed on a model: made complete, sampled anew if wanted, and run.
 
-use dashpot_core::step::step_into;
-use dashpot_core::{Input, Model, Output, State};
+use dashpot_core::step::force_in_place;
+use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
 /// Most rows that a motion is sampled to: some gigabytes of output.
@@ -192,11 +192,10 @@ impl ImposedMotion {
         let mut state = model.settled(&first);
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
         let mut answers = Vec::with_capacity(self.time.len());
-        let (mut next, mut output) = (State::ZERO, Output::ZERO);
         for (i, &time) in self.time.iter().enumerate() {
             if i > 0 {
-                step_into(model, &state, &self.input(i), time - self.time[i - 1], &mut next, &mut output);
-                (state, force) = (next, output.force);
+                let found = force_in_place(model, &mut state, &self.input(i), time - self.time[i - 1]);
+                force = found.ok_or(ImposeError::NotFinite(time, "force"))?;
             }
             if !(state.is_finite() && force.is_finite()) {
                 return Err(ImposeError::NotFinite(time, "force"));

@@ -1,7 +1,7 @@
 //! The forces that a model gives for the motion of a record.
 
-use dashpot_core::step::step_into;
-use dashpot_core::{Input, Model, Output, State};
+use dashpot_core::step::force_in_place;
+use dashpot_core::{Input, Model, State};
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
@@ -15,12 +15,11 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
         temperature: record.temperature.as_ref().map_or(20.0, |c| c[i]),
     };
     let run = |start: State, range: std::ops::Range<usize>, forces: &mut Vec<f64>| {
-        let mut state = start;
-        let (mut next, mut output) = (State::ZERO, Output::ZERO);
+        let (mut state, mut force) = (start, 0.0);
         for i in range {
-            step_into(model, &state, &input(i), record.time[i] - record.time[i - 1], &mut next, &mut output);
-            state = next;
-            forces.push(output.force);
+            // What is no number leaves state and force where they were.
+            force = force_in_place(model, &mut state, &input(i), record.time[i] - record.time[i - 1]).unwrap_or(force);
+            forces.push(force);
         }
         state
     };

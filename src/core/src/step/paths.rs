@@ -58,7 +58,10 @@ struct Balance {
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
 pub trait FollowPaths {
     /// Whether the answer's slopes are asked for.
-    const SLOPES: bool = false;
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        false
+    }
 
     /// Called after every stage.
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>);
@@ -117,28 +120,31 @@ impl Carried {
 }
 
 /// Derivatives over the displacement and velocity at the end of the step.
-pub struct PathsByEnd([Carried; 2]);
-
-impl PathsByEnd {
-    /// At the start of a step nothing depends on its end.
-    #[inline(always)]
-    pub fn new() -> PathsByEnd {
-        PathsByEnd([Carried::NONE; 2])
-    }
+pub struct PathsByEnd {
+    by_end: [Carried; 2],
+    wanted: bool,
 }
 
-impl Default for PathsByEnd {
-    fn default() -> Self {
-        PathsByEnd::new()
+impl PathsByEnd {
+    /// At the start of a step nothing depends on its end. Where they are not `wanted` nothing is followed, and they stay 0.
+    #[inline(always)]
+    pub fn new(wanted: bool) -> PathsByEnd {
+        PathsByEnd { by_end: [Carried::NONE; 2], wanted }
     }
 }
 
 impl FollowPaths for PathsByEnd {
-    const SLOPES: bool = true;
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        self.wanted
+    }
 
     #[inline(always)]
     fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
-        let PathsByEnd([by_x, by_v]) = self;
+        if !self.wanted {
+            return;
+        }
+        let [by_x, by_v] = &mut self.by_end;
         let [xx, xv] = s.path.x_by_end;
         let [vx, vv] = s.path.v_by_end;
         by_x.over(elements, s, Seed { x: xx, v: vx, ..Seed::NONE });
@@ -147,8 +153,7 @@ impl FollowPaths for PathsByEnd {
 
     #[inline(always)]
     fn slopes(&self) -> [f64; 2] {
-        let PathsByEnd([by_x, by_v]) = self;
-        [by_x.force, by_v.force]
+        self.by_end.map(|carried| carried.force)
     }
 }
 
