@@ -246,7 +246,7 @@ mod waking {
         let ctx = egui::Context::default();
         let mut app = App::with_recent(&ctx, Box::new(Told::default()), Recent::read(None));
         let input = egui::RawInput::default;
-        let mut draws = |app: &mut App, rounds: usize| {
+        let draws = |app: &mut App, rounds: usize| {
             for _ in 0..rounds {
                 let _ = ctx.run_ui(input(), |ui| app.show(ui));
             }

@@ -286,6 +286,7 @@ impl Answer<'_> {
             shifts: self.shifts(),
             changed: self.changed(),
             notes: judged.notes.iter().cloned().chain(self.about_the_reference()).collect(),
+            about_the_reference: self.about_the_reference(),
             tests: Vec::new(),
             rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),
             base: base.params(&first.theta),

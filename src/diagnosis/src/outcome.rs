@@ -54,6 +54,9 @@ pub struct Diagnosis {
     pub changed: Vec<Change>,
     /// Remarks.
     pub notes: Vec<Sentence>,
+    /// The remark among them that says what a name without a reference may stand for, or how the reference was compared with.
+    #[serde(skip)]
+    pub about_the_reference: Option<Sentence>,
     /// Each test before and after.
     pub tests: Vec<TestOutcome>,
     /// Every effect that was tried in full, round by round.

@@ -7,12 +7,15 @@ use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
 use crate::words::{Words, fill};
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
+use dashpot_records::Sentence;
 
 /// The first section.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
+    // What a name may be worth belongs to it on paper too.
+    blocks.extend(found.about_the_reference.as_ref().map(|about| Block::Paragraph(sentence(about, words))));
     let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
     blocks.push(Block::Wide(errors.saying(words.errors_caption)));
     blocks.push(Block::Table(key_table(found, words)));
@@ -21,7 +24,12 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
 
 /// The answer as one sentence.
 pub fn headline(found: &Diagnosis, words: &Words) -> String {
-    let said = words.say(&found.summary);
+    sentence(&found.summary, words)
+}
+
+/// A text with a capital and a full stop.
+fn sentence(text: &Sentence, words: &Words) -> String {
+    let said = words.say(text);
     fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 

@@ -26,7 +26,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
 
 /// What was noticed in the records and on the way; `None` where nothing was.
 pub fn remarks(found: &Diagnosis, reading: &[String], words: &Words) -> Option<Section> {
-    let remarks: Vec<String> = found.notes.iter().map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
+    // One of them stands beside the answer.
+    let notes = found.notes.iter().filter(|note| Some(*note) != found.about_the_reference.as_ref());
+    let remarks: Vec<String> = notes.map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
     (!remarks.is_empty()).then(|| Section::new("remarks", words.remarks, vec![Block::List(remarks)]))
 }
 
