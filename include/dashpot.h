@@ -459,7 +459,7 @@ int32_t dashpot_state_init_motion(const dashpot_model *model,
 // state stays as it is.
 
 // The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
-// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a fifth less: nobody asks for
+// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
 // partial derivatives.
 int32_t dashpot_force(const dashpot_model *model, dashpot_state *state, double velocity, double dt, double *force);
 

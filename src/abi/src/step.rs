@@ -15,7 +15,8 @@ use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
 use crate::state::{computed, dashpot_output, dashpot_state, finite};
 use crate::status::{
-    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused, status,
+    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK,
+    DASHPOT_OUTSIDE_RANGE, Refused, status,
 };
 
 /// Steps longer than this get a warning, s.
@@ -63,7 +64,7 @@ fn outside(model: &Model, velocity: f64) -> i32 {
 }
 
 /// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
-/// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a fifth less: nobody asks for
+/// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
 /// partial derivatives.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_force(
@@ -86,9 +87,9 @@ pub unsafe extern "C" fn dashpot_force(
         present(force)?;
         // SAFETY: state is aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
         let found = force_in_place(model, unsafe { &mut *state.cast() }, &Input::velocity(velocity), dt);
-        computed(found.is_some())?;
+        let found = found.ok_or(Refused(DASHPOT_NOT_COMPUTABLE))?;
         // SAFETY: force is aligned and not null by the questions before.
-        unsafe { *force = found.unwrap_or(0.0) };
+        unsafe { *force = found };
         Ok(warnings(model, velocity, dt))
     })())
 }

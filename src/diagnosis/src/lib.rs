@@ -269,6 +269,7 @@ impl Answer<'_> {
             Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
             _ => judged.summary.clone(),
         };
+        let about_the_reference = self.about_the_reference();
         let mut diagnosis = Diagnosis {
             verdict: judged.verdict,
             summary,
@@ -285,8 +286,8 @@ impl Answer<'_> {
             could_not_test,
             shifts: self.shifts(),
             changed: self.changed(),
-            notes: judged.notes.iter().cloned().chain(self.about_the_reference()).collect(),
-            about_the_reference: self.about_the_reference(),
+            notes: judged.notes.iter().chain(&about_the_reference).cloned().collect(),
+            about_the_reference,
             tests: Vec::new(),
             rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),
             base: base.params(&first.theta),

@@ -1,7 +1,7 @@
 //! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
 
 use super::effects::{CARDS, EFFECTS, meaning};
-use dashpot_records::sentence::Template;
+use dashpot_records::sentence::{Template, each_once};
 
 dashpot_records::phrases! {
     // Lists.
@@ -152,14 +152,6 @@ pub fn templates() -> &'static [Template] {
 /// effects and forms are called.
 pub fn texts() -> Vec<&'static str> {
     let of_cards = CARDS.iter().flat_map(|card| [card.path, card.family]);
-    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
-    all.extend(
-        of_cards
-            .chain([NOTHING, SOMETHING_ELSE])
-            .chain(EFFECTS.iter().map(|e| meaning(e)))
-            .chain(FORMS.iter().copied()),
-    );
-    let mut known = std::collections::BTreeSet::new();
-    all.retain(|text| known.insert(*text));
-    all
+    let words = of_cards.chain([NOTHING, SOMETHING_ELSE]).chain(EFFECTS.iter().map(|e| meaning(e)));
+    each_once(TEMPLATES, words.chain(FORMS.iter().copied()))
 }

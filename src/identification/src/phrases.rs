@@ -4,7 +4,7 @@
 
 use super::variants::{FRICTION, PHYSICAL_SPRING, SPRING};
 use super::{fit, of_the_rig};
-use dashpot_records::sentence::Template;
+use dashpot_records::sentence::{Template, each_once};
 
 dashpot_records::phrases! {
     // Lists.
@@ -58,9 +58,5 @@ pub fn templates() -> &'static [Template] {
 pub fn texts() -> Vec<&'static str> {
     let variants =
         FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|variant| [variant.name, variant.rigid]);
-    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
-    all.extend(KINDS_OF_TESTS.into_iter().chain(fit::WORDS).chain(of_the_rig::WORDS).chain(variants));
-    let mut known = std::collections::BTreeSet::new();
-    all.retain(|text| known.insert(*text));
-    all
+    each_once(TEMPLATES, KINDS_OF_TESTS.into_iter().chain(fit::WORDS).chain(of_the_rig::WORDS).chain(variants))
 }

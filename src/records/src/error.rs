@@ -291,7 +291,7 @@ impl RecordError {
             RecordError::Contradiction { at, cause } => {
                 of(phrases::CONTRADICTION, at).with_said("cause", cause.clone())
             }
-            question => Sentence::read(&question.to_string(), &[], &[]),
+            question => Sentence::as_it_is(question),
         }
     }
 }

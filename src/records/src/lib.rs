@@ -51,7 +51,7 @@ pub use error::{Place, RecordError};
 pub use motion::{MotionRecord, read_motion};
 pub use options::{Options, Positive};
 pub use peak_table::{PeakPoint, read_peaks};
-pub use phrases::{templates, texts};
+pub use phrases::texts;
 pub use profile::Profile;
 pub use record::{Noise, NoiseSource, Note, Record};
 pub use sentence::Sentence;

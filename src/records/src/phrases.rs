@@ -2,7 +2,7 @@
 
 use super::channel::Channel;
 use super::not_read;
-use super::sentence::Template;
+use super::sentence::each_once;
 
 crate::phrases! {
     // Lists.
@@ -146,16 +146,7 @@ crate::phrases! {
 /// What a channel, a direction, or the end of a record is called.
 const WORDS: &[&str] = &["rebound", "compression", "an incomplete cycle or run-down", "rest", "nothing"];
 
-/// Every template of a sentence.
-pub fn templates() -> &'static [Template] {
-    TEMPLATES
-}
-
 /// Every English text that is said of records, each once: sentences with the places of their values, and words.
 pub fn texts() -> Vec<&'static str> {
-    let mut all: Vec<&'static str> = TEMPLATES.iter().map(|template| template.english()).collect();
-    all.extend(WORDS.iter().copied().chain(Channel::ALL.map(Channel::name)).chain(not_read::words()));
-    let mut known = std::collections::BTreeSet::new();
-    all.retain(|text| known.insert(*text));
-    all
+    each_once(TEMPLATES, WORDS.iter().copied().chain(Channel::ALL.map(Channel::name)).chain(not_read::words()))
 }

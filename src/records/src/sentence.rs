@@ -3,6 +3,7 @@
 //! to a file in English is taken apart again by the templates that it was made of ([`Sentence::read`]).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// A text with `{name}` where a value stands. Only [`phrases!`](crate::phrases) makes them, so that its list holds every one.
@@ -68,6 +69,13 @@ macro_rules! phrases {
         /// Every text with places for values.
         pub(crate) const TEMPLATES: &[$crate::sentence::Template] = &[$($name),*];
     };
+}
+
+/// The English of templates, and words, each once.
+pub fn each_once(templates: &[Template], words: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
+    let mut known = BTreeSet::new();
+    let all = templates.iter().map(|template| template.english()).chain(words);
+    all.filter(|text| known.insert(*text)).collect()
 }
 
 /// A text that nobody can translate.
@@ -143,6 +151,11 @@ impl Sentence {
     /// Several sentences in one.
     pub fn list(list: Vec<Sentence>, between: Template) -> Self {
         Sentence::from(AS_IT_IS).with_list("text", list, between)
+    }
+
+    /// A text that stays as it is in every language.
+    pub fn as_it_is(text: impl ToString) -> Self {
+        Sentence::from(AS_IT_IS).with("text", text)
     }
 
     /// A text taken apart by the templates and words that it was made of, where they fit it; what does not stays as it is. Its English is
@@ -268,7 +281,7 @@ impl Serialize for Sentence {
 
 impl<'de> Deserialize<'de> for Sentence {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Ok(Sentence::from(AS_IT_IS).with("text", String::deserialize(from)?))
+        Ok(Sentence::as_it_is(String::deserialize(from)?))
     }
 }
 

@@ -202,7 +202,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
 }
 
 fn list(names: &[&Evidence]) -> Sentence {
-    /// Tests that are named.
+    /// Tests that are named: more would bury what is said of them, and their number is told.
     const NAMED: usize = 8;
     let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("name", &e.name);
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
@@ -361,6 +361,22 @@ mod tests {
     use super::super::cleaning;
     use super::super::fixtures::SineTest;
     use super::*;
+
+    #[test]
+    fn eight_tests_are_named_and_the_others_counted() {
+        let of = |k: usize| Evidence {
+            name: format!("t{k}"),
+            power: 0.0,
+            standstill: None,
+            asymmetry: None,
+            peak_velocity: 0.0,
+        };
+        let all: Vec<Evidence> = (1..=10).map(of).collect();
+        let names: Vec<&Evidence> = all.iter().collect();
+        let eight = "'t1', 't2', 't3', 't4', 't5', 't6', 't7', 't8'";
+        assert_eq!(list(&names[..8]).to_string(), eight);
+        assert_eq!(list(&names).to_string(), format!("{eight} and 2 more"));
+    }
 
     /// Three tests of one damper, as a rig would write them that turns force and motion by these signs.
     fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {

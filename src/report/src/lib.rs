@@ -224,13 +224,9 @@ mod tests {
         })
     }
 
-    fn remark(text: &str) -> Sentence {
-        Sentence::read(text, &[], &[])
-    }
-
     fn records() -> Vec<Record> {
         let mut noted = record(3, true);
-        noted.notes.push(Note { kind: "trimmed", text: remark("12 samples before the first cycle") });
+        noted.notes.push(Note { kind: "trimmed", text: Sentence::as_it_is("12 samples before the first cycle") });
         vec![noted, record(2, false), record(1, true)]
     }
 

@@ -55,11 +55,6 @@ pub struct Message {
     pub wrong: bool,
 }
 
-/// A text of the session itself.
-fn as_it_is(text: &str) -> Sentence {
-    Sentence::read(text, &[], &[])
-}
-
 /// What the verbs found last.
 #[derive(Default)]
 pub struct Answers {
@@ -136,12 +131,12 @@ impl Session {
 
     /// Says something.
     pub fn say(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: as_it_is(&text.into()), wrong: false });
+        self.message = Some(Message { text: Sentence::as_it_is(text.into()), wrong: false });
     }
 
     /// Says what went wrong.
     pub fn complain(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: as_it_is(&text.into()), wrong: true });
+        self.message = Some(Message { text: Sentence::as_it_is(text.into()), wrong: true });
     }
 
     /// Opens whatever was dropped or named: model files, record files and folders.
