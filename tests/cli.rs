@@ -17,11 +17,11 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// Builds the release of the command. It unwinds where it panics, unlike the shipped one, which aborts: so it takes the crates that the
-/// tests are linked of, instead of compiling every one again.
+/// Builds the release of the command. It unwinds where it panics, unlike the shipped one, which aborts, and no package is named, so
+/// that features are those of all of them: so it takes the crates that the tests are linked of, instead of compiling most of them again.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
-    build.args(["build", "--release", "--quiet", "-p", "dashpot-cli"]).env("CARGO_PROFILE_RELEASE_PANIC", "unwind");
+    build.args(["build", "--release", "--quiet", "--bin", "dashpot"]).env("CARGO_PROFILE_RELEASE_PANIC", "unwind");
     succeed(build.current_dir(root()));
 }
 

@@ -1,4 +1,4 @@
-"""Model exchange in FMPy's own CVODE, with its defaults, against the co-simulation of the same FMU at steps a fiftieth of the output
+"""Model exchange in FMPy's own CVODE, with its defaults, against the co-simulation of the same FMU at steps a tenth of the output
 interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency. With DASHPOT_FMUSIM naming the
 program fmusim, the same in it."""
 import contextlib
@@ -26,7 +26,7 @@ three = description.fmiVersion.startswith("3")
 fmusim = os.environ.get("DASHPOT_FMUSIM")
 
 
-def right(test, interval, parts=50):
+def right(test, interval, parts=10):
     fmu = begun(description, folder, False, lambda u: (u.setFloat64 if three else u.setReal)(inputs, motion(*test, 0.0)))
     get, put = (fmu.getFloat64, fmu.setFloat64) if three else (fmu.getReal, fmu.setReal)
     forces, h = [get(force)[0]], interval / parts

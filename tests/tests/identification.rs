@@ -56,8 +56,8 @@ fn fitted(records: &[Record]) -> Fit {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Three to five seconds each on one core.
-    const SEEDS: u64 = 25;
+    // Three to five seconds each on one core. Of thirteen seeds each number has its interval, and all numbers together some two hundred.
+    const SEEDS: u64 = 13;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
     // Per parameter: how often it had an interval, and how often that held the truth.
@@ -233,6 +233,7 @@ fn chosen(found: &Fit, of: &str) -> &'static str {
 #[test]
 fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
     // A spring of a table takes a stop up, and what it leaves hides every friction from the choice.
+    let without_stop = fitted(&campaign(&truth(), 11, 0.01, |_| None));
     for (side, at) in [("bump_stop", 0.038), ("rebound_stop", 0.033)] {
         let mut truth = truth();
         truth.enable(Element::find(side).unwrap(), true);
@@ -246,10 +247,7 @@ fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
             (found.params.number(Number::find(&format!("{side}_clearance")).unwrap()) - at).abs() < 0.002,
             "{side}"
         );
-        assert_eq!(
-            chosen(&found, "friction"),
-            chosen(&fitted(&campaign(&self::truth(), 11, 0.01, |_| None)), "friction")
-        );
+        assert_eq!(chosen(&found, "friction"), chosen(&without_stop, "friction"));
         assert!(found.misfit < 0.8, "{side}: {}", found.misfit);
         // Who does not allow it gets the table, and a worse fit.
         let every = [

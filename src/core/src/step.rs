@@ -416,11 +416,6 @@ pub trait Follow {
     }
 }
 
-impl Follow for () {
-    #[inline(always)]
-    fn stage(&mut self, _: &Elements, _: &Stage) {}
-}
-
 /// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
 struct ByEnd {
     /// Whether they are asked for.
@@ -983,7 +978,7 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
 #[inline(never)]
 fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
     let mut by_end = paths::PathsByEnd::new(slopes);
-    advance_paths(model, state, to, dt, &mut by_end, output);
+    advance_paths_by_its_method(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * paths::held(dt) * output.force_by_displacement;
     }
@@ -998,6 +993,17 @@ pub fn advance_paths(
     follow: &mut impl paths::FollowPaths,
     output: &mut Output,
 ) {
+    advance_paths_by_its_method(model, state, to, dt, &mut paths::Told(follow), output);
+}
+
+fn advance_paths_by_its_method(
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    follow: &mut impl paths::EachStage,
+    output: &mut Output,
+) {
     match model.integration.method {
         Method::Fourth => advance_paths_by::<Fourth, _>(model, state, to, dt, follow, output),
         Method::Third => advance_paths_by::<Third, _>(model, state, to, dt, follow, output),
@@ -1007,7 +1013,7 @@ pub fn advance_paths(
     }
 }
 
-fn advance_paths_by<T: Tableau, F: paths::FollowPaths>(
+fn advance_paths_by<T: Tableau, F: paths::EachStage>(
     model: &Model,
     state: &mut State,
     to: &Input,
@@ -1146,25 +1152,10 @@ fn answer<T: Tableau, const ONCE: bool>(
     }
 }
 
-/// As [`step_into`], telling `follow` every stage. The slopes of the output hold the internal mass and, unless `follow`
-/// asks for them, the private states still. A damper with
-/// elements in its series or hydraulic path has stages of another kind: `follow` is told nothing of them, see
-/// [`advance_paths`].
-#[inline(always)]
-pub fn advance(
-    model: &Model,
-    from: &State,
-    to: &Input,
-    dt: f64,
-    follow: &mut impl Follow,
-    state: &mut State,
-    output: &mut Output,
-) {
-    *state = *from;
-    if model.elements.has_paths() {
-        advance_paths(model, state, to, dt, &mut (), output);
-        return;
-    }
+/// As [`step_in_place`], telling `follow` every stage. The slopes of the output hold the internal mass and, unless `follow`
+/// asks for them, the private states still. For a damper without elements in its series or hydraulic path, whose stages are of
+/// another kind: see [`advance_paths`].
+pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     match model.integration.method {
         Method::Fourth => advance_by::<Fourth, _, false>(model, to, dt, follow, state, output),
         Method::Third => advance_by::<Third, _, false>(model, to, dt, follow, state, output),

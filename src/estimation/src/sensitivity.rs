@@ -10,9 +10,9 @@ use super::segment::Segment;
 use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
 use dashpot_core::elements::{Acts, Elements, Motion, acts};
 use dashpot_core::parameter::Number;
-use dashpot_core::step::paths::{Carried, FollowPaths, PathsStage, Seed};
-use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths};
-use dashpot_core::{Model, Output, Params, State};
+use dashpot_core::step::paths::{Carried, FollowPaths, Seed, StageSlopes};
+use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths, force_in_place};
+use dashpot_core::{Model, Output, Params};
 use dashpot_core::{element, list, number};
 use nalgebra::DMatrix;
 
@@ -124,12 +124,13 @@ struct PathsTangent<'a> {
 }
 
 impl FollowPaths for PathsTangent<'_> {
-    fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
+    fn paths_stage(&mut self, s: &dyn StageSlopes) {
         let [by_stiffness, by_damping, by_mass] = s.series_by_frame();
-        let (first_weight, weights) = self.fv.at(s.oil_velocity);
+        let x_m = s.mass_displacement();
+        let (first_weight, weights) = self.fv.at(s.oil_velocity());
         let (first_standing, standing) = self.fv.at(0.0);
         let read = s.valve_read().map(|w| if w == 0.0 { (0, [0.0; 4]) } else { self.fv.at(w) });
-        let springs = self.spring.map(|spring| spring.at(s.x_m));
+        let springs = self.spring.map(|spring| spring.at(x_m));
         let of = |first: usize, weights: &[f64; 4], point: usize| {
             point.checked_sub(first).and_then(|k| weights.get(k)).copied().unwrap_or(0.0)
         };
@@ -139,7 +140,7 @@ impl FollowPaths for PathsTangent<'_> {
                 Direction::SeriesStiffness => seed.series = by_stiffness,
                 Direction::SeriesDamping => seed.series = by_damping,
                 Direction::Mass => seed.drag = by_mass,
-                Direction::SpringPower(k) => seed.drag = s.x_m * s.x_m.abs().powi(*k),
+                Direction::SpringPower(k) => seed.drag = x_m * x_m.abs().powi(*k),
                 Direction::FvPoint(_) => {
                     let point = p - self.first_fv;
                     seed.curve = of(first_weight, &weights, point);
@@ -151,7 +152,7 @@ impl FollowPaths for PathsTangent<'_> {
                     seed.drag = springs.map_or(0.0, |(first, weights)| of(first, &weights, point));
                 }
             }
-            carried.over(elements, s, seed);
+            s.carry(carried, seed);
         }
     }
 }
@@ -346,7 +347,7 @@ impl Run {
         let series = model.elements().series_compliance;
         let has_series = model.elements().has_series();
         let mut state = model.settled(&segment.input[0]);
-        let (mut next, mut output) = (State::ZERO, Output::ZERO);
+        let mut output = Output::ZERO;
         let mut by_point = vec![0.0; p];
         let curves = [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
             let u = self.params.list(curve.abscissae());
@@ -356,14 +357,11 @@ impl Run {
             let input = &segment.input[i];
             if i == 0 {
                 output = dashpot_core::evaluate::force(model, &state, input);
-                next = state;
             } else if has_paths {
-                next = state;
-                advance_paths(model, &mut next, input, segment.dt[i], &mut through, &mut output);
+                advance_paths(model, &mut state, input, segment.dt[i], &mut through, &mut output);
             } else {
-                advance(model, &state, input, segment.dt[i], &mut tangent, &mut next, &mut output);
+                advance(model, &mut state, input, segment.dt[i], &mut tangent, &mut output);
             }
-            state = next;
             forces.push(output.force);
             let x = state.displacement;
             if has_paths {
@@ -457,11 +455,9 @@ impl Run {
 pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
     let mut state = model.settled(&segment.input[0]);
     let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
-    let (mut next, mut output) = (State::ZERO, Output::ZERO);
     for i in 1..segment.input.len() {
-        advance(model, &state, &segment.input[i], segment.dt[i], &mut (), &mut next, &mut output);
-        state = next;
-        out.push(output.force);
+        // Where it is no number the state stays, and whoever compares forces sees it.
+        out.push(force_in_place(model, &mut state, &segment.input[i], segment.dt[i]).unwrap_or(f64::NAN));
     }
     out
 }

@@ -54,6 +54,49 @@ pub trait Residuals: Sync {
     }
 }
 
+/// [`Residuals`] of any kind: the search is compiled once for all of them.
+trait Problem: Sync {
+    fn at(&self, x: &[f64]) -> Option<Box<dyn Point + '_>>;
+    fn blocks(&self) -> usize;
+    fn is_measured(&self, block: usize) -> bool;
+}
+
+/// A [`Problem`] at one point.
+trait Point: Sync {
+    fn residuals(&self, block: usize) -> Option<Vec<f64>>;
+    fn jacobian(&self, block: usize) -> Option<(Vec<f64>, DMatrix<f64>)>;
+}
+
+impl<R: Residuals> Problem for R {
+    fn at(&self, x: &[f64]) -> Option<Box<dyn Point + '_>> {
+        let at = Residuals::at(self, x)?;
+        Some(Box::new(There { problem: self, at }))
+    }
+
+    fn blocks(&self) -> usize {
+        Residuals::blocks(self)
+    }
+
+    fn is_measured(&self, block: usize) -> bool {
+        Residuals::is_measured(self, block)
+    }
+}
+
+struct There<'a, R: Residuals> {
+    problem: &'a R,
+    at: R::At,
+}
+
+impl<R: Residuals> Point for There<'_, R> {
+    fn residuals(&self, block: usize) -> Option<Vec<f64>> {
+        self.problem.residuals(block, &self.at)
+    }
+
+    fn jacobian(&self, block: usize) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        self.problem.jacobian(block, &self.at)
+    }
+}
+
 /// The range of every number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
@@ -180,13 +223,13 @@ struct Linear {
 }
 
 /// What a search works on.
-struct Search<'a, R> {
-    problem: &'a R,
+struct Search<'a> {
+    problem: &'a dyn Problem,
     bounds: &'a Bounds,
     options: &'a Options,
 }
 
-impl<R: Residuals> Search<'_, R> {
+impl Search<'_> {
     /// The priors' own rows: number, weight, residual.
     fn prior_rows(&self, x: &[f64]) -> Vec<(usize, f64, f64)> {
         let row = |(i, prior): (usize, &Option<Prior>)| prior.map(|p| (i, 1.0 / p.spread, (x[i] - p.mean) / p.spread));
@@ -209,8 +252,8 @@ impl<R: Residuals> Search<'_, R> {
         if sum.is_finite() { sum } else { f64::INFINITY }
     }
 
-    fn residuals(&self, at: &R::At) -> Option<Vec<DVector<f64>>> {
-        let of = |block| self.problem.residuals(block, at).map(DVector::from_vec);
+    fn residuals(&self, at: &dyn Point) -> Option<Vec<DVector<f64>>> {
+        let of = |block| at.residuals(block).map(DVector::from_vec);
         let all: Vec<Option<_>> = (0..self.problem.blocks()).into_par_iter().map(of).collect();
         all.into_iter().collect()
     }
@@ -221,16 +264,16 @@ impl<R: Residuals> Search<'_, R> {
         match jacobian {
             Some(known) => {
                 let join = |(residual, jacobian)| Rows { residual, jacobian };
-                Some(self.residuals(&at)?.into_iter().zip(known).map(join).collect())
+                Some(self.residuals(&*at)?.into_iter().zip(known).map(join).collect())
             }
-            None => self.rows(&at, x),
+            None => self.rows(&*at, x),
         }
     }
 
     /// Residuals and derivatives; `None` where one is missing or not finite.
-    fn rows(&self, at: &R::At, x: &[f64]) -> Option<Vec<Rows>> {
+    fn rows(&self, at: &dyn Point, x: &[f64]) -> Option<Vec<Rows>> {
         let of = |block| {
-            let (residual, jacobian) = match self.problem.jacobian(block, at) {
+            let (residual, jacobian) = match at.jacobian(block) {
                 Some(exact) => exact,
                 None => differences::central(self.problem, block, x, self.bounds)?,
             };
@@ -289,7 +332,7 @@ impl<R: Residuals> Search<'_, R> {
         if self.bounds.inside(&probe) != probe {
             return None;
         }
-        let ahead = self.residuals(&self.problem.at(&probe)?)?;
+        let ahead = self.residuals(&*self.problem.at(&probe)?)?;
         let parts: Vec<DVector<f64>> = rows
             .par_iter()
             .zip(&ahead)
@@ -329,6 +372,16 @@ pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options:
 /// The same where the derivatives at the start are known, block by block.
 pub fn solve_knowing<R: Residuals>(
     problem: &R,
+    start: &[f64],
+    jacobian: Option<Vec<DMatrix<f64>>>,
+    bounds: &Bounds,
+    options: &Options,
+) -> Solution {
+    search(problem, start, jacobian, bounds, options)
+}
+
+fn search(
+    problem: &dyn Problem,
     start: &[f64],
     jacobian: Option<Vec<DMatrix<f64>>>,
     bounds: &Bounds,
@@ -389,7 +442,7 @@ pub fn solve_knowing<R: Residuals>(
         }
         let predicted =
             0.5 * (linear.right.norm_squared() - (&linear.right + &linear.factor * &straight).norm_squared());
-        let there = problem.at(&tried).and_then(|at| search.residuals(&at).map(|residuals| (at, residuals)));
+        let there = problem.at(&tried).and_then(|at| search.residuals(&*at).map(|residuals| (at, residuals)));
         let tried_cost = there.as_ref().map_or(f64::INFINITY, |(_, residuals)| search.cost(&tried, residuals));
         if let (Slopes::Kept, Some((_, residuals))) = (options.slopes, &there) {
             let moved = DVector::from_fn(n, |i, _| tried[i] - x[i]);
@@ -410,7 +463,7 @@ pub fn solve_knowing<R: Residuals>(
                     break;
                 }
                 if options.slopes != Slopes::Kept {
-                    match search.rows(&at, &x) {
+                    match search.rows(&*at, &x) {
                         Some(fresh) => rows = fresh,
                         None => break,
                     }
@@ -530,8 +583,13 @@ pub fn solve_from<R: Residuals>(
     bounds: &Bounds,
     options: &Options,
 ) -> Option<Solution> {
-    let ends: Vec<Solution> = starts.par_iter().map(|start| solve(problem, start, bounds, options)).collect();
-    ends.into_iter().reduce(|best, next| if next.cost < best.cost { next } else { best })
+    ends_from(problem, starts, bounds, options)
+        .into_iter()
+        .reduce(|best, next| if next.cost < best.cost { next } else { best })
+}
+
+fn ends_from(problem: &dyn Problem, starts: &[Vec<f64>], bounds: &Bounds, options: &Options) -> Vec<Solution> {
+    starts.par_iter().map(|start| search(problem, start, None, bounds, options)).collect()
 }
 
 #[cfg(test)]

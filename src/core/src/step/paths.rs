@@ -57,25 +57,76 @@ struct Balance {
 
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
 pub trait FollowPaths {
+    /// Called after every stage.
+    fn paths_stage(&mut self, stage: &dyn StageSlopes);
+}
+
+/// A stage as one sees it who follows, whatever it is compiled for.
+pub trait StageSlopes {
+    /// Velocity at which the FV curve was read.
+    fn oil_velocity(&self) -> f64;
+    /// Velocities at which a late valve read it beside that; 0 where none did.
+    fn valve_read(&self) -> [f64; 2];
+    /// Displacement of the mass after the stage.
+    fn mass_displacement(&self) -> f64;
+    /// Slopes of the force of the series path over k_s and c_s, and of the inertia over m: what moves the stage when
+    /// these do.
+    fn series_by_frame(&self) -> [f64; 3];
+    /// Carries derivatives over the stage. `seed` says how their direction moves the stage itself; its known parts are
+    /// filled in here.
+    fn carry(&self, derivatives: &mut Carried, seed: Seed);
+}
+
+impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
+    fn oil_velocity(&self) -> f64 {
+        self.oil_velocity
+    }
+
+    fn valve_read(&self) -> [f64; 2] {
+        self.valve_read()
+    }
+
+    fn mass_displacement(&self) -> f64 {
+        self.x_m
+    }
+
+    fn series_by_frame(&self) -> [f64; 3] {
+        self.series_by_frame()
+    }
+
+    fn carry(&self, derivatives: &mut Carried, seed: Seed) {
+        derivatives.over(self, seed);
+    }
+}
+
+/// As [`FollowPaths`] within the step, which is compiled for each: for [`PathsByEnd`] here, for others through [`Told`] in their crate.
+pub(super) trait EachStage {
     /// Whether the answer's slopes are asked for.
+    fn wants_slopes(&self) -> bool;
+    /// Called after every stage.
+    fn stage<const ON: u32>(&mut self, stage: &PathsStage<ON>);
+    /// Slopes of the force over displacement and velocity at the end of the step.
+    fn slopes(&self) -> [f64; 2];
+}
+
+/// Somebody who follows from outside.
+pub(super) struct Told<'a, F>(pub &'a mut F);
+
+impl<F: FollowPaths> EachStage for Told<'_, F> {
     #[inline(always)]
     fn wants_slopes(&self) -> bool {
         false
     }
 
-    /// Called after every stage.
-    fn paths_stage<const ON: u32>(&mut self, elements: &Elements, stage: &PathsStage<ON>);
+    #[inline(always)]
+    fn stage<const ON: u32>(&mut self, stage: &PathsStage<ON>) {
+        self.0.paths_stage(stage);
+    }
 
-    /// Slopes of the force over displacement and velocity at the end of the step.
     #[inline(always)]
     fn slopes(&self) -> [f64; 2] {
         [0.0; 2]
     }
-}
-
-impl FollowPaths for () {
-    #[inline(always)]
-    fn paths_stage<const ON: u32>(&mut self, _: &Elements, _: &PathsStage<ON>) {}
 }
 
 /// Derivatives in one direction, carried from stage to stage.
@@ -93,10 +144,9 @@ impl Carried {
     /// Nothing depends on the direction yet.
     pub const NONE: Carried = Carried { states: [0.0; STATES], force: 0.0, gains: [[0.0; STATES]; MOST_STAGES] };
 
-    /// Carries them over a stage. `seed` says how the direction moves the stage itself; its known parts are filled in
-    /// here.
+    /// As [`StageSlopes::carry`].
     #[inline(always)]
-    pub fn over<const ON: u32>(&mut self, _: &Elements, stage: &PathsStage<ON>, mut seed: Seed) {
+    fn over<const ON: u32>(&mut self, stage: &PathsStage<ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
         if stage.valve_jumps {
             seed.known[place::VALVE] = self.states[place::VALVE];
@@ -133,22 +183,22 @@ impl PathsByEnd {
     }
 }
 
-impl FollowPaths for PathsByEnd {
+impl EachStage for PathsByEnd {
     #[inline(always)]
     fn wants_slopes(&self) -> bool {
         self.wanted
     }
 
     #[inline(always)]
-    fn paths_stage<const ON: u32>(&mut self, elements: &Elements, s: &PathsStage<ON>) {
+    fn stage<const ON: u32>(&mut self, s: &PathsStage<ON>) {
         if !self.wanted {
             return;
         }
         let [by_x, by_v] = &mut self.by_end;
         let [xx, xv] = s.path.x_by_end;
         let [vx, vv] = s.path.v_by_end;
-        by_x.over(elements, s, Seed { x: xx, v: vx, ..Seed::NONE });
-        by_v.over(elements, s, Seed { x: xv, v: vv, ..Seed::NONE });
+        by_x.over(s, Seed { x: xx, v: vx, ..Seed::NONE });
+        by_v.over(s, Seed { x: xv, v: vv, ..Seed::NONE });
     }
 
     #[inline(always)]
@@ -259,7 +309,7 @@ pub(super) struct Drive<'a> {
 }
 
 /// Moves the states of both paths along the path of the driven end.
-pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, follow: &mut impl FollowPaths) -> Through {
+pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, follow: &mut impl EachStage) -> Through {
     /// Elements that are on alone.
     macro_rules! compiled {
         ($($on:expr,)*) => {
@@ -291,7 +341,7 @@ fn advance_on<const ON: u32>(
     drive: &Drive,
     state: &mut State,
     output: &mut Output,
-    follow: &mut impl FollowPaths,
+    follow: &mut impl EachStage,
 ) -> Through {
     let Drive { model, path, substeps, side, .. } = *drive;
     let e = &model.elements;
@@ -393,14 +443,17 @@ impl Substep<'_> {
     /// Numer. Anal. 16, 1979): two motions of a damper that only takes energy do not part in it, however sharply its
     /// elements turn.
     #[inline(always)]
-    fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl FollowPaths) -> Now {
+    fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl EachStage) -> Now {
         let turns = acts::<ON>(self.elements, CAVITATION) && self.driven_turns(&from);
         let ended = if turns { Ended::VoidClosed } else { self.run::<ON, true>(method, &from, follow) };
         match ended {
             Ended::At(end) => end,
-            Ended::VoidClosed => self.in_pieces::<ON>(&Table::of::<Euler>(), PIECES, from, follow),
+            // Nothing else is compiled for it where there is no cavitation.
+            Ended::VoidClosed if acts::<ON>(self.elements, CAVITATION) => {
+                self.in_pieces::<ON>(&Table::of::<Euler>(), PIECES, from, follow)
+            }
             // So rare that it is compiled once for all.
-            Ended::Thrown => self.in_pieces::<ANY>(&Table::of::<Second>(), CALM, from, follow),
+            Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&Table::of::<Second>(), CALM, from, follow),
         }
     }
 
@@ -411,7 +464,7 @@ impl Substep<'_> {
         &self,
         method: &Table,
         from: &Now,
-        follow: &mut impl FollowPaths,
+        follow: &mut impl EachStage,
     ) -> Ended {
         let e = self.elements;
         let h = self.path.length() * self.part;
@@ -454,7 +507,7 @@ impl Substep<'_> {
                 }
             }
             stage.shuts = last && balance.states[place::VOID] < SHUT;
-            follow.paths_stage(e, &stage);
+            follow.stage(&stage);
             (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
                 now.states = balance.states;
@@ -478,13 +531,7 @@ impl Substep<'_> {
 
     /// In short pieces. Those of the first order keep a void from closing further than it is open.
     #[inline(never)]
-    fn in_pieces<const ON: u32>(
-        &self,
-        method: &Table,
-        pieces: u32,
-        mut now: Now,
-        follow: &mut impl FollowPaths,
-    ) -> Now {
+    fn in_pieces<const ON: u32>(&self, method: &Table, pieces: u32, mut now: Now, follow: &mut impl EachStage) -> Now {
         let part = self.part / f64::from(pieces);
         for piece in 1..=pieces {
             let theta = self.theta + f64::from(piece - 1) * part;

@@ -1,6 +1,6 @@
 //! Derivatives by differences, for residuals that bring none of their own.
 
-use super::{Bounds, Residuals};
+use super::{Bounds, Problem};
 use nalgebra::DMatrix;
 
 /// Step over the size of a number: rounding and curvature err alike at the cube root of the rounding unit.
@@ -9,13 +9,13 @@ const STEP: f64 = 6e-6;
 const SMALLEST: f64 = 1e-3;
 
 /// Residuals of one block and central differences of them; one-sided where a bound or a hole in the model is in the way.
-pub fn central<R: Residuals>(
-    problem: &R,
+pub(super) fn central(
+    problem: &dyn Problem,
     block: usize,
     x: &[f64],
     bounds: &Bounds,
 ) -> Option<(Vec<f64>, DMatrix<f64>)> {
-    let residuals = |x: &[f64]| problem.residuals(block, &problem.at(x)?);
+    let residuals = |x: &[f64]| problem.at(x)?.residuals(block);
     let middle = residuals(x)?;
     let mut jacobian = DMatrix::zeros(middle.len(), x.len());
     for i in 0..x.len() {

@@ -4,7 +4,6 @@ use super::observation::{Motion, Observation, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
-use std::marker::PhantomData;
 
 /// One number of a model.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +73,7 @@ impl Number {
 }
 
 /// A model that is a formula with a handful of numbers.
-pub trait Law: Sized + Send + Sync {
+pub trait Law: Sized + Send + Sync + 'static {
     /// Its numbers, in the order of [`Law::of`].
     fn numbers(scales: &Scales) -> Vec<Number>;
 
@@ -101,24 +100,30 @@ pub fn options() -> Options {
     Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), ..Options::default() }
 }
 
-struct Problem<'a, L> {
+/// Force of a law with its numbers at every sample of a motion, N.
+type Forces = Box<dyn Fn(&Motion) -> Vec<f64> + Send + Sync>;
+
+/// The least squares of one law. All but what makes the law is the same for every one and is compiled once.
+struct Problem<'a> {
     tests: &'a [Observation],
     numbers: &'a [Number],
-    scales: &'a Scales,
-    law: PhantomData<fn() -> L>,
+    make: &'a (dyn Fn(&[f64]) -> Forces + Sync),
 }
 
-impl<L: Law> Problem<'_, L> {
-    fn law(&self, inner: &[f64]) -> L {
-        let outer: Vec<f64> = self.numbers.iter().zip(inner).map(|(n, x)| n.outer(*x)).collect();
-        L::of(&outer, self.scales)
+impl Problem<'_> {
+    fn outer(&self, inner: &[f64]) -> Vec<f64> {
+        self.numbers.iter().zip(inner).map(|(n, x)| n.outer(*x)).collect()
+    }
+
+    fn law(&self, inner: &[f64]) -> Forces {
+        (self.make)(&self.outer(inner))
     }
 }
 
-impl<L: Law> Residuals for Problem<'_, L> {
-    type At = L;
+impl Residuals for Problem<'_> {
+    type At = Forces;
 
-    fn at(&self, x: &[f64]) -> Option<L> {
+    fn at(&self, x: &[f64]) -> Option<Forces> {
         Some(self.law(x))
     }
 
@@ -126,15 +131,15 @@ impl<L: Law> Residuals for Problem<'_, L> {
         self.tests.len()
     }
 
-    fn residuals(&self, block: usize, law: &L) -> Option<Vec<f64>> {
+    fn residuals(&self, block: usize, forces: &Forces) -> Option<Vec<f64>> {
         let test = &self.tests[block];
-        let forces = law.forces(&test.motion);
+        let forces = forces(&test.motion);
         Some((test.from..test.force.len()).map(|i| (forces[i] - test.force[i]) / test.scale).collect())
     }
 }
 
 /// A start with its linear numbers at their least squares.
-fn with_linear<L: Law>(problem: &Problem<'_, L>, start: &[f64]) -> Vec<f64> {
+fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     let linear: Vec<usize> =
         (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
     let mut inner: Vec<f64> = problem.numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect();
@@ -152,7 +157,7 @@ fn with_linear<L: Law>(problem: &Problem<'_, L>, start: &[f64]) -> Vec<f64> {
             .map(|i| {
                 let mut one = inner.clone();
                 one[*i] = 1.0;
-                problem.law(&one).forces(&test.motion)
+                problem.law(&one)(&test.motion)
             })
             .collect();
         let matrix = DMatrix::from_fn(test.force.len() - test.from, k, |r, c| columns[c][test.from + r] / test.scale);
@@ -184,23 +189,35 @@ pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
 pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
     let scales = Scales::of(tests);
     let numbers = L::numbers(&scales);
-    let problem = Problem::<L> { tests, numbers: &numbers, scales: &scales, law: PhantomData };
-    let (low, high) = numbers.iter().map(|n| n.bounds()).unzip();
+    let make = |numbers: &[f64]| -> Forces {
+        let law = L::of(numbers, &scales);
+        Box::new(move |motion| law.forces(motion))
+    };
+    let problem = Problem { tests, numbers: &numbers, make: &make };
+    Some(L::of(&best(&problem, &L::starts(&scales), further)?, &scales))
+}
+
+/// The numbers of the lowest cost from several starts.
+fn best(problem: &Problem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let (low, high) = problem.numbers.iter().map(|n| n.bounds()).unzip();
     let bounds = Bounds { low, high };
-    let mut starts: Vec<(f64, Vec<f64>)> = L::starts(&scales)
+    let mut starts: Vec<(f64, Vec<f64>)> = starts
         .par_iter()
         .map(|start| {
-            let inner = with_linear(&problem, start);
+            let inner = with_linear(problem, start);
             let law = problem.law(&inner);
-            let squares: f64 =
-                (0..tests.len()).filter_map(|block| problem.residuals(block, &law)).flatten().map(|r| r * r).sum();
+            let squares: f64 = (0..problem.tests.len())
+                .filter_map(|block| problem.residuals(block, &law))
+                .flatten()
+                .map(|r| r * r)
+                .sum();
             (if squares.is_finite() { squares } else { f64::INFINITY }, inner)
         })
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let as_given = |start: &Vec<f64>| numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect::<Vec<f64>>();
+    let as_given = |start: &Vec<f64>| problem.numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect::<Vec<f64>>();
     let starts: Vec<Vec<f64>> =
         starts.into_iter().take(FOLLOWED).map(|s| s.1).chain(further.iter().map(as_given)).collect();
-    let found = solve_from(&problem, &starts, &bounds, &options())?;
-    found.cost.is_finite().then(|| problem.law(&found.x))
+    let found = solve_from(problem, &starts, &bounds, &options())?;
+    found.cost.is_finite().then(|| problem.outer(&found.x))
 }

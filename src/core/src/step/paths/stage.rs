@@ -225,14 +225,13 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         Balance { states, force, primary, inner: at.inner.force }
     }
 
-    /// Slopes of the force of the series path over k_s and c_s, and of the inertia over m: what moves the stage when
-    /// these do.
+    /// As [`super::StageSlopes::series_by_frame`].
     #[inline(always)]
     pub fn series_by_frame(&self) -> [f64; 3] {
         [self.at.law.by_stiffness, self.at.law.by_damping, (self.u - self.known[place::U]) / self.g]
     }
 
-    /// Velocities at which a late valve read the FV curve beside [`PathsStage::oil_velocity`]; 0 where none did.
+    /// As [`super::StageSlopes::valve_read`].
     #[inline(always)]
     pub fn valve_read(&self) -> [f64; 2] {
         self.at.valves.read
