@@ -62,6 +62,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::unknowns::Unknown;
+use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use decisions::{SURE, SUSPECTED};
 use search::{Limits, Search, physical, search};
@@ -88,25 +89,33 @@ impl Default for Options {
 
 /// Why there is no diagnosis.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", self.sentence())]
 pub enum DiagnosisError {
     /// Nothing to look at.
-    #[error("there is no test to diagnose: give a folder or files with at least one record, and leave some of them in")]
     NoTests,
     /// An unknown effect name.
-    #[error("there is no effect called {name:?}; the effects are {}", EFFECTS.join(", "))]
     UnknownEffect {
         /// The name given.
         name: String,
     },
     /// The reference campaign has none of the tests.
-    #[error(
-        "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, \
-             within 5 %): run the same matrix on both dampers"
-    )]
     NothingToCompare,
     /// The model gives no finite force.
-    #[error("the model gives no finite force for these records: run dashpot validate to see where")]
     NotFinite,
+}
+
+impl DiagnosisError {
+    /// What is wrong and what to do, to be said in any language.
+    pub fn sentence(&self) -> Sentence {
+        match self {
+            DiagnosisError::NoTests => phrases::NO_TESTS.into(),
+            DiagnosisError::UnknownEffect { name } => Sentence::from(phrases::UNKNOWN_NAME)
+                .with("name", format!("{name:?}"))
+                .with_names("names", EFFECTS, phrases::COMMA),
+            DiagnosisError::NothingToCompare => phrases::NOTHING_TO_COMPARE.into(),
+            DiagnosisError::NotFinite => phrases::NOT_FINITE.into(),
+        }
+    }
 }
 
 /// What a diagnosis looks at.
@@ -175,12 +184,12 @@ pub fn diagnose(
     held_out: &[bool],
     params: &Params,
     options: &Options,
-    progress: &(dyn Fn(f64, &str) + Sync),
+    progress: &(dyn Fn(f64, Template) + Sync),
 ) -> Result<Diagnosis, DiagnosisError> {
     if let Some(name) = options.candidates.iter().flatten().find(|n| !EFFECTS.contains(&n.as_str())) {
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
-    progress(0.0, "preparing records");
+    progress(0.0, phrases::PREPARING);
     let mut prepared = prepare(records, held_out, params);
     if prepared.fitted.is_empty() {
         return Err(DiagnosisError::NoTests);
@@ -188,7 +197,7 @@ pub fn diagnose(
     let reference = if options.reference.is_empty() {
         None
     } else {
-        progress(0.02, "fitting the model to the reference");
+        progress(0.02, phrases::FITTING_REFERENCE);
         Some(prepared.against(&options.reference, params)?)
     };
     let Prepared { fitted, left, base, situation } = prepared;
@@ -198,7 +207,7 @@ pub fn diagnose(
     };
     let limits = Limits { effects: options.max_effects, allowed: &may };
     let found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
-    progress(0.95, "looking at what is left");
+    progress(0.95, phrases::WHAT_IS_LEFT);
     let confidence = found.found.added.iter().map(|a| {
         let of = |samples| found.probability(a, samples);
         calibration::confidence(of(SUSPECTED), of(SURE), reference.is_some())
@@ -207,7 +216,7 @@ pub fn diagnose(
     let answer =
         Answer { records, fitted: &fitted, left: &left, found: &found, situation: &situation, confidence, reference };
     let diagnosis = answer.diagnosis();
-    progress(1.0, "done");
+    progress(1.0, phrases::DONE);
     Ok(diagnosis)
 }
 

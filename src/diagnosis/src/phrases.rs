@@ -4,6 +4,20 @@ use super::effects::{CARDS, EFFECTS, meaning};
 use dashpot_records::sentence::{Template, each_once};
 
 dashpot_records::phrases! {
+    // How far a diagnosis is.
+    PREPARING: "preparing records";
+    FITTING_REFERENCE: "fitting the model to the reference";
+    REFITTING: "refitting the model as it is";
+    EACH_EFFECT: "refitting everything with each effect";
+    TWO_EFFECTS: "looking for two effects at once";
+    WEIGHING: "weighing each name with the others in";
+    WHAT_IS_LEFT: "looking at what is left";
+    DONE: "done";
+    // Why there is no diagnosis.
+    NO_TESTS: "there is no test to diagnose: give a folder or files with at least one record, and leave some of them in";
+    UNKNOWN_NAME: "there is no effect called {name}; the effects are {names}";
+    NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers";
+    NOT_FINITE: "the model gives no finite force for these records: run dashpot validate to see where";
     // Lists.
     COMMA: ", ";
     AND: " and ";

@@ -5,6 +5,7 @@ use super::calibration::before_limit;
 use super::decisions::{NAMED, NOTHING_MORE, SURE, SUSPECTED, WITH_NAME, WITHOUT_NAME};
 use super::evidence::{Weighed, noise_chi2};
 use super::finer_curve::with_enough_points;
+use super::phrases;
 use super::round::{Ground, Round, Tried, look};
 use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
@@ -14,6 +15,7 @@ use dashpot_estimation::refit::{Effort, Refit, refit};
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::Record;
+use dashpot_records::sentence::Template;
 use std::collections::BTreeSet;
 
 /// Effects of the first look of which each is tried as one of two.
@@ -149,9 +151,9 @@ pub fn search(
     records: &[&Record],
     tests: &[Test],
     limits: &Limits,
-    progress: &(dyn Fn(f64, &str) + Sync),
+    progress: &(dyn Fn(f64, Template) + Sync),
 ) -> Option<Search> {
-    progress(0.05, "refitting the model as it is");
+    progress(0.05, phrases::REFITTING);
     let start = base.start();
     let first = refit(&base, tests, &start, None, Effort::FINE)?;
     let base = base.starting_at(&first.theta);
@@ -161,11 +163,11 @@ pub fn search(
     let mut search = Search { found: Explained::nothing_added(&base), base, rounds: Vec::new(), last_look: None };
     search.greedy(&ground, limits, progress)?;
     if limits.effects >= 2 && search.found.added.is_empty() && search.leaves_something() {
-        progress(0.6, "looking for two effects at once");
+        progress(0.6, phrases::TWO_EFFECTS);
         search.pairs(&ground);
     }
     if search.found.added.len() >= 2 {
-        progress(0.8, "weighing each name with the others in");
+        progress(0.8, phrases::WEIGHING);
         search.weigh_each(&ground);
     }
     Some(search)
@@ -180,10 +182,10 @@ impl Search {
 
     /// Adds the likeliest effect as long as one is likely enough and leads to names that were not held together before: what made the
     /// search leave those would make it leave them again, without end.
-    fn greedy(&mut self, ground: &Ground, limits: &Limits, progress: &(dyn Fn(f64, &str) + Sync)) -> Option<()> {
+    fn greedy(&mut self, ground: &Ground, limits: &Limits, progress: &(dyn Fn(f64, Template) + Sync)) -> Option<()> {
         let mut held = BTreeSet::from([self.found.set()]);
         loop {
-            progress(0.1 + 0.25 * self.found.added.len() as f64, "refitting everything with each effect");
+            progress(0.1 + 0.25 * self.found.added.len() as f64, phrases::EACH_EFFECT);
             let forms = self.rounds.first().map(Round::promising);
             let place = self.look(&Ground { forms: forms.as_ref(), ..*ground }, &self.found.clone())?;
             self.last_look = Some(place);

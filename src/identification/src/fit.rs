@@ -53,40 +53,53 @@ pub struct FitOptions {
 
 /// Why there is no fit.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", self.sentence())]
 pub enum FitError {
     /// Nothing to fit.
-    #[error("there is no test to fit: give a folder or files with at least one record")]
     NoTests,
     /// An unknown element name.
-    #[error("there is no element called {name:?}; the elements are {}", elements::names().collect::<Vec<_>>().join(", "))]
     UnknownElement {
         /// The name given.
         name: String,
     },
     /// An element that a fit never tries.
-    #[error(
-        "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {}",
-        identified().iter().map(|element| element.name()).collect::<Vec<_>>().join(", ")
-    )]
     NotFitted {
         /// The name given.
         name: String,
     },
     /// The lagged polynomial is a model of its own.
-    #[error("{LAG} is a model of its own and takes no other element; use --model lag")]
     OtherFamily,
     /// No velocity on one side.
-    #[error("the tests never move in {0}: a force-velocity curve needs both directions")]
     OneSided(&'static str),
     /// A model of the literature found no numbers.
-    #[error(transparent)]
     Literature(#[from] LiteratureError),
     /// The least-squares fit found no finite forces.
-    #[error("no finite force could be computed for test {test:?}; look at its channels (a jump in displacement?)")]
     NotFinite {
         /// Name of the test.
         test: String,
     },
+}
+
+impl FitError {
+    /// What is wrong and what to do, to be said in any language.
+    pub fn sentence(&self) -> Sentence {
+        let quoted = |name: &str| format!("{name:?}");
+        match self {
+            FitError::NoTests => phrases::NO_TESTS.into(),
+            FitError::UnknownElement { name } => Sentence::from(phrases::UNKNOWN_ELEMENT)
+                .with("name", quoted(name))
+                .with_names("names", elements::names(), phrases::COMMA),
+            FitError::NotFitted { name } => Sentence::from(phrases::NOT_FITTED).with("name", name).with_names(
+                "names",
+                identified().iter().map(|element| element.name()),
+                phrases::COMMA,
+            ),
+            FitError::OtherFamily => Sentence::from(phrases::OTHER_FAMILY).with("name", LAG),
+            FitError::OneSided(direction) => Sentence::from(phrases::ONE_SIDED).with_word("direction", direction),
+            FitError::Literature(error) => Sentence::as_it_is(error),
+            FitError::NotFinite { test } => Sentence::from(phrases::NOT_FINITE).with("test", quoted(test)),
+        }
+    }
 }
 
 /// Where a fit is, for the progress line.
@@ -95,7 +108,7 @@ pub struct Stage {
     /// Share done, 0..1.
     pub done: f64,
     /// What is being done.
-    pub text: &'static str,
+    pub text: Template,
 }
 
 /// An identified model.
@@ -167,7 +180,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     if let Some(name) = options.elements.iter().flatten().find(|n| !can.iter().any(|element| element.name() == **n)) {
         return Err(FitError::NotFitted { name: name.clone() });
     }
-    progress(Stage { done: 0.0, text: "preparing records" });
+    progress(Stage { done: 0.0, text: phrases::PREPARING });
     let segments = segments(records);
     let any = |test: fn(f64) -> bool| segments.iter().any(|s| s.input.iter().any(|i| test(i.velocity)));
     if !any(|v| v > 0.0) {
@@ -180,7 +193,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         return Err(FitError::NotFinite { test: s.name.clone() });
     }
     let guess = first_guess::guess(&segments);
-    progress(Stage { done: 0.05, text: "plain FV curve" });
+    progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
         Family::Thesis => fit_thesis(&guess, &segments, options, &progress),
@@ -194,7 +207,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
     found.notes.extend(coverage_notes(&segments));
-    progress(Stage { done: 1.0, text: "done" });
+    progress(Stage { done: 1.0, text: phrases::DONE });
     let Found { params, estimates, choices, measured, notes, misfit } = found;
     Ok(Fit {
         params,
@@ -241,7 +254,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         rig: OfTheRig::NONE,
     };
     // Several starts: a soft and a stiff series spring are separated by a hill.
-    progress(Stage { done: 0.1, text: "first fit from several starts" });
+    progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
     let starts = if start.series { &STIFFNESS_STARTS[..] } else { &STIFFNESS_STARTS[..1] };
     let fits: Vec<(f64, Params)> = starts
         .par_iter()
@@ -272,7 +285,7 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
             (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         }
     }
-    progress(Stage { done: 0.85, text: "refining everything together" });
+    progress(Stage { done: 0.85, text: phrases::REFINING });
     let unknowns = structure.unknowns(&from, segments);
     let mut found = finish(segments, unknowns, choices);
     if few {
@@ -333,7 +346,7 @@ fn choose_structure(
     };
     let may_yield = structure.series;
     for pass in 0..PASSES {
-        progress(Stage { done: 0.3, text: "choosing the friction" });
+        progress(Stage { done: 0.3, text: phrases::CHOOSING_FRICTION });
         let before = structure;
         let way = |v: &Variant, series| Structure { friction: *v, series, ..before };
         let mut list: Vec<_> = frictions.iter().map(|v| with(way(v, may_yield), v.name, &from)).collect();
@@ -344,12 +357,12 @@ fn choose_structure(
         if pass > 0 && (structure.friction, structure.series) == (before.friction, before.series) {
             break;
         }
-        progress(Stage { done: 0.55, text: "choosing the spring" });
+        progress(Stage { done: 0.55, text: phrases::CHOOSING_SPRING });
         let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
         (structure, from) = take(SPRINGS, &list);
         // What is straight or nothing hides no stop and no gas column.
         if structure.spring.is_curved() {
-            progress(Stage { done: 0.7, text: "looking for a stop or a gas column behind the spring" });
+            progress(Stage { done: 0.7, text: phrases::STOP_OR_GAS });
             let mut list = vec![with(structure, structure.spring.name, &from)];
             list.extend(physical_springs(structure, &from, physical, segments));
             (structure, from) = take(CURVED, &list);
@@ -360,7 +373,7 @@ fn choose_structure(
     }
     let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
     if let Some(denser) = with_slow_points(&from, slow_peak) {
-        progress(Stage { done: 0.8, text: "choosing the FV points" });
+        progress(Stage { done: 0.8, text: phrases::CHOOSING_POINTS });
         let list = [with(structure, WITHOUT_SLOW, &from), with(structure, WITH_SLOW, &denser)];
         (structure, from) = take(POINTS, &list);
     }
@@ -377,7 +390,7 @@ fn look_at_the_measurement(
     choices: &mut Vec<Choice>,
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
-    progress(Stage { done: 0.82, text: "looking at the measurement" });
+    progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
     let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
     let ways = OfTheRig::ways(segments, late).into_iter();
     list.extend(ways.map(|(name, rig)| Candidate {
@@ -501,7 +514,7 @@ fn as_found(segments: &[Segment], unknowns: Unknowns) -> Found {
 
 /// The piecewise-linear curve of the literature, with intervals.
 fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
-    progress(Stage { done: 0.3, text: "piecewise-linear curve" });
+    progress(Stage { done: 0.3, text: phrases::PIECEWISE });
     let base = kernel_model("piecewise", segments)?;
     let mut list: Vec<Unknown> = SLOPES_AND_KNEES.map(Unknown::Log).to_vec();
     list.push(Unknown::Linear(number!("gas_force")));
@@ -510,7 +523,7 @@ fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Foun
 
 /// The polynomial with lag of the literature, with intervals.
 fn fit_lag(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
-    progress(Stage { done: 0.3, text: "polynomial with lag" });
+    progress(Stage { done: 0.3, text: phrases::WITH_LAG });
     let base = kernel_model("lag", segments)?;
     let terms = base.list(list!("polynomial")).len();
     let mut list: Vec<Unknown> = (0..terms).map(|k| Unknown::Entry(list!("polynomial"), k)).collect();

@@ -44,6 +44,26 @@ dashpot_records::phrases! {
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
     IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
+    // How far a fit is.
+    PREPARING: "preparing records";
+    PLAIN_CURVE: "plain FV curve";
+    FIRST_FIT: "first fit from several starts";
+    CHOOSING_FRICTION: "choosing the friction";
+    CHOOSING_SPRING: "choosing the spring";
+    STOP_OR_GAS: "looking for a stop or a gas column behind the spring";
+    CHOOSING_POINTS: "choosing the FV points";
+    MEASUREMENT: "looking at the measurement";
+    REFINING: "refining everything together";
+    PIECEWISE: "piecewise-linear curve";
+    WITH_LAG: "polynomial with lag";
+    DONE: "done";
+    // Why there is no fit.
+    NO_TESTS: "there is no test to fit: give a folder or files with at least one record";
+    UNKNOWN_ELEMENT: "there is no element called {name}; the elements are {names}";
+    NOT_FITTED: "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {names}";
+    OTHER_FAMILY: "{name} is a model of its own and takes no other element; use --model lag";
+    ONE_SIDED: "the tests never move in {direction}: a force-velocity curve needs both directions";
+    NOT_FINITE: "no finite force could be computed for test {test}; look at its channels (a jump in displacement?)";
 }
 
 /// Kinds of tests that a number may be identified from.

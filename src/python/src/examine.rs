@@ -7,6 +7,7 @@ use crate::work;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::held_out;
+use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
@@ -70,7 +71,7 @@ pub fn diagnose<'py>(
     };
     let options = Options { max_effects, candidates, reference };
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
-        let say = |done: f64, text: &str| progress.say(done, text);
+        let say = |done: f64, text: Template| progress.say(done, text.english());
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
         let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;

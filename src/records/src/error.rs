@@ -9,10 +9,10 @@ use super::sentence::{Sentence, Template};
 use super::unit::Unit;
 
 /// The files that are read, for messages.
-fn kinds() -> String {
+fn kinds() -> Sentence {
     let all = super::campaign::ENDINGS.map(|ending| format!(".{ending}"));
     let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
-    format!("{} and {last}", others.join(", "))
+    Sentence::from(phrases::KINDS).with("others", others.join(", ")).with("last", last)
 }
 
 /// The place a message speaks of: a file, and the sheet or test within it.
@@ -45,131 +45,195 @@ impl fmt::Display for Place {
 ///
 /// Lines count from 1 as an editor shows them; in a sheet they are its rows, in a MAT file the elements.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", self.sentence())]
 #[allow(missing_docs)] // the messages are the meaning of variants and fields
 pub enum RecordError {
-    #[error("{file}: there is no such file or folder; check the path", file = .file.display())]
-    NotFound { file: PathBuf },
+    NotFound {
+        file: PathBuf,
+    },
 
-    #[error("{file}: cannot be read ({source})", file = .file.display())]
     Read {
         file: PathBuf,
         #[source]
         source: std::io::Error,
     },
 
-    #[error("{folder}: holds no record; a campaign folder holds {}", kinds(), folder = .folder.display())]
-    EmptyFolder { folder: PathBuf },
+    EmptyFolder {
+        folder: PathBuf,
+    },
 
-    #[error("{}", self.fault())]
-    EmptyFile { file: PathBuf },
+    EmptyFile {
+        file: PathBuf,
+    },
 
-    #[error("--exclude {pattern:?} matches no file and no test; the first file is called {first:?}")]
-    ExcludesNothing { pattern: String, first: String },
+    ExcludesNothing {
+        pattern: String,
+        first: String,
+    },
 
-    #[error("--exclude leaves no record; all {count} files and tests match")]
-    ExcludesAll { count: usize },
+    ExcludesAll {
+        count: usize,
+    },
 
-    #[error("{file}: {cause}", file = .file.display())]
-    Profile { file: PathBuf, cause: String },
+    Profile {
+        file: PathBuf,
+        cause: String,
+    },
 
-    #[error(
-        "{first} and {second} say different directions positive; make them agree, or give --positive",
-        first = .first.display(), second = .second.display()
-    )]
-    ProfilesDisagree { first: PathBuf, second: PathBuf },
+    ProfilesDisagree {
+        first: PathBuf,
+        second: PathBuf,
+    },
 
-    #[error(
-        "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" \
-         --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist"
-    )]
-    Swapped { at: Place, first: String, second: String, of_first: Channel, of_second: Channel, evidence: String },
+    Swapped {
+        at: Place,
+        first: String,
+        second: String,
+        of_first: Channel,
+        of_second: Channel,
+        evidence: Sentence,
+    },
 
-    #[error(
-        "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist"
-    )]
-    UnitSlip { channel: Channel, written: Unit, likely: Unit, evidence: String },
+    UnitSlip {
+        channel: Channel,
+        written: Unit,
+        likely: Unit,
+        evidence: Sentence,
+    },
 
-    #[error("no record given; name a record file or a campaign folder")]
     NoPaths,
 
-    #[error("{}", self.fault())]
-    UnknownType { file: PathBuf },
+    UnknownType {
+        file: PathBuf,
+    },
 
-    #[error("{}", self.fault())]
-    NotRead { file: PathBuf, is: &'static str, instead: &'static str },
+    NotRead {
+        file: PathBuf,
+        is: &'static str,
+        instead: &'static str,
+    },
 
-    #[error("{}", self.fault())]
-    Workbook { file: PathBuf, cause: String },
+    Workbook {
+        file: PathBuf,
+        cause: String,
+    },
 
-    #[error("{}", self.fault())]
-    Mat { file: PathBuf, cause: String },
+    Mat {
+        file: PathBuf,
+        cause: String,
+    },
 
-    #[error("{at}, line {line}: {cause}")]
-    PeakTable { at: Place, line: usize, cause: String },
+    PeakTable {
+        at: Place,
+        line: usize,
+        cause: String,
+    },
 
-    #[error("{}", self.fault())]
-    Binary { file: PathBuf, kind: &'static str, cause: String },
+    Binary {
+        file: PathBuf,
+        kind: &'static str,
+        cause: String,
+    },
 
-    #[error("{}", self.fault())]
-    Rpc { file: PathBuf, cause: String },
+    Rpc {
+        file: PathBuf,
+        cause: String,
+    },
 
-    #[error("{} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"", self.fault())]
-    Header { at: Place, found: String, understood: String },
+    Header {
+        at: Place,
+        found: String,
+        understood: String,
+    },
 
-    #[error(
-        "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}",
-        otherwise = if *.example == Channel::Time {
-            ", or, where the file has none, say --sample-rate 1000 (samples per second)"
-        } else {
-            ""
-        }
-    )]
-    MissingColumn { at: Place, line: usize, missing: &'static str, example: Channel, found: String, near: String },
+    MissingColumn {
+        at: Place,
+        line: usize,
+        missing: &'static str,
+        example: Channel,
+        found: String,
+        near: Option<Sentence>,
+    },
 
-    #[error(
-        "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\""
-    )]
-    TwoColumns { at: Place, line: usize, channel: Channel, first: String, second: String },
+    TwoColumns {
+        at: Place,
+        line: usize,
+        channel: Channel,
+        first: String,
+        second: String,
+    },
 
-    #[error("{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}")]
-    NoSuchColumn { at: Place, line: usize, channel: Channel, wanted: String, found: String, near: String },
+    NoSuchColumn {
+        at: Place,
+        line: usize,
+        channel: Channel,
+        wanted: String,
+        found: String,
+        near: Option<Sentence>,
+    },
 
-    #[error(
-        "{at}, line {line}: column '{column}' has no unit; write it in the heading as '{column} [{example}]' or give \
-         --unit {channel}={example}. Understood for {channel}: {understood}",
-        understood = .channel.units_understood()
-    )]
-    MissingUnit { at: Place, line: usize, column: String, channel: Channel, example: &'static str },
+    MissingUnit {
+        at: Place,
+        line: usize,
+        column: String,
+        channel: Channel,
+        example: &'static str,
+    },
 
-    #[error(
-        "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are \
-         {understood}. Give --unit {channel}=... if the heading is wrong",
-        understood = .channel.units_understood()
-    )]
-    UnknownUnit { at: Place, line: usize, column: String, unit: String, channel: Channel },
+    UnknownUnit {
+        at: Place,
+        line: usize,
+        column: String,
+        unit: String,
+        channel: Channel,
+    },
 
-    #[error("{}", self.fault())]
-    Cell { at: Place, line: usize, column: String, text: String, hint: Option<Template> },
+    Cell {
+        at: Place,
+        line: usize,
+        column: String,
+        text: String,
+        hint: Option<Template>,
+    },
 
-    #[error("{}", self.fault())]
-    Fields { at: Place, line: usize, found: usize, expected: usize, hint: Option<Template> },
+    Fields {
+        at: Place,
+        line: usize,
+        found: usize,
+        expected: usize,
+        hint: Option<Template>,
+    },
 
-    #[error("{}", self.fault())]
-    Missing { at: Place, line: usize, channel: Channel, count: usize, rows: usize },
+    Missing {
+        at: Place,
+        line: usize,
+        channel: Channel,
+        count: usize,
+        rows: usize,
+    },
 
-    #[error("{}", self.fault())]
-    NoData { at: Place },
+    NoData {
+        at: Place,
+    },
 
-    #[error("{}", self.fault())]
-    TooFew { at: Place, samples: usize, needed: usize },
+    TooFew {
+        at: Place,
+        samples: usize,
+        needed: usize,
+    },
 
-    #[error("{}", self.fault())]
-    ConstantTime { at: Place, time: f64 },
+    ConstantTime {
+        at: Place,
+        time: f64,
+    },
 
-    #[error("{}", self.fault())]
-    TimeBackwards { at: Place, line: usize, from: f64, to: f64 },
+    TimeBackwards {
+        at: Place,
+        line: usize,
+        from: f64,
+        to: f64,
+    },
 
-    #[error("{}", self.fault())]
     Frozen {
         at: Place,
         channel: Channel,
@@ -181,59 +245,89 @@ pub enum RecordError {
         advice: Template,
     },
 
-    #[error("{}", self.fault())]
-    Clipped { at: Place, line: usize, channel: Channel, value: f64, percent: f64, advice: Template },
+    Clipped {
+        at: Place,
+        line: usize,
+        channel: Channel,
+        value: f64,
+        percent: f64,
+        advice: Template,
+    },
 
-    #[error("{}", self.fault())]
-    NoMotion { at: Place, channel: Channel, range: f64, unit: &'static str },
+    NoMotion {
+        at: Place,
+        channel: Channel,
+        range: f64,
+        unit: &'static str,
+    },
 
-    #[error("{}", self.fault())]
-    ConstantForce { at: Place, value: f64 },
+    ConstantForce {
+        at: Place,
+        value: f64,
+    },
 
-    #[error(
-        "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off"
-    )]
-    MotionGap { at: Place, line: usize, channel: Channel },
+    MotionGap {
+        at: Place,
+        line: usize,
+        channel: Channel,
+    },
 
-    #[error("{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time")]
-    MotionTime { at: Place, line: usize, from: f64, to: f64 },
+    MotionTime {
+        at: Place,
+        line: usize,
+        from: f64,
+        to: f64,
+    },
 
-    #[error("{at}: has one row; a motion needs at least two")]
-    ShortMotion { at: Place },
+    ShortMotion {
+        at: Place,
+    },
 
-    #[error("{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file", file = .file.display())]
-    SeveralMotions { file: PathBuf, first: String, second: String },
+    SeveralMotions {
+        file: PathBuf,
+        first: String,
+        second: String,
+    },
 
-    #[error("{record}: shows {what}, which no suspension damper has; {advice}")]
-    Absurd { record: String, what: String, advice: &'static str },
+    Absurd {
+        record: String,
+        what: Sentence,
+        advice: Template,
+    },
 
-    #[error(
-        "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise:.3} N, although the damper \
-         moves. Check the load cell and its channel (--column force=\"heading\")"
-    )]
-    NoForce { count: usize, all: usize, record: String, noise: f64 },
+    NoForce {
+        count: usize,
+        all: usize,
+        record: String,
+        noise: f64,
+    },
 
-    #[error("{channel} cannot be left out of records; take it off --ignore")]
-    Indispensable { channel: Channel },
+    Indispensable {
+        channel: Channel,
+    },
 
-    #[error("{}", self.fault())]
-    Contradiction { at: Place, cause: Sentence },
+    Contradiction {
+        at: Place,
+        cause: Sentence,
+    },
 
-    #[error("the damper would feed energy into the rig, so a sign is wrong: {cause}")]
-    FeedsEnergy { cause: String, tests: Vec<String> },
+    FeedsEnergy {
+        cause: Sentence,
+        tests: Vec<String>,
+    },
 }
 
 impl RecordError {
-    /// What is wrong with a file or test that a campaign can do without, as a sentence that reports say in their own language. What is a
-    /// question to the user is said on the terminal alone.
-    pub(crate) fn fault(&self) -> Sentence {
+    /// What is wrong and what to do, to be said in any language.
+    pub fn sentence(&self) -> Sentence {
         let of = |template: Template, at: &Place| Sentence::from(template).with("at", at);
+        let in_line = |template: Template, at: &Place, line: &usize| of(template, at).with("line", line);
         let in_file = |template: Template, file: &Path| Sentence::from(template).with("file", file.display());
         let any = |sentence: Sentence, name, template: &Option<Template>| {
             sentence.with_any(name, template.map(Sentence::from))
         };
         match self {
-            RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with("kinds", kinds()),
+            RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with_said("kinds", kinds()),
             RecordError::NotRead { file, is, instead } => {
                 in_file(phrases::NOT_READ, file).with_word("is", is).with_word("instead", instead)
             }
@@ -244,7 +338,9 @@ impl RecordError {
                 in_file(phrases::BINARY, file).with("kind", kind).with("cause", cause)
             }
             RecordError::Mat { file, cause } => in_file(phrases::MAT, file).with("cause", cause),
-            RecordError::Header { at, found, .. } => of(phrases::NO_HEADER, at).with("found", found),
+            RecordError::Header { understood, .. } => {
+                Sentence::from(phrases::UNDERSTOOD).with_said("header", self.fault()).with("understood", understood)
+            }
             RecordError::NoData { at } => of(phrases::NO_DATA, at),
             RecordError::TooFew { at, samples, needed } => {
                 of(phrases::TOO_FEW, at).with("samples", samples).with("needed", needed)
@@ -291,7 +387,101 @@ impl RecordError {
             RecordError::Contradiction { at, cause } => {
                 of(phrases::CONTRADICTION, at).with_said("cause", cause.clone())
             }
-            question => Sentence::as_it_is(question),
+            RecordError::NotFound { file } => in_file(phrases::NOT_FOUND, file),
+            RecordError::Read { file, source } => in_file(phrases::CANNOT_READ, file).with("cause", source),
+            RecordError::EmptyFolder { folder } => {
+                Sentence::from(phrases::EMPTY_FOLDER).with("folder", folder.display()).with_said("kinds", kinds())
+            }
+            RecordError::ExcludesNothing { pattern, first } => Sentence::from(phrases::EXCLUDES_NOTHING)
+                .with("pattern", format!("{pattern:?}"))
+                .with("first", format!("{first:?}")),
+            RecordError::ExcludesAll { count } => Sentence::from(phrases::EXCLUDES_ALL).with("count", count),
+            RecordError::Profile { file, cause } => {
+                in_file(phrases::OF_FILE, file).with_said("text", Sentence::as_it_is(cause))
+            }
+            RecordError::ProfilesDisagree { first, second } => Sentence::from(phrases::PROFILES_DISAGREE)
+                .with("first", first.display())
+                .with("second", second.display()),
+            RecordError::Swapped { at, first, second, of_first, of_second, evidence } => of(phrases::SWAPPED, at)
+                .with("first", first)
+                .with("second", second)
+                .with("of_first", of_first)
+                .with("of_second", of_second)
+                .with_said("evidence", evidence.clone()),
+            RecordError::UnitSlip { channel, written, likely, evidence } => Sentence::from(phrases::WRONG_UNIT)
+                .with_said("evidence", evidence.clone())
+                .with("likely", likely)
+                .with("written", written)
+                .with("channel", channel),
+            RecordError::NoPaths => phrases::NO_PATHS.into(),
+            RecordError::PeakTable { at, line, cause } => {
+                in_line(phrases::IN_LINE, at, line).with_said("cause", Sentence::as_it_is(cause))
+            }
+            RecordError::MissingColumn { at, line, missing, example, found, near } => {
+                let otherwise = (*example == Channel::Time).then(|| phrases::OR_SAMPLE_RATE.into());
+                in_line(phrases::MISSING_COLUMN, at, line)
+                    .with_word("missing", missing)
+                    .with("found", found)
+                    .with_any("near", near.clone())
+                    .with("example", example)
+                    .with_any("otherwise", otherwise)
+            }
+            RecordError::TwoColumns { at, line, channel, first, second } => in_line(phrases::TWO_COLUMNS, at, line)
+                .with("first", first)
+                .with("second", second)
+                .with("channel", channel),
+            RecordError::NoSuchColumn { at, line, channel, wanted, found, near } => {
+                in_line(phrases::NO_SUCH_COLUMN, at, line)
+                    .with("wanted", wanted)
+                    .with_word("channel", channel.name())
+                    .with("found", found)
+                    .with_any("near", near.clone())
+            }
+            RecordError::MissingUnit { at, line, column, channel, example } => in_line(phrases::MISSING_UNIT, at, line)
+                .with("column", column)
+                .with("example", example)
+                .with("channel", channel)
+                .with("understood", channel.units_understood()),
+            RecordError::UnknownUnit { at, line, column, unit, channel } => in_line(phrases::UNKNOWN_UNIT, at, line)
+                .with("column", column)
+                .with("unit", unit)
+                .with("channel", channel)
+                .with("understood", channel.units_understood()),
+            RecordError::MotionGap { at, line, channel } => {
+                in_line(phrases::MOTION_GAP, at, line).with_word("channel", channel.name())
+            }
+            RecordError::MotionTime { at, line, from, to } => {
+                in_line(phrases::MOTION_TIME, at, line).with("to", to).with("from", from)
+            }
+            RecordError::ShortMotion { at } => of(phrases::SHORT_MOTION, at),
+            RecordError::SeveralMotions { file, first, second } => {
+                in_file(phrases::SEVERAL_MOTIONS, file).with("first", first).with("second", second)
+            }
+            RecordError::Absurd { record, what, advice } => Sentence::from(phrases::ABSURD)
+                .with("record", record)
+                .with_said("what", what.clone())
+                .with_said("advice", *advice),
+            RecordError::NoForce { count, all, record, noise } => Sentence::from(phrases::ALL_WITHOUT_FORCE)
+                .with("count", count)
+                .with("all", all)
+                .with("record", record)
+                .with("noise", format!("{noise:.3}")),
+            RecordError::Indispensable { channel } => {
+                Sentence::from(phrases::INDISPENSABLE).with_word("channel", channel.name())
+            }
+            RecordError::FeedsEnergy { cause, .. } => {
+                Sentence::from(phrases::FEEDS_ENERGY).with_said("cause", cause.clone())
+            }
+        }
+    }
+
+    /// As [`RecordError::sentence`] where the campaign does without the file or test: what it asks of the user is left out.
+    pub(crate) fn fault(&self) -> Sentence {
+        match self {
+            RecordError::Header { at, found, .. } => {
+                Sentence::from(phrases::NO_HEADER).with("at", at).with("found", found)
+            }
+            _ => self.sentence(),
         }
     }
 }

@@ -101,6 +101,63 @@ crate::phrases! {
     MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.";
     NO_DATA: "{at}: has a header but no data rows";
+    // What is wrong with what was asked for.
+    NOT_FOUND: "{file}: there is no such file or folder; check the path";
+    CANNOT_READ: "{file}: cannot be read ({cause})";
+    EMPTY_FOLDER: "{folder}: holds no record; a campaign folder holds {kinds}";
+    KINDS: "{others} and {last}";
+    NO_PATHS: "no record given; name a record file or a campaign folder";
+    EXCLUDES_NOTHING: "--exclude {pattern} matches no file and no test; the first file is called {first}";
+    EXCLUDES_ALL: "--exclude leaves no record; all {count} files and tests match";
+    PROFILES_DISAGREE: "{first} and {second} say different directions positive; make them agree, or give --positive";
+    INDISPENSABLE: "{channel} cannot be left out of records; take it off --ignore";
+    IN_LINE: "{at}, line {line}: {cause}";
+    // Headings and units.
+    UNDERSTOOD: "{header} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"";
+    SWAPPED: "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist";
+    WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
+    MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}";
+    OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
+    TWO_COLUMNS: "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\"";
+    NO_SUCH_COLUMN: "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}";
+    MEANT: " Is '{near}' meant?";
+    MISSING_UNIT: "{at}, line {line}: column '{column}' has no unit; write it in the heading as '{column} [{example}]' or give --unit {channel}={example}. Understood for {channel}: {understood}";
+    UNKNOWN_UNIT: "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are {understood}. Give --unit {channel}=... if the heading is wrong";
+    // What speaks for swapped headings.
+    TIME_STANDS: "the column read as time steps back or stands in {percent} % of the rows, the one read as {other} never does";
+    SPANS: "displacement would span {displacement} mm and force {force} N";
+    FORCE_SMOOTHER: "{spans}, and the force would be the smoother of the two";
+    DERIVATIVE_OF_FORCE: "velocity is the derivative of the column read as force (correlation {with_force}), not of the one read as displacement ({with_displacement})";
+    DISPLACEMENT_ROUGHER: "the column read as displacement is {times} times rougher than the one read as force, and the damper would feed energy; {spans}";
+    // What speaks for another unit.
+    TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
+    TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
+    TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
+    TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} m/s, a damping of {damping} N s/m";
+    // What no damper has.
+    ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";
+    AN_AMPLITUDE: "an amplitude of {amplitude} m";
+    A_VELOCITY: "a peak velocity of {velocity} m/s";
+    A_FORCE: "a force of {force} N";
+    SAY_MM: "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated";
+    CHECK_MOTION_UNITS: "check the units of velocity and time: --unit velocity=mm/s, --unit time=s";
+    SAY_N: "if the file gives N, say so: --unit force=N";
+    // All tests of a campaign.
+    ALL_WITHOUT_FORCE: "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise} N, although the damper moves. Check the load cell and its channel (--column force=\"heading\")";
+    FEEDS_ENERGY: "the damper would feed energy into the rig, so a sign is wrong: {cause}";
+    FEW_FEED: "{fewer} of {count} tests feed energy while the other {more} do not: {names}. {apart}{also}";
+    FEW_TAKE: "{fewer} of {count} tests dissipate while the other {more} do not: {names}. {apart}{also}";
+    APART: "These files count force or motion in another direction than the rest. Load them apart, with --flip force or --flip motion for those that feed energy, or correct the export";
+    ALL_FEED: "in all {count} tests with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}";
+    OR_LATE: ". Or {late}; then give {option}";
+    FLIP_MOTION: "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
+    FLIP_FORCE: "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
+    FLIP_EITHER: "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
+    // A motion to be imposed.
+    MOTION_GAP: "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off";
+    MOTION_TIME: "{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time";
+    SHORT_MOTION: "{at}: has one row; a motion needs at least two";
+    SEVERAL_MOTIONS: "{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file";
     // Faults of tests.
     TOO_FEW: "{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again";
     MISSING: "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to drop. Repair the export{advice}";
@@ -144,7 +201,8 @@ crate::phrases! {
 }
 
 /// What a channel, a direction, or the end of a record is called.
-const WORDS: &[&str] = &["rebound", "compression", "an incomplete cycle or run-down", "rest", "nothing"];
+const WORDS: &[&str] =
+    &["rebound", "compression", "displacement or velocity", "an incomplete cycle or run-down", "rest", "nothing"];
 
 /// Every English text that is said of records, each once: sentences with the places of their values, and words.
 pub fn texts() -> Vec<&'static str> {

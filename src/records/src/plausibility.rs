@@ -35,21 +35,21 @@ const STANDSTILL: f64 = 1e-4;
 pub(crate) fn refuse_absurd(record: &Record) -> Result<(), RecordError> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let force = largest(&record.force);
-    let absurd = |what: String, advice| Err(RecordError::Absurd { record: record.source.clone(), what, advice });
+    let absurd = |what: Sentence, advice| Err(RecordError::Absurd { record: record.source.clone(), what, advice });
     if record.amplitude > LARGEST_AMPLITUDE {
         return absurd(
-            format!("an amplitude of {:.4} m", record.amplitude),
-            "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated",
+            Sentence::from(phrases::AN_AMPLITUDE).with("amplitude", format!("{:.4}", record.amplitude)),
+            phrases::SAY_MM,
         );
     }
     if record.peak_velocity > HIGHEST_SPEED {
         return absurd(
-            format!("a peak velocity of {:.4} m/s", record.peak_velocity),
-            "check the units of velocity and time: --unit velocity=mm/s, --unit time=s",
+            Sentence::from(phrases::A_VELOCITY).with("velocity", format!("{:.4}", record.peak_velocity)),
+            phrases::CHECK_MOTION_UNITS,
         );
     }
     if force > LARGEST_FORCE {
-        return absurd(format!("a force of {force:.0} N"), "if the file gives N, say so: --unit force=N");
+        return absurd(Sentence::from(phrases::A_FORCE).with("force", format!("{force:.0}")), phrases::SAY_N);
     }
     Ok(())
 }

@@ -110,10 +110,10 @@ fn lateness(
         match delay::cause(motions, &feeding) {
             Cause::Delay(late) => Some(late),
             Cause::Either(late) => {
-                let also = format!(". Or {}; then give {}", told(&late), flag(&late));
-                return Err(energy_fed(evidence, standstill, &also));
+                let also = Sentence::from(phrases::OR_LATE).with_said("late", told(&late)).with("option", flag(&late));
+                return Err(energy_fed(evidence, standstill, Some(also)));
             }
-            Cause::Sign => return Err(energy_fed(evidence, standstill, "")),
+            Cause::Sign => return Err(energy_fed(evidence, standstill, None)),
         }
     };
     if let Some(late) = &late {
@@ -213,49 +213,39 @@ fn list(names: &[&Evidence]) -> Sentence {
 }
 
 /// The refusal of tests that feed energy, with the likely cause.
-fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: &str) -> RecordError {
+fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Option<Sentence>) -> RecordError {
     let feeding: Vec<&Evidence> = evidence.iter().filter(|e| e.power < -UNCLEAR).collect();
     let dissipating: Vec<&Evidence> = evidence.iter().filter(|e| e.power > UNCLEAR).collect();
     let tests = feeding.iter().map(|e| e.name.clone()).collect();
     if !dissipating.is_empty() {
-        let (fewer, more, does) = if feeding.len() <= dissipating.len() {
-            (&feeding, dissipating.len(), "feed energy while the other")
+        let (fewer, more, few) = if feeding.len() <= dissipating.len() {
+            (&feeding, dissipating.len(), phrases::FEW_FEED)
         } else {
-            (&dissipating, feeding.len(), "dissipate while the other")
+            (&dissipating, feeding.len(), phrases::FEW_TAKE)
         };
-        let cause = format!(
-            "{} of {} tests {does} {more} do not: {}. These files count force or motion in another direction than the rest. Load \
-             them apart, with --flip force or --flip motion for those that feed energy, or correct the export{also}",
-            fewer.len(),
-            evidence.len(),
-            list(fewer),
-        );
+        let cause = Sentence::from(few)
+            .with("fewer", fewer.len())
+            .with("count", evidence.len())
+            .with("more", more)
+            .with_said("names", list(fewer))
+            .with_said("apart", phrases::APART)
+            .with_any("also", also);
         return RecordError::FeedsEnergy { cause, tests };
     }
     // All feed: force and motion are counted in opposite directions. Which is which?
     let tension =
         standstill.filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty).map(|(force, _)| force < 0.0);
     let culprit = match tension {
-        Some(true) => {
-            "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and \
-             velocity are counted positive in compression. Give --flip motion (or correct the export)"
-        }
-        Some(false) => {
-            "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and \
-             velocity are counted positive in rebound. Give --flip force (or correct the export)"
-        }
-        None => {
-            "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted \
-             positive, --flip motion if compression movements are (or correct the export)"
-        }
+        Some(true) => phrases::FLIP_MOTION,
+        Some(false) => phrases::FLIP_FORCE,
+        None => phrases::FLIP_EITHER,
     };
     let powers: Vec<f64> = feeding.iter().map(|e| e.power).collect();
-    let cause = format!(
-        "in all {} tests with a clear loop force acts along the motion (correlation {:.2}), so force and motion are counted in \
-         opposite directions; {culprit}{also}",
-        feeding.len(),
-        median(&mut powers.clone()),
-    );
+    let cause = Sentence::from(phrases::ALL_FEED)
+        .with("count", feeding.len())
+        .with("correlation", format!("{:.2}", median(&mut powers.clone())))
+        .with_said("culprit", culprit)
+        .with_any("also", also);
     RecordError::FeedsEnergy { cause, tests }
 }
 
@@ -480,6 +470,7 @@ mod tests {
         match settled(motions, &Options::default()).unwrap_err() {
             RecordError::FeedsEnergy { cause, tests } => {
                 assert_eq!(tests, ["test1"]);
+                let cause = cause.to_string();
                 assert!(cause.contains("'test1'") && cause.contains("1 of 3"), "{cause}");
             }
             other => panic!("{other}"),

@@ -3,8 +3,10 @@
 use super::channel::Channel;
 use super::error::RecordError;
 use super::options::Options;
+use super::phrases;
 use super::record::Record;
 use super::samples::{median, range, sample_time};
+use super::sentence::Sentence;
 use super::unit::Unit;
 
 /// Damping of the fastest test, N s/m, below which a force is likely written in kN: a damper of 20 N at 1 m/s has 20, one of
@@ -38,47 +40,43 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     if !insisted(Channel::Time) {
         let seconds = |r: &Record| r.time.last().copied().unwrap_or(0.0) - r.time.first().copied().unwrap_or(0.0);
         if let Some(quick) = records.iter().find(|r| r.frequency > FASTEST && r.amplitude > 1e-4) {
-            let evidence = format!(
-                "{} would move ±{:.2} mm at {:.0} Hz for {:.4} s",
-                quick.source,
-                1e3 * quick.amplitude,
-                quick.frequency,
-                seconds(quick)
-            );
+            let evidence = Sentence::from(phrases::TOO_QUICK)
+                .with("record", &quick.source)
+                .with("amplitude", format!("{:.2}", 1e3 * quick.amplitude))
+                .with("frequency", format!("{:.0}", quick.frequency))
+                .with("seconds", format!("{:.4}", seconds(quick)));
             return slip(Channel::Time, Unit::Millisecond, Unit::Second, evidence);
         }
         let step = median(&mut records.iter().map(|r| sample_time(&r.time)).collect::<Vec<_>>());
         let longest = records.iter().map(seconds).fold(0.0, f64::max);
         if fastest.peak_velocity < SLOWEST && step > RARELY && longest > LONG && strongest > WEAK {
-            let evidence = format!(
-                "the fastest of {} tests would reach {:.3} mm/s, the longest last {:.1} h, with a sample every {step:.3} s",
-                records.len(),
-                1e3 * fastest.peak_velocity,
-                longest / 3600.0
-            );
+            let evidence = Sentence::from(phrases::TOO_LONG)
+                .with("count", records.len())
+                .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
+                .with("hours", format!("{:.1}", longest / 3600.0))
+                .with("step", format!("{step:.3}"));
             return slip(Channel::Time, Unit::Second, Unit::Millisecond, evidence);
         }
     }
     let longest = records.iter().map(|r| r.amplitude).fold(0.0, f64::max);
     if !insisted(Channel::Displacement) && longest < SHORTEST && damping > STIFFEST && strongest > WEAK {
-        let evidence = format!(
-            "no test would move more than ±{:.4} mm, and {:.0} N at {:.3} mm/s would be a damping of {damping:.1e} N s/m",
-            1e3 * longest,
-            half(fastest),
-            1e3 * fastest.peak_velocity
-        );
+        let evidence = Sentence::from(phrases::TOO_STIFF)
+            .with("amplitude", format!("{:.4}", 1e3 * longest))
+            .with("force", format!("{:.0}", half(fastest)))
+            .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
+            .with("damping", format!("{damping:.1e}"));
         return slip(Channel::Displacement, Unit::Millimetre, Unit::Metre, evidence);
     }
     let is_weak = strongest < WEAK && damping < WEAKEST && fastest.peak_velocity > MOVING;
     // A dead load cell is weak too, but what it shows has nothing to do with the motion.
     if !insisted(Channel::Force) && is_weak && follows(fastest) {
-        let evidence = format!(
-            "the strongest of {} tests would show ±{strongest:.3} N, and {} ±{:.3} N at {:.3} m/s, a damping of {damping:.2} N s/m",
-            records.len(),
-            fastest.name,
-            half(fastest),
-            fastest.peak_velocity
-        );
+        let evidence = Sentence::from(phrases::TOO_WEAK)
+            .with("count", records.len())
+            .with("strongest", format!("{strongest:.3}"))
+            .with("test", &fastest.name)
+            .with("force", format!("{:.3}", half(fastest)))
+            .with("velocity", format!("{:.3}", fastest.peak_velocity))
+            .with("damping", format!("{damping:.2}"));
         return slip(Channel::Force, Unit::Newton, Unit::Kilonewton, evidence);
     }
     Ok(())

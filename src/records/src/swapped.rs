@@ -3,7 +3,9 @@
 use super::channel::Channel;
 use super::error::RecordError;
 use super::options::Options;
+use super::phrases;
 use super::samples::{Samples, quantile, range};
+use super::sentence::Sentence;
 
 /// Largest range of displacement, m, that a damper rig has.
 const LONGEST: f64 = 1.0;
@@ -15,7 +17,7 @@ const ROUGHER: f64 = 2.5;
 /// Refuses samples whose headings look swapped; a unit that the user gave for a channel says that it is right.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
     let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
-    let error = |a: Channel, b: Channel, evidence: String| RecordError::Swapped {
+    let error = |a: Channel, b: Channel, evidence: Sentence| RecordError::Swapped {
         at: samples.at.clone(),
         first: samples.heading(a),
         second: samples.heading(b),
@@ -30,10 +32,9 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         for other in [Channel::Force, Channel::Displacement, Channel::Velocity] {
             let advances = samples.channel(other).is_some_and(|v| range(v) > 0.0 && forward(v) > FORWARD);
             if advances && !insisted(Channel::Time, other) {
-                let evidence = format!(
-                    "the column read as time steps back or stands in {:.0} % of the rows, the one read as {other} never does",
-                    100.0 * (1.0 - forward(&samples.time))
-                );
+                let evidence = Sentence::from(phrases::TIME_STANDS)
+                    .with("percent", format!("{:.0}", 100.0 * (1.0 - forward(&samples.time))))
+                    .with_word("other", other.name());
                 return Err(error(Channel::Time, other, evidence));
             }
         }
@@ -50,14 +51,16 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
     if !(move_range > 0.0 && force_range > 0.0) {
         return Ok(());
     }
-    let told = format!("displacement would span {:.1} mm and force {force_range:.3} N", 1e3 * move_range);
+    let spans = Sentence::from(phrases::SPANS)
+        .with("displacement", format!("{:.1}", 1e3 * move_range))
+        .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
     // A motion of metres under a force of newtons, and the smoother of the two is called force.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
             Channel::Force,
-            format!("{told}, and the force would be the smoother of the two"),
+            Sentence::from(phrases::FORCE_SMOOTHER).with_said("spans", spans),
         ));
     }
     // A damper takes energy out: the loop of force over displacement runs one way round. Swapped, it runs the other way;
@@ -65,18 +68,15 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
     if let Some(v) = &samples.velocity {
         let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
         if by_f > 0.97 && by_x < 0.8 {
-            let evidence = format!(
-                "velocity is the derivative of the column read as force (correlation {by_f:.2}), not of the one read as \
-                 displacement ({by_x:.2})"
-            );
+            let evidence = Sentence::from(phrases::DERIVATIVE_OF_FORCE)
+                .with("with_force", format!("{by_f:.2}"))
+                .with("with_displacement", format!("{by_x:.2}"));
             return Err(error(Channel::Displacement, Channel::Force, evidence));
         }
     } else if rougher && loop_area(x, &samples.force) < 0.0 {
-        let evidence = format!(
-            "the column read as displacement is {:.1} times rougher than the one read as force, and the damper would feed \
-             energy; {told}",
-            roughness(x) / roughness(&samples.force)
-        );
+        let evidence = Sentence::from(phrases::DISPLACEMENT_ROUGHER)
+            .with("times", format!("{:.1}", roughness(x) / roughness(&samples.force)))
+            .with_said("spans", spans);
         return Err(error(Channel::Displacement, Channel::Force, evidence));
     }
     Ok(())

@@ -93,8 +93,8 @@ fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
     column_number(wanted).filter(|n| *n <= header.len()).map(|n| n - 1).into_iter().collect()
 }
 
-fn maybe(near: Option<&str>) -> String {
-    near.map_or_else(String::new, |near| format!(" Is '{near}' meant?"))
+fn maybe(near: Option<&str>) -> Option<Sentence> {
+    near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
 /// A number, also with a decimal comma where the delimiter allows one. Empty and not-a-number cells are NaN.

@@ -162,7 +162,11 @@ mod tests {
     }
 
     fn absurd() -> RecordError {
-        RecordError::Absurd { record: "a.csv".into(), what: "a force of 900 kN".into(), advice: "say N" }
+        RecordError::Absurd {
+            record: "a.csv".into(),
+            what: Sentence::as_it_is("a force of 900 kN"),
+            advice: phrases::SAY_N,
+        }
     }
 
     fn stray() -> RecordError {

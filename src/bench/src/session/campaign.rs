@@ -1,5 +1,6 @@
 //! Records that are open: as they were read, with what every view needs of a test.
 
+use crate::session::tasks::Report;
 use dashpot_records::smoothing::{Motion, smooth};
 use dashpot_records::{Campaign, Note, Options, Record, RecordError, load};
 use rayon::prelude::*;
@@ -124,12 +125,8 @@ impl Loaded {
     ///
     /// # Errors
     /// As [`load`].
-    pub fn read(
-        paths: Vec<PathBuf>,
-        options: Options,
-        progress: &(dyn Fn(f64, &str) + Sync),
-    ) -> Result<Loaded, RecordError> {
-        let campaign = load(&paths, &options, &|p| progress(p.done as f64 / p.total.max(1) as f64, ""))?;
+    pub fn read(paths: Vec<PathBuf>, options: Options, progress: Report<'_>) -> Result<Loaded, RecordError> {
+        let campaign = load(&paths, &options, &|p| progress(p.done as f64 / p.total.max(1) as f64, None))?;
         let tests = campaign.records.par_iter().map(Seen::new).collect();
         let mut folders: Vec<PathBuf> = paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
         folders.dedup();

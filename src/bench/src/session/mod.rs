@@ -159,7 +159,7 @@ impl Session {
     pub fn open_records(&mut self, paths: Vec<PathBuf>, options: Options) {
         let paths = paths.iter().map(|p| profile_stands_for_its_folder(p)).collect();
         self.begin(Kind::Read, move |report| {
-            Loaded::read(paths, options, report).map(Outcome::Read).map_err(|e| e.to_string())
+            Loaded::read(paths, options, report).map(Outcome::Read).map_err(|e| e.sentence())
         });
     }
 
@@ -167,7 +167,7 @@ impl Session {
     pub fn open_reference(&mut self, paths: Vec<PathBuf>) {
         let options = self.reading.clone();
         self.begin(Kind::ReadReference, move |report| {
-            Loaded::read(paths, options, report).map(Outcome::Reference).map_err(|e| e.to_string())
+            Loaded::read(paths, options, report).map(Outcome::Reference).map_err(|e| e.sentence())
         });
     }
 
@@ -225,7 +225,7 @@ impl Session {
     pub fn begin(
         &mut self,
         kind: Kind,
-        work: impl FnOnce(tasks::Report<'_>) -> Result<Outcome, String> + Send + 'static,
+        work: impl FnOnce(tasks::Report<'_>) -> Result<Outcome, Sentence> + Send + 'static,
     ) -> bool {
         if self.task.is_some() {
             return false;
@@ -310,7 +310,7 @@ impl Session {
                 self.task = None;
                 match result {
                     Ok(outcome) => self.take(outcome),
-                    Err(error) => self.complain(error),
+                    Err(error) => self.message = Some(Message { text: error, wrong: true }),
                 }
             }
         }

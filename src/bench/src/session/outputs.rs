@@ -7,7 +7,7 @@ use crate::session::exports::{Export, Host};
 use crate::session::tasks::{Kind as Work, Outcome};
 use anyhow::Context as _;
 use dashpot_output::Kind;
-use dashpot_records::{Profile, profile};
+use dashpot_records::{Profile, Sentence, profile};
 use std::path::{Path, PathBuf};
 
 /// The error with its causes in one sentence.
@@ -71,8 +71,8 @@ impl Session {
         let Some(model) = &self.model else { return };
         let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
         self.begin(Work::Write, move |report| {
-            report(0.1, "");
-            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
+            report(0.1, None);
+            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| Sentence::as_it_is(told(&e)))
         });
     }
 }

@@ -8,7 +8,7 @@ use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;
 use dashpot_output::Kind;
-use dashpot_records::Record;
+use dashpot_records::{Record, Sentence};
 use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::words::Words;
 use dashpot_report::{Made, Print, ReportInput, parameters, reading, write_workbook};
@@ -81,7 +81,7 @@ impl Session {
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> =
                 loaded.as_read().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
-            let error = whole_records::of_fit(&fit, &records).map_err(|e| e.to_string())?;
+            let error = whole_records::of_fit(&fit, &records).map_err(Sentence::as_it_is)?;
             let made = made(model_path.as_ref(), [&loaded]);
             let tables = dashpot_report::fit::workbook(
                 (&fit, &error),
@@ -100,14 +100,15 @@ impl Session {
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Work::Write, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
-            let mut validation = validate(&compared).map_err(|e| e.to_string())?;
+            let mut validation = validate(&compared).map_err(Sentence::as_it_is)?;
             validation.unusable.clone_from(&loaded.campaign.unusable);
             let input = ReportInput {
                 print: Print::Brief,
                 made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words).map_err(|e| told(&e))?
+                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words)
+                    .map_err(|e| Sentence::as_it_is(told(&e)))?
             };
             write(path, paper.kind(), |path| match paper.kind() {
                 Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
@@ -151,7 +152,7 @@ impl Session {
 }
 
 /// Writes a file of a kind where nothing else would be lost.
-fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, String> {
-    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| told(&e))?;
+fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, Sentence> {
+    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| Sentence::as_it_is(told(&e)))?;
     Ok(Outcome::Written(path, Vec::new()))
 }

@@ -8,6 +8,8 @@ use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
 use dashpot_identification::Fit;
 use dashpot_identification::validation::Validation;
+use dashpot_records::Sentence;
+use dashpot_records::sentence::Template;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -68,12 +70,12 @@ pub enum Outcome {
 pub struct Progress {
     /// Share done, 0..1.
     pub done: f64,
-    /// What is being done.
-    pub text: String,
+    /// What is being done, where that is known.
+    pub text: Option<Template>,
 }
 
 /// Reports how far work is.
-pub type Report<'a> = &'a (dyn Fn(f64, &str) + Sync);
+pub type Report<'a> = &'a (dyn Fn(f64, Option<Template>) + Sync);
 
 /// Work under way.
 pub struct Task {
@@ -83,7 +85,7 @@ pub struct Task {
     pub began: Instant,
     cancel: Cancel,
     progress: Arc<Mutex<Progress>>,
-    result: Receiver<Option<Result<Outcome, String>>>,
+    result: Receiver<Option<Result<Outcome, Sentence>>>,
 }
 
 /// How a task stands.
@@ -93,7 +95,7 @@ pub enum Standing {
     /// Told to stop, and stopped.
     Cancelled,
     /// At its end.
-    Done(Result<Outcome, String>),
+    Done(Result<Outcome, Sentence>),
 }
 
 impl Task {
@@ -101,18 +103,16 @@ impl Task {
     pub fn begin(
         kind: Kind,
         waker: Waker,
-        work: impl FnOnce(Report<'_>) -> Result<Outcome, String> + Send + 'static,
+        work: impl FnOnce(Report<'_>) -> Result<Outcome, Sentence> + Send + 'static,
     ) -> Task {
         let (cancel, progress) = (Cancel::default(), Arc::new(Mutex::new(Progress::default())));
         let (send, result) = channel();
         let (own_cancel, own_progress, own_waker) = (cancel.clone(), progress.clone(), waker.clone());
         let began = std::thread::Builder::new().name("task".into()).spawn(move || {
-            let report = |done: f64, text: &str| {
+            let report = |done: f64, text: Option<Template>| {
                 if let Ok(mut progress) = own_progress.lock() {
                     progress.done = progress.done.max(done);
-                    if !text.is_empty() {
-                        text.clone_into(&mut progress.text);
-                    }
+                    progress.text = text.or(progress.text);
                 }
                 own_waker();
             };

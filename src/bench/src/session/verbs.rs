@@ -9,7 +9,7 @@ use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::validation::{Compared, validate};
 use dashpot_identification::{Family, FitOptions, fit};
-use dashpot_records::Record;
+use dashpot_records::{Record, Sentence};
 use dashpot_simulation::prediction::predict;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use rayon::prelude::*;
@@ -23,8 +23,8 @@ impl Session {
         self.begin(Kind::Fit, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.as_read().records[*k]).collect();
             // The progress of a fit comes from the thread that runs it alone.
-            let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, stage.text));
-            found.map(|fit| Outcome::Fitted(Box::new(fit))).map_err(|e| e.to_string())
+            let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
+            found.map(|fit| Outcome::Fitted(Box::new(fit))).map_err(|e| e.sentence())
         });
     }
 
@@ -34,7 +34,7 @@ impl Session {
         let (file, ticked) = (model.file(), self.ticked());
         self.begin(Kind::Validate, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
-            let mut found = validate(&compared).map_err(|e| e.to_string())?;
+            let mut found = validate(&compared).map_err(Sentence::as_it_is)?;
             found.unusable.clone_from(&loaded.campaign.unusable);
             Ok(Outcome::Validated(Box::new(found)))
         });
@@ -49,9 +49,10 @@ impl Session {
             let left_out = choose_held_out(&records, 0);
             let good = reference.as_ref().map_or_else(Vec::new, |r| r.campaign.records.clone());
             let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
-            let found = diagnose(&records, &left_out, &params, &options, report).map_err(|e| e.to_string())?;
+            let found = diagnose(&records, &left_out, &params, &options, &|done, text| report(done, Some(text)))
+                .map_err(|e| e.sentence())?;
             let over_whole_records =
-                OfDiagnosis::of(&params, &found.base, &found.improved, &records).map_err(|e| e.to_string())?;
+                OfDiagnosis::of(&params, &found.base, &found.improved, &records).map_err(Sentence::as_it_is)?;
             Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records, reference }))
         });
     }
@@ -61,7 +62,7 @@ impl Session {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let params = *model.params();
         self.begin(Kind::Study, move |_| {
-            study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| question.number.name().to_owned())
+            study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| Sentence::as_it_is(question.number))
         });
     }
 
@@ -82,15 +83,15 @@ pub fn compared<'a>(
     loaded: &'a Arc<Loaded>,
     ticked: &[usize],
     report: tasks::Report<'_>,
-) -> Result<Vec<Compared<'a>>, String> {
-    let made = |params: &Params| Model::new(params).map_err(|fault| fault.reason.text().to_owned());
+) -> Result<Vec<Compared<'a>>, Sentence> {
+    let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
     let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
     // Where the model file brings no plain curve, it is fitted to these tests, as the command does.
     let fv_only = match &file.identification.fv_only {
-        Some(curve) => curve.params()?,
+        Some(curve) => curve.params().map_err(Sentence::as_it_is)?,
         None => {
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
-            fit(&records, &options, |_| ()).map_err(|e| e.to_string())?.params
+            fit(&records, &options, |_| ()).map_err(|e| e.sentence())?.params
         }
     };
     let (model, fv_only) = (made(&file.params)?, made(&fv_only)?);
@@ -106,7 +107,7 @@ pub fn compared<'a>(
                 used_in_fit: file.identification.used(record),
             };
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            report(done as f64 / ticked.len() as f64, "");
+            report(done as f64 / ticked.len() as f64, None);
             compared
         })
         .collect())

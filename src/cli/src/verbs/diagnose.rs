@@ -9,6 +9,7 @@ use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, d
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
+use dashpot_records::sentence::Template;
 use dashpot_records::{Campaign, Record, Sentence, Unusable, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
@@ -119,7 +120,8 @@ pub fn examine(
 ) -> anyhow::Result<Diagnosed> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     let progress = Progress::new("diagnosing");
-    let found = diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text))?;
+    let found =
+        diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text.english()))?;
     let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &records)?;
     let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     let unusable = campaign.unusable.clone();
@@ -293,7 +295,9 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let one = |(k, Group { name, records }): (usize, Group)| {
         let all: Vec<&Record> = records.iter().collect();
         let left = choose_held_out(&all, args.seed);
-        let told = |done: f64, text: &str| progress.say((k as f64 + done) / count, &format!("{name}: {text}"));
+        let told = |done: f64, text: Template| {
+            progress.say((k as f64 + done) / count, &format!("{name}: {}", text.english()));
+        };
         let diagnosis =
             diagnose(&all, &left, &model.params, &options, &told).with_context(|| format!("group {name}"))?;
         Ok(groups::Answer { group: name.clone(), tests: all.len(), diagnosis })

@@ -123,7 +123,7 @@ struct Json<'a> {
 /// Fits and writes the model file.
 pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> anyhow::Result<Fit> {
     let progress = Progress::new("fitting");
-    let found = fit(records, options, |stage| progress.say(stage.done, stage.text))?;
+    let found = fit(records, options, |stage| progress.say(stage.done, stage.text.english()))?;
     drop(progress);
     dashpot_output::write(output, model_file::write(&found))?;
     Ok(found)

@@ -4,6 +4,63 @@ use super::Said;
 
 /// In the order of its phrases.
 pub const ALL: &[Said] = &[
+    // How far a diagnosis is.
+    [
+        "fitting the model to the reference",
+        "das Modell wird an die Referenz angepasst",
+        "ajustement du modèle à la référence",
+        "将模型拟合到参考",
+    ],
+    [
+        "refitting the model as it is",
+        "das Modell wird, wie es ist, neu angepasst",
+        "réajustement du modèle tel quel",
+        "对现有模型重新拟合",
+    ],
+    [
+        "refitting everything with each effect",
+        "alles wird mit jedem Effekt neu angepasst",
+        "réajustement de l’ensemble avec chaque effet",
+        "逐个加入效应并整体重新拟合",
+    ],
+    [
+        "looking for two effects at once",
+        "Suche nach zwei Effekten zugleich",
+        "recherche de deux effets à la fois",
+        "查找同时存在的两个效应",
+    ],
+    [
+        "weighing each name with the others in",
+        "jeder Name wird neben den anderen gewogen",
+        "pesée de chaque nom avec les autres présents",
+        "在其他效应存在时权衡每个名称",
+    ],
+    ["looking at what is left", "Blick auf das, was übrig bleibt", "examen de ce qui reste", "查看剩余部分"],
+    // Why there is no diagnosis.
+    [
+        "there is no test to diagnose: give a folder or files with at least one record, and leave some of them in",
+        "es gibt keinen Versuch zur Diagnose: einen Ordner oder Dateien mit mindestens einer Messung angeben und nicht alle weglassen",
+        "il n’y a aucun essai à diagnostiquer : donner un dossier ou des fichiers avec au moins une mesure, et ne pas tout écarter",
+        "没有可诊断的试验：请给出至少含一个记录的文件夹或文件，且不要全部排除",
+    ],
+    [
+        "there is no effect called {name}; the effects are {names}",
+        "es gibt keinen Effekt {name}; die Effekte sind {names}",
+        "il n’y a pas d’effet {name} ; les effets sont {names}",
+        "没有名为 {name} 的效应；效应有 {names}",
+    ],
+    [
+        "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers",
+        "die Referenzmessung hat keinen der Versuche dieser Messung (gleiche Amplitude, Frequenz, mittlerer Weg und Seitenkraft, auf 5 %): an beiden Dämpfern dieselbe Matrix fahren",
+        "la campagne de référence n’a aucun des essais de celle-ci (mêmes amplitude, fréquence, déplacement moyen et force latérale, à 5 % près) : mener la même matrice sur les deux amortisseurs",
+        "参考试验中没有与本试验相同的项目（振幅、频率、平均位移和侧向力在 5 % 以内相同）：请对两支减振器做相同的试验矩阵",
+    ],
+    [
+        "the model gives no finite force for these records: run dashpot validate to see where",
+        "das Modell gibt für diese Messungen keine endliche Kraft: dashpot validate zeigt, wo",
+        "le modèle ne donne pas de force finie pour ces mesures : dashpot validate montre où",
+        "模型对这些记录给不出有限的力：请运行 dashpot validate 查看位置",
+    ],
     // Lists.
     [", ", ", ", ", ", "、"],
     [" and ", " und ", " et ", "与"],
