@@ -1,27 +1,29 @@
 //! The command `dashpot`, and campaigns to run it on.
 
-use crate::library::{root, succeed};
+use crate::library::{profile_folder, root, succeed};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Path of the release build of the command; builds it once per process.
+/// Path of the command, built as these tests are; builds it once per process.
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
         build_program();
-        // target/<profile>/deps/<this test>
-        let test = std::env::current_exe().expect("the path of this test");
-        test.ancestors().nth(3).expect("a target directory").join("release").join("dashpot")
+        profile_folder().join("dashpot")
     })
 }
 
-/// Builds the release of the command. It unwinds where it panics, unlike the shipped one, which aborts, and no package is named, so
-/// that features are those of all of them: so it takes the crates that the tests are linked of, instead of compiling most of them again.
+/// Builds the command. It unwinds where it panics, unlike the shipped one, which aborts, and no package is named, so that features are
+/// those of all of them: so it takes the crates that the tests are linked of, instead of compiling most of them again.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
-    build.args(["build", "--release", "--quiet", "--bin", "dashpot"]).env("CARGO_PROFILE_RELEASE_PANIC", "unwind");
+    let profile = profile_folder().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let profile = if profile == "debug" { "dev" } else { &profile };
+    build
+        .args(["build", "--profile", profile, "--quiet", "--bin", "dashpot"])
+        .env("CARGO_PROFILE_RELEASE_PANIC", "unwind");
     succeed(build.current_dir(root()));
 }
 

@@ -34,10 +34,23 @@ pub fn directory() -> &'static Path {
         let mut build = Command::new(env!("CARGO"));
         build.args(["build", "--release", "--quiet", "-p", "dashpot-dll"]).current_dir(root());
         succeed(&mut build);
-        // target/<profile>/deps/<this test>
-        let test = std::env::current_exe().expect("the path of this test");
-        test.ancestors().nth(3).expect("a target directory").join("release")
+        let release = profile_folder().parent().expect("a target directory").join("release");
+        if release != profile_folder() {
+            // The command takes the library that lies beside it. A file of its own: cargo's is another name of one that it keeps.
+            let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
+            let mut library = std::fs::File::open(release.join("libdashpot.a")).expect("the library");
+            std::io::copy(&mut library, &mut copy).expect("room beside the command");
+            copy.persist(profile_folder().join("libdashpot.a")).expect("the library beside the command");
+        }
+        release
     })
+}
+
+/// Where cargo puts what it builds as these tests.
+pub fn profile_folder() -> PathBuf {
+    // target/<profile>/deps/<this test>
+    let test = std::env::current_exe().expect("the path of this test");
+    test.ancestors().nth(2).expect("a target directory").to_owned()
 }
 
 /// The shared library.

@@ -190,6 +190,16 @@ int main(int argc, char **argv)
     }
     if (!(is_map ? map(seed, strlen(seed)) : fmu(argv[3], argv[4])))
         return 6; /* the seed itself is sound */
+    if (!is_map) {
+        /* Found by the fuzzer: fewer corners than the variables before have. */
+        char *twice = malloc(strlen(seed) + 16);
+
+        strcat(strcpy(twice, seed), "corners 1\n");
+        write_file(argv[3], "contents.txt", twice);
+        free(twice);
+        if (fmu(argv[3], argv[4]))
+            return 8;
+    }
     for (k = 0; k < rounds; k++) {
         char *text = damaged(k % 4 == 3 && model ? model : seed, &length);
 

@@ -70,8 +70,9 @@ static int read_line(struct contents *contents, const char *line)
         return 1;
     if (!strcmp(word, "guid"))
         return sscanf(line, "guid %63s", contents->guid) == 1;
+    /* Once: what was read before it has its place among them. */
     if (!strcmp(word, "corners"))
-        return sscanf(line, "corners %d", &contents->corners) == 1 && contents->corners >= 1 &&
+        return !contents->corners && sscanf(line, "corners %d", &contents->corners) == 1 && contents->corners >= 1 &&
                contents->corners <= MOST_CORNERS;
     if (!strcmp(word, "scales")) {
         if (sscanf(line, "scales %23s %23s %23s %23s", motion, force, offset, start) != 4)

@@ -10,7 +10,7 @@ use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
 use crate::words::{Words, fill};
 use dashpot_records::Record;
-use dashpot_simulation::vehicle::{CORNERS, Car, Run, SLOW, Sample};
+use dashpot_simulation::vehicle::{CORNERS, Car, Quiet, Run, SLOW, Sample};
 use serde::Serialize;
 
 /// Region of displacement and velocity.
@@ -33,8 +33,10 @@ pub struct CornerFigures {
     pub largest_force_n: f64,
     /// Largest force with the curve, N.
     pub largest_force_fv_n: f64,
-    /// rms of the difference of the two forces, N.
+    /// rms of the difference of the two forces, N, free of what the exchange adds to them ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
+    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N; none where it does not chatter.
+    pub rms_chatter_n: Option<[f64; 2]>,
     /// rms of the force with the model about its mean, N.
     pub rms_force_n: f64,
     /// Energy taken with the model, J.
@@ -56,8 +58,11 @@ pub struct Figures {
     pub largest_heave_acceleration_m_s2: [f64; 2],
     /// With the model and with the curve, m/s².
     pub rms_heave_acceleration_m_s2: [f64; 2],
-    /// m.
+    /// m, free of what the exchange adds.
     pub rms_heave_difference_m: f64,
+    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of them in the
+    /// host's; none where it does not.
+    pub quiet_step_s: Option<f64>,
     /// Largest c h / m.
     pub coupling: f64,
     /// The same where dampers move.
@@ -120,12 +125,21 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
     (sum / n.max(1) as f64).sqrt()
 }
 
-/// Measures what was driven.
-pub fn figures(name: &str, step: f64, model: &Run, curve: &Run, covered: Option<&Covered>) -> Figures {
+/// Measures what was driven with the model and with the curve; `quiet` are both in shorter steps.
+pub fn figures(
+    name: &str,
+    step: f64,
+    [model, curve]: [&Run; 2],
+    quiet: Option<&Quiet>,
+    covered: Option<&Covered>,
+) -> Figures {
+    let [calm_model, calm_curve] = compared([model, curve], quiet);
     let near = covered.map(Covered::near);
     let largest = |run: &Run, of: &dyn Fn(&Sample) -> f64| run.samples.iter().fold(0.0_f64, |m, s| m.max(of(s).abs()));
     let acceleration = |s: &Sample| s.body.heave_acceleration;
-    let both = || model.samples.iter().zip(&curve.samples);
+    let apart = |a: &Run, b: &Run, of: &dyn Fn(&Sample) -> f64| {
+        rms(a.samples.iter().zip(&b.samples).map(|(a, b)| of(a) - of(b)))
+    };
     let corners = (0..4)
         .map(|i| {
             let energy = |run: &Run| run.samples.iter().map(|s| s.corner[i].force * s.corner[i].velocity).sum::<f64>();
@@ -135,7 +149,11 @@ pub fn figures(name: &str, step: f64, model: &Run, curve: &Run, covered: Option<
                 saw: region(points()),
                 largest_force_n: largest(model, &|s| s.corner[i].force),
                 largest_force_fv_n: largest(curve, &|s| s.corner[i].force),
-                rms_force_difference_n: rms(both().map(|(m, c)| m.corner[i].force - c.corner[i].force)),
+                rms_force_difference_n: apart(calm_model, calm_curve, &|s| s.corner[i].force),
+                rms_chatter_n: quiet.map(|_| {
+                    [(model, calm_model), (curve, calm_curve)]
+                        .map(|(run, calm)| apart(run, calm, &|s| s.corner[i].force))
+                }),
                 rms_force_n: {
                     let force = || model.samples.iter().map(|s| s.corner[i].force);
                     let mean = force().sum::<f64>() / model.samples.len().max(1) as f64;
@@ -154,11 +172,20 @@ pub fn figures(name: &str, step: f64, model: &Run, curve: &Run, covered: Option<
         step_s: step,
         largest_heave_acceleration_m_s2: [largest(model, &acceleration), largest(curve, &acceleration)],
         rms_heave_acceleration_m_s2: [model, curve].map(|run| rms(run.samples.iter().map(acceleration))),
-        rms_heave_difference_m: rms(both().map(|(m, c)| m.body.position[0] - c.body.position[0])),
+        rms_heave_difference_m: apart(calm_model, calm_curve, &|s| s.body.position[0]),
+        quiet_step_s: quiet.map(|quiet| quiet.step),
         coupling: model.coupling,
         coupling_moving: model.coupling_moving,
         rig_tests: covered.map(|c| c.region),
         corners,
+    }
+}
+
+/// The runs with model and curve that differ by the dampers alone.
+fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
+    match quiet.map(|quiet| quiet.runs.as_slice()) {
+        Some([model, curve]) => [model, curve],
+        _ => host,
     }
 }
 
@@ -173,6 +200,8 @@ pub struct ManoeuvreInput<'a> {
     pub model: &'a Run,
     /// Driven with the FV curve.
     pub curve: &'a Run,
+    /// Both without chatter, where there is any.
+    pub quiet: Option<&'a Quiet>,
     /// Rig tests, where there are any.
     pub covered: Option<&'a Covered>,
     /// The vehicle.
@@ -210,6 +239,7 @@ impl ManoeuvreInput<'_> {
     fn sections(&self) -> Vec<Section> {
         let words = self.words;
         let mut first = vec![Block::Lead(self.answer()), Block::Paragraph(self.chassis_in_words())];
+        first.extend(quiet_note(self.figures, words).map(Block::Warning));
         first.extend(coupling_note(self.figures, self.car, words).map(Block::Warning));
         vec![
             Section::new("answer", words.answer, first),
@@ -282,7 +312,8 @@ impl ManoeuvreInput<'_> {
             let svg = self.over_time(title(words.corner_force_time), words.axis_force, time);
             figures.push(Figure::new(format!("force-time-{name}"), svg));
             let less = |(m, c): (&Sample, &Sample)| [m.time, m.corner[i].force - c.corner[i].force];
-            let lines = vec![self.model.samples.iter().zip(&self.curve.samples).map(less).collect()];
+            let [model, curve] = compared([self.model, self.curve], self.quiet);
+            let lines = vec![model.samples.iter().zip(&curve.samples).map(less).collect()];
             let less = Series { role: Role::Model, label: words.model, lines, marks: Marks::Line };
             let svg = self.over_time(title(words.corner_difference), words.axis_difference, vec![less]);
             figures.push(Figure::new(format!("difference-time-{name}"), svg));
@@ -383,6 +414,16 @@ impl ManoeuvreInput<'_> {
         let table = Table { caption: words.vehicle_caption.to_owned(), columns, rows: rows.collect(), sortable: false };
         Section::new("vehicle", words.vehicle_section, vec![Block::Table(table)])
     }
+}
+
+/// That model and curve were compared in shorter steps, and what the host's add to their forces, where that is so.
+pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
+    let most =
+        |of: usize| f.corners.iter().filter_map(|c| c.rms_chatter_n).map(|chatter| chatter[of]).fold(0.0, f64::max);
+    let [host, quiet] = [f.step_s, f.quiet_step_s?].map(|step| digits(1e3 * step, 3));
+    let [model, curve] = [most(0), most(1)].map(numbers::error);
+    let figures = [("host", host.as_str()), ("quiet", &quiet), ("model", &model), ("curve", &curve)];
+    Some(fill(words.manoeuvre_quiet, &figures))
 }
 
 /// What the exchange of force and motion asks of a host, where it asks anything.

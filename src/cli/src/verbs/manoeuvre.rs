@@ -7,9 +7,9 @@ use dashpot_core::element;
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_output::Kind;
-use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, coupling_note};
+use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, coupling_note, quiet_note};
 use dashpot_report::words::EN;
-use dashpot_simulation::vehicle::{Car, Manoeuvre, run as drive};
+use dashpot_simulation::vehicle::{Car, Manoeuvre, run as drive, without_chatter};
 use std::path::{Path, PathBuf};
 
 /// Drive a vehicle over a manoeuvre with the model and with the FV curve
@@ -78,15 +78,19 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
         None => Car::default(),
     };
-    let with_model = drive(&car, driven, [&front.0, &front.0, &rear.0, &rear.0], args.step)?;
-    let with_curve =
-        drive(&car, driven, [&front.1, &front.1, &rear.1, &rear.1], args.step).context("with the FV curve alone")?;
+    let models = [&front.0, &front.0, &rear.0, &rear.0];
+    let curves = [&front.1, &front.1, &rear.1, &rear.1];
+    let with_model = drive(&car, driven, models, args.step)?;
+    let with_curve = drive(&car, driven, curves, args.step).context("with the FV curve alone")?;
+    let both = [with_model, with_curve];
+    let quiet = without_chatter(&car, driven, &[models, curves], &both, args.step)?;
+    let [with_model, with_curve] = &both;
     let campaign = args.tests.as_ref().map(|path| DataArgs::folder(path.clone()).load()).transpose()?;
     let covered = campaign.as_ref().map(|campaign| Covered::of(&campaign.records));
-    let figures = manoeuvre::figures(&args.name, args.step, &with_model, &with_curve, covered.as_ref());
+    let figures = manoeuvre::figures(&args.name, args.step, [with_model, with_curve], quiet.as_ref(), covered.as_ref());
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&figures))?;
-    if let Some(note) = coupling_note(&figures, &car, &EN) {
+    for note in [quiet_note(&figures, &EN), coupling_note(&figures, &car, &EN)].into_iter().flatten() {
         dashpot_output::say(json, &format!("note: {note}"))?;
     }
     if let Some(path) = json {
@@ -98,8 +102,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let page = ManoeuvreInput {
             figures: &figures,
             model_file: args.model.display().to_string(),
-            model: &with_model,
-            curve: &with_curve,
+            model: with_model,
+            curve: with_curve,
+            quiet: quiet.as_ref(),
             covered: covered.as_ref(),
             car: &car,
             speed: driven.speed(),

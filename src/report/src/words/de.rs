@@ -171,6 +171,7 @@ pub const DE: Words = Words {
     manoeuvre_subtitle: "Modell {model} gegen seine FV-Kurve, Schritte von {step} s",
     manoeuvre_answer: "Mit dem Modell ist die größte Dämpferkraft {force} N, mit der FV-Kurve allein {curve} N, beide an {corner}; die Kräfte dort unterscheiden sich um {difference} N effektiv, {share} % der effektiven Kraft.",
     manoeuvre_answer_same: "Modell und FV-Kurve geben in diesem Manöver dieselben Kräfte.",
+    manoeuvre_quiet: "In Schritten von {host} ms rattert der Austausch von Kraft und Bewegung: er fügt der Kraft mit der FV-Kurve bis zu {curve} N (Effektivwert) hinzu und der mit dem Modell {model} N. Unterschiede von Kraft und Hub sind deshalb die in Schritten von {quiet} ms; alles andere ist so, wie der Simulator es rechnet.",
     manoeuvre_chassis: "Hubbeschleunigung des Aufbaus: größte {peak} m/s² (FV-Kurve {peak_curve}), effektiv {rms} m/s² (FV-Kurve {rms_curve}); der Hub unterscheidet sich um {heave} mm effektiv.",
     corner_section: "Dämpferkräfte",
     corner_force_velocity: "{corner}: Kraft über Geschwindigkeit",

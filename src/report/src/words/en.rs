@@ -171,6 +171,7 @@ pub const EN: Words = Words {
     manoeuvre_subtitle: "Model {model} against its FV curve, {step} s steps",
     manoeuvre_answer: "With the model the largest damper force is {force} N, with its FV curve alone {curve} N, both at {corner}; the forces there differ by {difference} N rms, {share} % of the rms force.",
     manoeuvre_answer_same: "The model and its FV curve give the same forces in this manoeuvre.",
+    manoeuvre_quiet: "In steps of {host} ms the exchange of force and motion chatters: it adds up to {curve} N rms to the force with the FV curve and {model} N to that with the model. Differences of force and heave are therefore those of steps of {quiet} ms; all else is as the host computes it.",
     manoeuvre_chassis: "Heave acceleration of the body: largest {peak} m/s² (FV curve {peak_curve}), rms {rms} m/s² (FV curve {rms_curve}); heave differs by {heave} mm rms.",
     corner_section: "Damper forces",
     corner_force_velocity: "{corner}: force over velocity",

@@ -171,6 +171,7 @@ pub const FR: Words = Words {
     manoeuvre_subtitle: "Modèle {model} face à sa courbe FV, pas de {step} s",
     manoeuvre_answer: "Avec le modèle, le plus grand effort d’amortisseur est de {force} N, avec sa courbe FV seule de {curve} N, tous deux en {corner} ; les efforts y diffèrent de {difference} N efficaces, {share} % de l’effort efficace.",
     manoeuvre_answer_same: "Le modèle et sa courbe FV donnent les mêmes efforts dans cette manœuvre.",
+    manoeuvre_quiet: "À des pas de {host} ms l’échange de l’effort et du mouvement broute : il ajoute jusqu’à {curve} N (efficaces) à l’effort avec la courbe FV et {model} N à celui avec le modèle. Les écarts d’effort et de pompage sont donc ceux de pas de {quiet} ms ; tout le reste est tel que l’hôte le calcule.",
     manoeuvre_chassis: "Accélération de pompage de la caisse : maximum {peak} m/s² (courbe FV {peak_curve}), efficace {rms} m/s² (courbe FV {rms_curve}) ; le pompage diffère de {heave} mm efficaces.",
     corner_section: "Efforts d’amortisseur",
     corner_force_velocity: "{corner} : effort selon la vitesse",

@@ -256,6 +256,7 @@ words!(
     manoeuvre_subtitle,
     manoeuvre_answer,
     manoeuvre_answer_same,
+    manoeuvre_quiet,
     manoeuvre_chassis,
     corner_section,
     corner_force_velocity,

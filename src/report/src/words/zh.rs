@@ -171,6 +171,7 @@ pub const ZH: Words = Words {
     manoeuvre_subtitle: "模型 {model} 与其 FV 曲线，步长 {step} s",
     manoeuvre_answer: "使用模型时减振器最大力为 {force} N，仅用 FV 曲线为 {curve} N，均在 {corner}；该处两者的力相差均方根 {difference} N，为力的均方根的 {share} %。",
     manoeuvre_answer_same: "在该工况中模型与其 FV 曲线给出相同的力。",
+    manoeuvre_quiet: "步长为 {host} ms 时，力与运动的交换发生颤振：使用 FV 曲线的力因此最多增加 {curve} N（有效值），使用模型的力增加 {model} N。因此力和垂向位移的差值取自 {quiet} ms 的步长；其余均与宿主软件的计算一致。",
     manoeuvre_chassis: "车身垂向加速度：最大 {peak} m/s²（FV 曲线 {peak_curve}），均方根 {rms} m/s²（FV 曲线 {rms_curve}）；垂向位移相差均方根 {heave} mm。",
     corner_section: "减振器力",
     corner_force_velocity: "{corner}：力—速度",

@@ -9,4 +9,4 @@ mod run;
 
 pub use car::{Body, Car, CarError, CarValue};
 pub use manoeuvre::{Manoeuvre, Road};
-pub use run::{CORNERS, Corner, Dampers, Run, SLOW, Sample, VehicleError, run, run_with};
+pub use run::{CORNERS, Corner, Dampers, Quiet, Run, SLOW, Sample, VehicleError, run, run_with, without_chatter};
