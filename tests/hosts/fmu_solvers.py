@@ -16,7 +16,7 @@ from fmpy import extract, read_model_description, simulate_fmu
 from fmu_instance import begun
 from sine import motion
 
-SECONDS = 1.0
+SECONDS = 0.5
 path, limit, tests = sys.argv[1], float(sys.argv[2]), [tuple(map(float, t.split(":"))) for t in sys.argv[3:]]
 description = read_model_description(path)
 folder = extract(path)

@@ -2,6 +2,7 @@
 //! argument. DASHPOT_FUZZ says how many seconds this test gives.
 
 use dashpot_test_support::skipped;
+use dashpot_tests::cli::program;
 use dashpot_tests::library::root;
 use std::process::Command;
 
@@ -16,7 +17,8 @@ fn no_reader_breaks_under_the_fuzzer() {
     for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER", "CARGO_TARGET_DIR"] {
         run.env_remove(name);
     }
-    let out = run.arg(seconds).output().expect("bash");
+    // For sound FMUs.
+    let out = run.arg(seconds).env("DASHPOT", program()).output().expect("bash");
     let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     match out.status.code() {
         // Tools that are not here.

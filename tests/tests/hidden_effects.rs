@@ -13,12 +13,7 @@ fn outcomes(block: &'static str, cases: Vec<Case>) -> Vec<Outcome> {
 
 #[test]
 fn known_effects_are_named() {
-    let hidden = [
-        ("presliding_friction", 2.0),
-        ("side_force_friction", 0.6),
-        ("moving_mass:rig_mass", 2.0),
-        ("channel_delay", 2.0),
-    ];
+    let hidden = [("presliding_friction", 2.0), ("gas_spring", 2.0), ("channel_delay", 2.0)];
     let cases = hidden.iter().zip(90_001..).map(|((name, s), seed)| Case::nothing(seed).hiding(name, *s)).collect();
     let all = outcomes("single", cases);
     println!("{}\n{}", score::table(&all), score::confusion(&all));
@@ -52,6 +47,7 @@ fn what_is_in_no_catalogue_gets_no_name() {
 
 /// Neither explains half of the disagreement by itself.
 #[test]
+#[ignore = "half a minute on two cores; the benchmark has it too"]
 fn two_effects_are_found_together() {
     let case = Case::nothing(90_301).hiding("free_play", 2.0).hiding("bump_stop:rubber", 2.0);
     for o in outcomes("pair", vec![case]) {

@@ -9,6 +9,7 @@ use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
+use dashpot_records::taken_out::Off;
 use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
@@ -51,12 +52,13 @@ pub(super) fn measured(found: &Search, deviations: &[f64]) -> Vec<Measured> {
 }
 
 /// What a fit took out of the records before they were diagnosed, and what the diagnosis found in them after that.
-fn of_both(fit: Vec<Measured>, diagnosis: &[Measured]) -> Vec<Measured> {
+/// Where no fit did, the user may have: `given`.
+fn of_both(fit: Vec<Measured>, given: &Off, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
         match all.iter_mut().find(|m| m.name == found.name) {
             Some(own) => *own = own.and(*found),
-            None => all.push(*found),
+            None => all.push(found.beside(given)),
         }
     }
     all
@@ -83,6 +85,7 @@ impl Diagnosis {
             choices: Vec::new(),
             measured: of_both(
                 if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
+                &used.first().map_or(Off::NONE, |r| r.given),
                 &self.measured,
             ),
             notes,

@@ -274,13 +274,16 @@ impl Answer<'_> {
         let names: Vec<&str> = found.found.added.iter().map(|a| a.candidate.effect).collect();
         let first_round = &found.rounds[0];
         let could_not_test = untestable::list(self.situation, &first_round.invisible, &names);
-        let summary = match judged.verdict {
-            Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
-            _ => judged.summary.clone(),
+        let changed = self.changed();
+        let (verdict, summary) = match judged.verdict {
+            Verdict::NothingMissing => {
+                changed_instead(self.with_limits(judged.summary.clone(), &could_not_test), &changed)
+            }
+            other => (other, judged.summary.clone()),
         };
         let about_the_reference = self.about_the_reference();
         let mut diagnosis = Diagnosis {
-            verdict: judged.verdict,
+            verdict,
             summary,
             findings: self.findings(),
             suspects: judged.suspects.clone(),
@@ -294,7 +297,7 @@ impl Answer<'_> {
             next_tests: self.next_tests(&judged),
             could_not_test,
             shifts: self.shifts(),
-            changed: self.changed(),
+            changed,
             notes: judged.notes.iter().chain(&about_the_reference).cloned().collect(),
             about_the_reference,
             tests: Vec::new(),
@@ -455,13 +458,8 @@ impl Answer<'_> {
             return (!self.found.found.added.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
         };
         let missing = &reference.missing;
-        let aside = (!missing.is_empty()).then(|| {
-            Sentence::from(phrases::WITHOUT_COUNTERPART).with("count", missing.len()).with_names(
-                "tests",
-                missing,
-                phrases::COMMA,
-            )
-        });
+        let aside = (!missing.is_empty())
+            .then(|| Sentence::from(phrases::WITHOUT_COUNTERPART).with_names("tests", missing, phrases::COMMA));
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside))
     }
 
@@ -539,6 +537,24 @@ impl Answer<'_> {
             .collect();
         next_test::propose(&rivals, &next_test::Rig::of(self.fitted))
     }
+}
+
+/// Most numbers that the answer names.
+const TOLD: usize = 3;
+
+/// No effect is missing, but what there is has other numbers than on the reference: that is the answer then.
+fn changed_instead(nothing: Sentence, changed: &[Change]) -> (Verdict, Sentence) {
+    let material: Vec<&Change> = changed.iter().filter(|change| change.is_material()).collect();
+    if material.is_empty() {
+        return (Verdict::NothingMissing, nothing);
+    }
+    let more = material.len().saturating_sub(TOLD);
+    let told = material.iter().take(TOLD).map(|change| change.sentence()).collect();
+    let summary = Sentence::from(phrases::CHANGED)
+        .with_list("numbers", told, phrases::COMMA)
+        .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))
+        .with_said("besides", nothing);
+    (Verdict::Changed, summary)
 }
 
 /// Standard deviations from which a number of two dampers differs.

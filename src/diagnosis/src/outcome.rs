@@ -1,5 +1,6 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
+use super::phrases;
 use super::tree::Branch;
 use dashpot_core::Params;
 use dashpot_records::sentence::Sentence;
@@ -14,6 +15,8 @@ pub enum Verdict {
     Named,
     /// What is left is noise, or no larger than the form of the curves allows.
     NothingMissing,
+    /// The same against a reference, whose damper has other numbers than this one: see [`Diagnosis::changed`].
+    Changed,
     /// Something is missing, and more than one effect explains it as well.
     CannotTell,
     /// Something is missing that no known effect explains.
@@ -233,6 +236,35 @@ pub struct Change {
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
+}
+
+/// Share by which a number differs at least to stand in the answer: less than a tenth is the scatter of a series.
+const MATERIAL: f64 = 0.1;
+
+impl Change {
+    /// By how much, as a share of the larger.
+    fn share(&self) -> f64 {
+        (self.value - self.reference).abs() / self.value.abs().max(self.reference.abs()).max(f64::MIN_POSITIVE)
+    }
+
+    /// Whether it stands in the answer.
+    pub(super) fn is_material(&self) -> bool {
+        self.share() > MATERIAL
+    }
+
+    /// In words.
+    pub(super) fn sentence(&self) -> Sentence {
+        // Four digits that count.
+        let of = |value: f64| match value {
+            0.0 => "0".to_owned(),
+            _ => format!("{value:.*}", (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize),
+        };
+        Sentence::from(phrases::OTHER_NUMBER)
+            .with("name", self.parameter)
+            .with("reference", of(self.reference))
+            .with("value", of(self.value))
+            .with("unit", self.unit)
+    }
 }
 
 /// One test before and after.

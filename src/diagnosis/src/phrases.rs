@@ -29,6 +29,9 @@ dashpot_records::phrases! {
     TEST_AND_TIMES: "{test} ({times} times)";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
+    CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
+    OTHER_NUMBER: "{name} {reference} -> {value} {unit}";
+    MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {names}";
     NOT_CONFIRMED: "; no test was left out to confirm it";
     CANNOT_TELL: "something is missing: the model is off by {times}, and {why}{place}";
@@ -102,7 +105,7 @@ dashpot_records::phrases! {
     // How the comparison was made.
     WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";
     AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{aside}";
-    WITHOUT_COUNTERPART: "; {count} tests have no counterpart there and were left aside: {tests}";
+    WITHOUT_COUNTERPART: "; only tests of whole cycles that both campaigns have are compared, and left aside: {tests}";
 }
 
 /// Paths of a tree that are no effects'.

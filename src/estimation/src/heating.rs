@@ -17,6 +17,13 @@ pub struct Heating {
     pub continues: bool,
 }
 
+/// Whether the records' clocks run through the campaign: no two of them overlap. Where each file has a clock of its own, all begin at the same time.
+pub fn clock_runs_on(records: &[&Record]) -> bool {
+    let mut spans: Vec<(f64, f64)> = records.iter().filter_map(|r| Some((*r.time.first()?, *r.time.last()?))).collect();
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9)
+}
+
 impl Heating {
     /// Heat in these records, looked at in the middle of each of these tests.
     pub fn new(records: &[&Record], tests: &[Test]) -> Heating {
@@ -33,9 +40,7 @@ impl Heating {
                 (begin, end, work / (end - begin).max(1e-9))
             })
             .collect();
-        let mut spans: Vec<(f64, f64)> = inputs.iter().map(|i| (i.0, i.1)).collect();
-        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let continues = spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9);
+        let continues = clock_runs_on(records);
         Heating { inputs, looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), continues }
     }
 

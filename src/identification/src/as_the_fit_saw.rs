@@ -40,7 +40,8 @@ impl Identification {
                 .with_any("option", option);
             return Some(Note { kind: AS_THE_FIT_SAW, text });
         }
-        records.into_par_iter().for_each(|record| *record = taken_out(record, &off));
+        // What the user gave is out of them already.
+        records.into_par_iter().for_each(|record| *record = taken_out(record, &off.beyond(&record.given)));
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);
         let text = text.with_list("findings", found, phrases::SEMICOLON);
         Some(Note { kind: AS_THE_FIT_SAW, text })
@@ -83,6 +84,11 @@ mod tests {
             assert!(left < 0.01 * top, "{}: {left} of {top}", record.name);
         }
         assert!(identification.used(&own[0]) && !identification.used(&own[1]), "a record is still itself");
+        let mut given = record(1.0);
+        given.given.mass_kg = 2.0;
+        let fingerprint = Identification { fingerprints: vec![given.fingerprint()], ..identification.clone() };
+        let before = given.force.clone();
+        assert!(fingerprint.right([&mut given]).is_some() && given.force == before, "the user had given it");
         let mut other = vec![record(2.0)];
         let before = other[0].force.clone();
         let note = identification.right(&mut other).unwrap();

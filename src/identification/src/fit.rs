@@ -10,17 +10,19 @@ use super::variants::{
     Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
     physical_springs, with_slow_points,
 };
-use dashpot_core::Params;
 use dashpot_core::elements;
 use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
+use dashpot_estimation::heating::clock_runs_on;
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
-use dashpot_estimation::sensitivity::{Accuracy, Run};
+use dashpot_estimation::sensitivity::{self, Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_records::Record;
 use dashpot_records::sentence::{Sentence, Template};
+use dashpot_records::taken_out::Off;
 use rayon::prelude::*;
 
 /// Which kind of model is fitted.
@@ -196,7 +198,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
-        Family::Thesis => fit_thesis(&guess, &segments, options, &progress),
+        Family::Thesis => fit_thesis(&guess, &segments, (options, clock_runs_on(records)), &progress),
         Family::Fv => as_found(&segments, fv_unknowns(&fv_only)),
         Family::Piecewise => fit_piecewise(&segments, &progress)?,
         Family::Lag => fit_lag(&segments, &progress)?,
@@ -207,8 +209,14 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
     found.notes.extend(coverage_notes(&segments));
+    if options.family == Family::Thesis && found.measured.is_empty() {
+        found.notes.extend(zero_moves(&segments, &found.params));
+    }
     progress(Stage { done: 1.0, text: phrases::DONE });
-    let Found { params, estimates, choices, measured, notes, misfit } = found;
+    let Found { params, estimates, choices, measured, mut notes, misfit } = found;
+    let given = records.first().map_or(Off::NONE, |record| record.given);
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&given)).collect();
+    notes.extend(measured.iter().map(Measured::in_words));
     Ok(Fit {
         params,
         estimates,
@@ -232,7 +240,12 @@ fn fv_unknowns(from: &Params) -> Unknowns {
     Unknowns { base, list, rig: Vec::new() }
 }
 
-fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progress: &impl Fn(Stage)) -> Found {
+fn fit_thesis(
+    guess: &Params,
+    segments: &[Segment],
+    (options, clock_runs_on): (&FitOptions, bool),
+    progress: &impl Fn(Stage),
+) -> Found {
     let allowed =
         |element: Element| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == element.name()));
     let variants = |all: &[Variant]| -> Vec<_> {
@@ -278,7 +291,8 @@ fn fit_thesis(guess: &Params, segments: &[Segment], options: &FitOptions, progre
         let variants = (&frictions[..], &springs[..], &physical[..]);
         (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         let before = structure;
-        (structure, from) = look_at_the_measurement(structure, from, segments, options.late, &mut choices, progress);
+        (structure, from) =
+            look_at_the_measurement(structure, from, segments, (options.late, clock_runs_on), &mut choices, progress);
         if structure.rig != before.rig {
             // What the measurement did was taken for friction or a spring until now.
             choices.retain(|choice| choice.of == MEASUREMENT);
@@ -386,13 +400,13 @@ fn look_at_the_measurement(
     structure: Structure,
     from: Params,
     segments: &[Segment],
-    late: Option<f64>,
+    (late, clock_runs_on): (Option<f64>, bool),
     choices: &mut Vec<Choice>,
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
     let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
-    let ways = OfTheRig::ways(segments, late).into_iter();
+    let ways = OfTheRig::ways(segments, late, clock_runs_on).into_iter();
     list.extend(ways.map(|(name, rig)| Candidate {
         name,
         structure: Structure { rig, ..structure },
@@ -462,7 +476,6 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
     let params = unknowns.params(&theta);
     let misfit = misfit_as_read(segments, &unknowns, &theta);
     measured.sort_by_key(|m| m.name);
-    notes.extend(measured.iter().map(Measured::in_words));
     for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
         notes.push(of_number(phrases::AT_BOUND, estimate));
     }
@@ -535,6 +548,29 @@ fn fit_lag(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, Fit
 fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitError> {
     let found = Literature::fit(name, &observations(segments))?;
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
+}
+
+/// How many times larger the constant part of what a model leaves of the tests must be than all the rest of it, to be told as a zero that moves.
+/// With noise and errors of form alone it is a fraction of the rest.
+const MOVES: f64 = 1.0;
+
+/// What is said where a model leaves another constant force of each test: no number of a model is another from test to test, so it is
+/// the zero of the channel that moves, or the gas with its temperature.
+fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
+    let model = Model::new(params).ok()?;
+    let (mut constant, mut rest) = (Vec::new(), 0.0);
+    for s in segments {
+        let forces = sensitivity::forces(&model, s);
+        let left: Vec<f64> = s.force.iter().zip(&forces).skip(s.from).map(|(m, f)| m - f).collect();
+        let mean = left.iter().sum::<f64>() / left.len().max(1) as f64;
+        rest += left.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / left.len().max(1) as f64;
+        constant.push(mean);
+    }
+    let squares: f64 = constant.iter().map(|c| c * c).sum();
+    let (low, high) = constant.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(*c), h.max(*c)));
+    (segments.len() >= 3 && squares > MOVES * MOVES * rest).then(|| {
+        Sentence::from(phrases::ZERO_MOVES).with("low", format!("{low:.1}")).with("high", format!("{high:.1}"))
+    })
 }
 
 /// What the campaign cannot show.

@@ -60,8 +60,8 @@ impl OfTheRig {
     pub const NONE: OfTheRig = OfTheRig { delay: None, mass: None, gain_drift: None, force_drift: None };
 
     /// Each of them that these tests can show, alone, and all together, with names for the report. `late` is the delay that a first look at
-    /// the records found.
-    pub fn ways(segments: &[Segment], late: Option<f64>) -> Vec<(&'static str, OfTheRig)> {
+    /// the records found, `clock_runs_on` whether their clocks run through the campaign: what drifts is not looked for by clocks that start anew.
+    pub fn ways(segments: &[Segment], late: Option<f64>, clock_runs_on: bool) -> Vec<(&'static str, OfTheRig)> {
         let around = |mean: f64, spread: f64| Some(Sought { usual: (mean, spread), start: mean });
         let mut all = OfTheRig::NONE;
         let mut ways = Vec::new();
@@ -74,8 +74,7 @@ impl OfTheRig {
         let clocks = segments.iter().map(|s| s.clock);
         let last = clocks.clone().fold(0.0, f64::max);
         let span = last - clocks.fold(f64::INFINITY, f64::min);
-        // Each file with a clock of its own says nothing about the campaign's.
-        if segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
+        if clock_runs_on && segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
             (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO / last));
             ways.push((GAIN_DRIFTS, OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
             ways.push((ZERO_DRIFTS, OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
@@ -177,6 +176,16 @@ impl Measured {
     pub fn of(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
         let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
         may.then(|| Measured::new(artefact, numbers))
+    }
+
+    /// What was found in records out of which the user had some taken before: of both together.
+    pub fn beside(self, given: &Off) -> Measured {
+        let before = match self.name {
+            "delay" => given.delay_s,
+            "rig_mass" => given.mass_kg,
+            _ => 0.0,
+        };
+        Measured { value: self.value + before, low: self.low + before, high: self.high + before, ..self }
     }
 
     /// What was taken out with what was found in the rest: of both together.

@@ -87,7 +87,10 @@ pub fn table(all: &[Outcome]) -> String {
         let _ = writeln!(
             out,
             "  nothing_missing said: {}",
-            share(some.iter().filter(|o| o.verdict == Verdict::NothingMissing).count(), some.len())
+            share(
+                some.iter().filter(|o| matches!(o.verdict, Verdict::NothingMissing | Verdict::Changed)).count(),
+                some.len()
+            )
         );
     }
     let unknown = of("unknown");
@@ -122,7 +125,7 @@ pub fn table(all: &[Outcome]) -> String {
         .iter()
         .filter(|o| {
             right(o)
-                || (o.named.is_empty() && o.verdict != Verdict::NothingMissing)
+                || (o.named.is_empty() && !matches!(o.verdict, Verdict::NothingMissing | Verdict::Changed))
                 || o.truth().is_some_and(|t| o.could_not_test.iter().any(|c| c == t))
         })
         .count();
@@ -173,7 +176,7 @@ pub fn confusion(all: &[Outcome]) -> String {
             if o.block.starts_with("null") { o.block.to_owned() } else { o.truth().unwrap_or("nothing").to_owned() };
         let answer = match (o.named.first(), o.verdict) {
             (Some((name, _)), _) => name.clone(),
-            (None, Verdict::NothingMissing) => "(nothing missing)".to_owned(),
+            (None, Verdict::NothingMissing | Verdict::Changed) => "(nothing missing)".to_owned(),
             (None, Verdict::CannotTell) => "(cannot tell)".to_owned(),
             (None, _) => "(unknown)".to_owned(),
         };

@@ -60,6 +60,17 @@ impl Channel {
         }
     }
 
+    /// The SI unit that it is kept in.
+    pub(crate) fn si(self) -> &'static str {
+        match self {
+            Channel::Time => "s",
+            Channel::Displacement => "m",
+            Channel::Velocity => "m/s",
+            Channel::Force | Channel::SideForce => "N",
+            Channel::Temperature => "°C",
+        }
+    }
+
     /// What the channel measures.
     pub fn dimension(self) -> Dimension {
         match self {

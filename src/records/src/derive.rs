@@ -3,33 +3,93 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::samples::sample_time;
+use super::smoothing::channel_noise;
 
 /// The filter that a derivative was taken with.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Filter {
-    /// Samples per window.
+    /// Samples per window, at most.
     pub points: usize,
-    /// Length of the window, s.
+    /// Length of that window, s.
     pub window: f64,
-    /// Frequency at which the derivative has lost 3 dB, Hz; half the sampling rate where it loses less.
+    /// Frequency at which its derivative has lost 3 dB, Hz; half the sampling rate where it loses less.
     pub bandwidth: f64,
+    /// Share of the samples with a shorter window, because the motion turns within that.
+    pub shorter: f64,
 }
 
 /// Most samples on either side of the window; more costs time and gains little.
 const REACH: usize = 250;
 
+/// How many deviations of its noise a slope over a long window may be off that over a shorter one to be taken for the same. With 4, one sample
+/// in a thousand of a smooth motion gets a shorter window by chance, and a slope with all its noise; a corner is off by tens.
+const SAME: f64 = 5.0;
+/// How much longer each window is than the one before.
+const LONGER: f64 = 1.4;
+
 /// Velocity by local cubics (Savitzky and Golay 1964): at every sample a cubic is fitted by least squares to the
 /// window centred there, and its slope taken. Symmetric, so it shifts no phase; fitted at the true times, so uneven
 /// sampling does no harm.
 ///
-/// `window` is the wanted length, s; at least five samples are used. At the ends the window is one-sided.
+/// `window` is the longest, s; at least five samples are used. At the ends the window is one-sided. Where the motion turns within the
+/// window, as a triangle does at its corners, a cubic over all of it would round the turn and swing beside it: there the
+/// longest window is taken whose slope agrees with those of all shorter ones within their noise (the intersection of confidence
+/// intervals of Goldenshluger and Nemirovski, Math. Methods Stat. 6, 1997).
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
-    let reach = ((0.5 * window / step).round() as usize).clamp(2, REACH).min(n.saturating_sub(1) / 2).max(1);
+    let longest = ((0.5 * window / step).round() as usize).clamp(2, REACH).min(n.saturating_sub(1) / 2).max(1);
+    let noise = displacement_noise(displacement);
+    let (mut low, mut high) = (vec![f64::NEG_INFINITY; n], vec![f64::INFINITY; n]);
+    let mut velocity = vec![0.0; n];
+    // Samples whose slopes have agreed so far.
+    let mut agree = vec![true; n];
+    let mut reach = longest.min(2);
+    loop {
+        let Slopes { slopes, gains, weights } = slopes(time, displacement, reach);
+        for i in 0..n {
+            if !agree[i] {
+                continue;
+            }
+            let spread = SAME * noise * gains[i];
+            (low[i], high[i]) = (low[i].max(slopes[i] - spread), high[i].min(slopes[i] + spread));
+            agree[i] = low[i] <= high[i];
+            if agree[i] {
+                velocity[i] = slopes[i];
+            }
+        }
+        if reach == longest {
+            let shorter = agree.iter().filter(|same| !**same).count() as f64 / n.max(1) as f64;
+            let window = 2.0 * reach as f64 * step;
+            let filter = Filter { points: 2 * reach + 1, window, bandwidth: bandwidth(&weights, step), shorter };
+            return (velocity, filter);
+        }
+        reach = ((LONGER * reach as f64).ceil() as usize).min(longest);
+    }
+}
+
+/// White noise of the channel, m; no less than its last digit makes.
+fn displacement_noise(displacement: &[f64]) -> f64 {
+    let step = displacement.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
+    let digit = if step.is_finite() { step / 12f64.sqrt() } else { 0.0 };
+    channel_noise(displacement).max(digit)
+}
+
+/// Slopes of the cubics over so many samples on either side.
+struct Slopes {
+    slopes: Vec<f64>,
+    /// Deviation of each over that of the noise, 1/s: larger at the ends, where windows are one-sided.
+    gains: Vec<f64>,
+    /// Weights of a window between the ends.
+    weights: Vec<f64>,
+}
+
+fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
+    let (n, step) = (time.len(), sample_time(time));
     let uniform = (0..=2 * reach).map(|i| i as f64 * step).collect::<Vec<_>>();
     let weights = slope_weights(&uniform, reach);
-    let mut velocity = vec![0.0; n];
+    let gain = |weights: &[f64]| weights.iter().map(|w| w * w).sum::<f64>().sqrt();
+    let (mut velocity, mut gains) = (vec![0.0; n], vec![gain(&weights); n]);
     for i in 0..n {
         let from = i.saturating_sub(reach);
         let to = (i + reach).min(n - 1);
@@ -43,12 +103,11 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
             weights.iter().zip(&displacement[from..=to]).map(|(w, x)| w * (x - displacement[i])).sum()
         } else {
             let own = slope_weights(&time[from..=to], i - from);
+            gains[i] = gain(&own);
             own.iter().zip(&displacement[from..=to]).map(|(w, x)| w * (x - displacement[i])).sum()
         };
     }
-    let filter =
-        Filter { points: 2 * reach + 1, window: 2.0 * reach as f64 * step, bandwidth: bandwidth(&weights, step) };
-    (velocity, filter)
+    Slopes { slopes: velocity, gains, weights }
 }
 
 /// Weights that give the slope, at the sample `at`, of the least-squares cubic through values at these times (a parabola
@@ -154,10 +213,43 @@ mod tests {
         let (time, x, _) = sine(1.0, 200.0, 400);
         let (_, filter) = differentiate(&time, &x, 0.1);
         let (time, x, v) = sine(filter.bandwidth, 200.0, 400);
-        let (derived, _) = differentiate(&time, &x, 0.1);
+        let derived = slopes(&time, &x, 10).slopes;
         let gain = derived[30..370].iter().zip(&v[30..370]).map(|(a, b)| a * b).sum::<f64>()
             / v[30..370].iter().map(|b| b * b).sum::<f64>();
         assert!((gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02, "{gain}");
+    }
+
+    /// The usual friction test: constant velocity to and fro.
+    #[test]
+    fn a_triangle_keeps_its_velocity_up_to_its_corners() {
+        let (rate, frequency, speed) = (1000.0, 0.31, 0.05);
+        let mut noise = 1u64;
+        let mut white = || {
+            // The sum of twelve uniform numbers is close to a Gaussian.
+            (0..12)
+                .map(|_| {
+                    noise = noise.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                    (noise >> 11) as f64 / (1u64 << 53) as f64
+                })
+                .sum::<f64>()
+                - 6.0
+        };
+        let time: Vec<f64> = (0..13_000).map(|i| f64::from(i) / rate).collect();
+        let phase = |t: f64| (frequency * t).fract();
+        let triangle = |t: f64| speed / frequency * (0.25 - (phase(t) - 0.5).abs());
+        let x: Vec<f64> = time.iter().map(|t| triangle(*t) + 2e-6 * white()).collect();
+        let (v, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
+        let truth = |t: f64| if phase(t) < 0.5 { speed } else { -speed };
+        // Further from a corner than the shortest windows reach.
+        let off = |from: f64| {
+            let near = |t: f64| (phase(t) - 0.5).abs().min(phase(t)).min(1.0 - phase(t)) / frequency < from;
+            time.iter().zip(&v).filter(|(t, _)| !near(**t)).map(|(t, v)| (v - truth(*t)).abs()).fold(0.0, f64::max)
+        };
+        assert!(off(0.02) < 0.05 * speed && off(0.15) < 0.01 * speed, "{} {}", off(0.02), off(0.15));
+        assert!(filter.shorter > 0.02 && filter.shorter < 0.5, "{filter:?}");
+        // A sine with the same noise takes the longest window nearly everywhere.
+        let x: Vec<f64> = time.iter().map(|t| 0.05 * (TAU * frequency * t).sin() + 2e-6 * white()).collect();
+        assert!(differentiate(&time, &x, 1.0 / (12.0 * frequency)).1.shorter < 2e-3);
     }
 
     proptest! {

@@ -360,6 +360,7 @@ impl RecordError {
                 .with("last", last)
                 .with_word("channel", channel.name())
                 .with("value", format!("{value:.6}"))
+                .with("unit", channel.si())
                 .with("seconds", format!("{seconds:.3}"))
                 .with_said("moving", *moving)
                 .with_said("advice", *advice),
@@ -367,6 +368,7 @@ impl RecordError {
                 .with("line", line)
                 .with_word("channel", channel.name())
                 .with("value", format!("{value:.5}"))
+                .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
                 .with_said("advice", *advice),
             RecordError::NoMotion { at, channel, range, unit } => of(phrases::NO_MOTION, at)

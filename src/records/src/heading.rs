@@ -187,20 +187,53 @@ pub(crate) enum HeadingUnit {
     Known(Unit),
 }
 
-/// Headings of a column that holds the name of the test.
-const TEST_HEADINGS: [&str; 12] = [
+/// What a column that holds the name of the test is called, alone or before one of [`OF_A_TEST`].
+const TESTS: [&str; 27] = [
     "test",
-    "test id",
-    "testid",
-    "test no",
-    "testno",
-    "test number",
-    "test name",
     "run",
-    "run id",
-    "run no",
-    "run number",
-    "test nr",
+    "versuch",
+    "versuchs",
+    "prufung",
+    "pruflauf",
+    "messung",
+    "messlauf",
+    "testlauf",
+    "essai",
+    "prova",
+    "ensayo",
+    "prueba",
+    "testid",
+    "testno",
+    "testnr",
+    "versuchsnr",
+    "versuchsnummer",
+    "versuchsname",
+    "prufnummer",
+    "prufungsnummer",
+    "messungsnummer",
+    "testnummer",
+    "试验",
+    "试验编号",
+    "测试编号",
+    "试验名称",
+];
+/// What stands behind it.
+const OF_A_TEST: [&str; 15] = [
+    "id",
+    "no",
+    "nr",
+    "number",
+    "name",
+    "nummer",
+    "bezeichnung",
+    "n",
+    "num",
+    "numero",
+    "nom",
+    "nome",
+    "nombre",
+    "编号",
+    "名称",
 ];
 
 /// Words in a heading that say nothing about the quantity.
@@ -441,7 +474,11 @@ enum HeadingUnitText<'a> {
 
 fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     let all = words.join(" ");
-    if TEST_HEADINGS.contains(&all.as_str()) {
+    if let [test, of_it @ ..] = words
+        && TESTS.contains(&test.as_str())
+        && of_it.len() <= 1
+        && of_it.iter().all(|word| OF_A_TEST.contains(&word.as_str()))
+    {
         return Heading::Test;
     }
     if ["sample rate", "sampling rate", "sampling frequency", "sample frequency", "fs", "abtastrate"]
@@ -555,6 +592,10 @@ mod tests {
         }
         assert_eq!(heading("Test No"), Heading::Test);
         assert_eq!(heading("test_id"), Heading::Test);
+        for named in ["Run", "Prüfung Nr.", "Versuch", "Messung", "Prüflauf", "Versuchs-Nr.", "Essai", "试验编号"]
+        {
+            assert_eq!(heading(named), Heading::Test, "{named}");
+        }
     }
 
     #[test]

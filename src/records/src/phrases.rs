@@ -34,13 +34,14 @@ crate::phrases! {
     OUT_OF_ORDER: "time stepped back {count} times, first at line {line}; {moved} rows put back in order";
     SHARED_STAMPS: "{count} of {rows} rows shared a time stamp with the row before; they were spread evenly to the next stamp";
     // Samples.
-    CLIPPED_MOTION: "{channel} is clipped at {value} (SI) in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
+    CLIPPED_MOTION: "{channel} is clipped at {value} {unit} in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
     CLIPPED_FORCE: "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out";
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
     SPIKES: "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off";
     // Motion.
     CONSISTENT: "velocity is {gain} times the derivative of displacement and lags it by {lag} ms ({percent} % of the displacement's variance unexplained)";
-    DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz";
+    DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}";
+    SHORTER: "; over fewer where the motion turns within them, {percent} % of the samples";
     INTEGRATED: "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})";
     NOT_PERIODIC_ENDS: "the record is not periodic, so the damper is taken to end where it began";
     CYCLES_RETURN: "from whole cycles, in each of which the damper returns";
@@ -68,7 +69,7 @@ crate::phrases! {
     TWINS: "{test} holds the same samples as {twin} and counts twice";
     // A force that comes late.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
-    LATE_NOT_MOVED: "{late}{energy}. Nothing was moved; to correct it give {option}";
+    LATE_NOT_MOVED: "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}";
     WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
     // The direction that the files count positive.
     STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
@@ -162,10 +163,10 @@ crate::phrases! {
     TOO_FEW: "{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again";
     MISSING: "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to drop. Repair the export{advice}";
     OR_IGNORE: ", or leave the channel out with --ignore {channel}";
-    TIME_BACKWARDS: "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, add a column 'test' or split it; otherwise cut the stray block";
+    TIME_BACKWARDS: "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, call the column that tells them apart 'test', or split it; otherwise cut the stray block";
     CONSTANT_TIME: "{at}: time does not advance, it is {time} s in every row; check that the right column is read as time";
-    FROZEN: "{at}, lines {first} to {last}: {channel} is frozen at {value} (SI) for {seconds} s while {moving}; {advice}";
-    CLIPPED: "{at}, first at line {line}: {channel} is clipped at {value} (SI) in {percent} % of the samples, which leaves too little to trust; {advice}";
+    FROZEN: "{at}, lines {first} to {last}: {channel} is frozen at {value} {unit} for {seconds} s while {moving}; {advice}";
+    CLIPPED: "{at}, first at line {line}: {channel} is clipped at {value} {unit} in {percent} % of the samples, which leaves too little to trust; {advice}";
     NO_MOTION: "{at}: the damper does not move: {channel} shows nothing but noise, within {range} {unit}. Measure the test again, or, if it is meant to stand, take it out";
     CONSTANT_FORCE: "{at}: force is {value} N in every row while the damper moves; check the load cell and its cable, and measure again";
     CELL: "{at}, line {line}, column '{column}': '{text}' is no number{hint}";

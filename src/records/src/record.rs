@@ -1,6 +1,7 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
 use super::sentence::Sentence;
+use super::taken_out::Off;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -50,6 +51,9 @@ pub struct Record {
     /// The fingerprint that it had when it was read, where something was taken out of it since.
     #[serde(skip)]
     pub as_read: Option<String>,
+    /// What the user said the measurement to be off by, and what was taken out of it therefore: a delay and a mass.
+    #[serde(skip)]
+    pub given: Off,
 }
 
 impl Record {

@@ -26,7 +26,7 @@ pub struct Motion {
 
 /// White noise of a smoothly varying channel: the typical size of its fourth differences, in which a motion sampled
 /// forty times per cycle nearly vanishes.
-fn channel_noise(y: &[f64]) -> f64 {
+pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
         return 0.0;

@@ -21,6 +21,16 @@ pub struct Off {
 impl Off {
     /// Not off at all.
     pub const NONE: Off = Off { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
+
+    /// What is left of it where some was taken out before.
+    pub fn beyond(&self, before: &Off) -> Off {
+        Off {
+            delay_s: self.delay_s - before.delay_s,
+            mass_kg: self.mass_kg - before.mass_kg,
+            gain_per_s: self.gain_per_s - before.gain_per_s,
+            zero_n_per_s: self.zero_n_per_s - before.zero_n_per_s,
+        }
+    }
 }
 
 /// The record without it; samples whose motion was not recorded, at an end, are left out.

@@ -45,6 +45,10 @@ pub struct CornerFigures {
     pub energy_fv_j: f64,
     /// Share of the time near which rig tests came.
     pub share_inside_tests: Option<f64>,
+    /// Velocities, m/s, at which the model's FV curve ends; none where it has no curve of points.
+    pub curve_ends_m_s: Option<[f64; 2]>,
+    /// Share of the time beyond them, where the curve goes straight on.
+    pub share_beyond_curve: f64,
 }
 
 /// What was driven, in figures; its JSON form is what `dashpot manoeuvre` writes.
@@ -132,6 +136,7 @@ pub fn figures(
     [model, curve]: [&Run; 2],
     quiet: Option<&Quiet>,
     covered: Option<&Covered>,
+    curve_ends: [Option<[f64; 2]>; 4],
 ) -> Figures {
     let [calm_model, calm_curve] = compared([model, curve], quiet);
     let near = covered.map(Covered::near);
@@ -161,6 +166,11 @@ pub fn figures(
                 },
                 energy_j: energy(model) * step,
                 energy_fv_j: energy(curve) * step,
+                curve_ends_m_s: curve_ends[i],
+                share_beyond_curve: curve_ends[i].map_or(0.0, |[low, high]| {
+                    let beyond = points().filter(|[_, v]| *v < low || *v > high).count();
+                    beyond as f64 / model.samples.len().max(1) as f64
+                }),
                 share_inside_tests: near
                     .as_ref()
                     .map(|near| points().filter(|p| near(*p)).count() as f64 / model.samples.len() as f64),
@@ -241,6 +251,7 @@ impl ManoeuvreInput<'_> {
         let mut first = vec![Block::Lead(self.answer()), Block::Paragraph(self.chassis_in_words())];
         first.extend(quiet_note(self.figures, words).map(Block::Warning));
         first.extend(coupling_note(self.figures, self.car, words).map(Block::Warning));
+        first.extend(beyond_note(self.figures, words).map(Block::Warning));
         vec![
             Section::new("answer", words.answer, first),
             self.forces(),
@@ -424,6 +435,17 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     let [model, curve] = [most(0), most(1)].map(numbers::error);
     let figures = [("host", host.as_str()), ("quiet", &quiet), ("model", &model), ("curve", &curve)];
     Some(fill(words.manoeuvre_quiet, &figures))
+}
+
+/// That a damper leaves the velocities that its FV curve was identified at, where one does: the one that does so longest.
+pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
+    let share = |c: &&CornerFigures| c.share_beyond_curve;
+    let worst = f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.share_beyond_curve > 0.0)?;
+    let range = |[low, high]: [f64; 2]| format!("{} … {}", digits(1e3 * low, 4), digits(1e3 * high, 4));
+    let (saw, ends) = (range(worst.saw.velocity_m_s), range(worst.curve_ends_m_s?));
+    let share = digits(100.0 * worst.share_beyond_curve, 2);
+    let figures = [("corner", worst.corner), ("saw", saw.as_str()), ("ends", &ends), ("share", &share)];
+    Some(fill(words.manoeuvre_beyond, &figures))
 }
 
 /// What the exchange of force and motion asks of a host, where it asks anything.

@@ -334,7 +334,7 @@ const NEXT: usize = 3;
 pub fn told(found: &Diagnosis) -> Vec<String> {
     let mut lines = vec![headline(found, &EN)];
     if !found.regions.is_empty() {
-        lines.push("Where the model as it came disagrees:".to_owned());
+        lines.push("Where the model disagrees, refitted to these tests:".to_owned());
         lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
     }
     for finding in &found.findings {

@@ -7,7 +7,7 @@ use dashpot_core::element;
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_output::Kind;
-use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, coupling_note, quiet_note};
+use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, beyond_note, coupling_note, quiet_note};
 use dashpot_report::words::EN;
 use dashpot_simulation::vehicle::{Car, Manoeuvre, run as drive, without_chatter};
 use std::path::{Path, PathBuf};
@@ -87,10 +87,20 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let [with_model, with_curve] = &both;
     let campaign = args.tests.as_ref().map(|path| DataArgs::folder(path.clone()).load()).transpose()?;
     let covered = campaign.as_ref().map(|campaign| Covered::of(&campaign.records));
-    let figures = manoeuvre::figures(&args.name, args.step, [with_model, with_curve], quiet.as_ref(), covered.as_ref());
+    let figures = manoeuvre::figures(
+        &args.name,
+        args.step,
+        [with_model, with_curve],
+        quiet.as_ref(),
+        covered.as_ref(),
+        models.map(curve_ends),
+    );
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&figures))?;
-    for note in [quiet_note(&figures, &EN), coupling_note(&figures, &car, &EN)].into_iter().flatten() {
+    for note in [quiet_note(&figures, &EN), coupling_note(&figures, &car, &EN), beyond_note(&figures, &EN)]
+        .into_iter()
+        .flatten()
+    {
         dashpot_output::say(json, &format!("note: {note}"))?;
     }
     if let Some(path) = json {
@@ -121,6 +131,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Where a model's FV curve of points ends, m/s.
+fn curve_ends(model: &Model) -> Option<[f64; 2]> {
+    let (low, high) = model.elements().fv_curve.range();
+    (low < high && low.is_finite() && high.is_finite()).then_some([low, high])
 }
 
 /// The model of a file, and its FV curve alone.

@@ -18,6 +18,58 @@ struct FlatTops {
     count: usize,
     first: usize,
     value: f64,
+    runs: Vec<FlatTop>,
+}
+
+/// One of them.
+#[derive(Debug, Clone)]
+struct FlatTop {
+    samples: std::ops::Range<usize>,
+    value: f64,
+    /// How far the channel would have gone beyond, by its slopes before and after.
+    overshoot: f64,
+}
+
+impl FlatTops {
+    /// All runs taken together.
+    fn of(n: usize, runs: Vec<FlatTop>) -> FlatTops {
+        let mut tops = FlatTops { clipped: vec![false; n], first: n, ..FlatTops::default() };
+        for run in &runs {
+            tops.count += run.samples.len();
+            if run.samples.start < tops.first {
+                (tops.first, tops.value) = (run.samples.start, run.value);
+            }
+            tops.clipped[run.samples.clone()].fill(true);
+        }
+        FlatTops { runs, ..tops }
+    }
+
+    /// Leaves out those that are none.
+    fn leave_out(&mut self, is_none: impl Fn(&FlatTop) -> bool) {
+        let runs = std::mem::take(&mut self.runs).into_iter().filter(|run| !is_none(run)).collect();
+        *self = FlatTops::of(self.clipped.len(), runs);
+    }
+}
+
+/// Share of the overshoot of a clipped channel that the other one shows at least: a parabola has two thirds of it in the mean.
+const SHOWN: f64 = 1.0 / 3.0;
+
+/// Whether the other motion channel moved as the flat top says: constant velocity to and fro, or a rest between two ramps, is no clipping.
+fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
+    let (first, last) = (top.samples.start, top.samples.end - 1);
+    let seconds = time[last] - time[first];
+    let beyond = match channel {
+        Channel::Velocity => (other[last] - other[first]) / seconds - top.value,
+        // How far it went on and came back, at most.
+        _ => {
+            let mut at = 0.0;
+            (first + 1..=last).fold(0.0f64, |most, k| {
+                at += 0.5 * (other[k] + other[k - 1]) * (time[k] - time[k - 1]);
+                most.max(at.abs())
+            })
+        }
+    };
+    seconds > 0.0 && beyond.abs() < SHOWN * top.overshoot
 }
 
 /// Deals with clipped channels; returns which samples have no usable force.
@@ -26,9 +78,15 @@ struct FlatTops {
 /// clipped motion channel is given up if the other can replace it.
 pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
-        let Some(tops) = samples.channel(channel).and_then(flat_tops) else {
+        let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
             continue;
         };
+        if let Some(other_values) = samples.channel(other) {
+            tops.leave_out(|run| moved_so(channel, &samples.time, other_values, run));
+            if tops.count == 0 {
+                continue;
+            }
+        }
         let percent = 100.0 * tops.count as f64 / samples.len() as f64;
         let value = tops.value;
         if samples.channel(other).is_none() {
@@ -51,6 +109,7 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
             Sentence::from(phrases::CLIPPED_MOTION)
                 .with_word("channel", channel.name())
                 .with("value", format!("{value:.5}"))
+                .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
                 .with("line", line)
                 .with_word("other", other.name()),
@@ -89,15 +148,13 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);
-    let mut tops = FlatTops { clipped: vec![false; n], ..FlatTops::default() };
-    tops.first = n;
+    let mut tops = Vec::new();
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
     if low == high {
         return None;
     }
     for (extreme, up) in [(high, 1.0), (low, -1.0)] {
         let mut start = 0;
-        let mut found = Vec::new();
         for run in values.chunk_by(|a, b| a == b) {
             let end = start + run.len();
             // The slope is taken over half the gap: next to a rounded top the last digit's own step would pass for slope.
@@ -107,21 +164,13 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
                 let fall = up * (values[end - 1] - values[end - 1 + reach]) / reach as f64;
                 let overshoot = rise.min(fall) * run.len() as f64 / 4.0;
                 if overshoot > 3.0 * quantum && overshoot > 1e-3 * (high - low) {
-                    found.push(start..end);
+                    tops.push(FlatTop { samples: start..end, value: extreme, overshoot });
                 }
             }
             start = end;
         }
-        for run in found {
-            tops.count += run.len();
-            if run.start < tops.first {
-                tops.first = run.start;
-                tops.value = extreme;
-            }
-            tops.clipped[run].fill(true);
-        }
     }
-    (tops.count > 0).then_some(tops)
+    (!tops.is_empty()).then(|| FlatTops::of(n, tops))
 }
 
 /// The step of the channel's last digit: the smallest difference of neighbours that is not zero.

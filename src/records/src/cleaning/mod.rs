@@ -25,7 +25,7 @@ use super::record::{Note, Record};
 use super::samples::{Samples, range};
 use super::sentence::Sentence;
 use super::swapped;
-use super::taken_out::take_mass;
+use super::taken_out::{Off, take_mass};
 
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
@@ -55,8 +55,8 @@ pub(crate) struct Motion {
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
     pub cycles: Vec<Cycle>,
-    /// What moves between load cell and damper, as the user gave it; its force is still in the channel.
-    pub rig_mass_kg: f64,
+    /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
+    pub given: Off,
     pub notes: Vec<Note>,
 }
 
@@ -112,7 +112,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, Re
         side_force: samples.side_force,
         temperature: samples.temperature,
         cycles,
-        rig_mass_kg: 0.0,
+        given: Off::NONE,
         notes: samples.notes,
     };
     let partnered = corrections::apply(&mut motion, options);
@@ -176,12 +176,16 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                 n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
             };
             let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
+            // Of chance alone a few are.
+            let shorter = (filter.shorter > 0.01)
+                .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
             samples.note(
                 "derived",
                 Sentence::from(phrases::DIFFERENTIATED)
                     .with("points", filter.points)
                     .with("window", format!("{:.4}", filter.window))
-                    .with("frequency", format!("{:.1}", filter.bandwidth)),
+                    .with("frequency", format!("{:.1}", filter.bandwidth))
+                    .with_any("shorter", shorter),
             );
             Ok((displacement, velocity, cycles))
         }
@@ -227,19 +231,8 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
     trim::trim(&mut motion);
-    let Motion {
-        at,
-        name,
-        time,
-        displacement,
-        velocity,
-        force,
-        side_force,
-        temperature,
-        cycles,
-        rig_mass_kg,
-        mut notes,
-    } = motion;
+    let Motion { at, name, time, displacement, velocity, force, side_force, temperature, cycles, given, mut notes } =
+        motion;
     if time.len() < FEWEST {
         return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
     }
@@ -270,8 +263,9 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         temperature,
         notes,
         as_read: None,
+        given,
     };
-    take_mass(&mut record, rig_mass_kg);
+    take_mass(&mut record, given.mass_kg);
     Ok(record)
 }
 

@@ -85,7 +85,7 @@ mod tests {
             *time -= 1.5;
         }
         let error = restore(&mut samples).unwrap_err().to_string();
-        assert!(error.contains("line 402") && error.contains("column 'test'"), "{error}");
+        assert!(error.contains("line 402") && error.contains("apart 'test'"), "{error}");
     }
 
     #[test]

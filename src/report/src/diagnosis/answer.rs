@@ -48,6 +48,7 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
             None => fill(words.sentence_end, &[("sentence", &error)]),
         },
         Verdict::NothingMissing => words.nothing_stays.to_owned(),
+        Verdict::Changed => words.changed_stays.to_owned(),
         Verdict::CannotTell => words.nothing_added_rivals.to_owned(),
         Verdict::UnknownEffect => words.nothing_added_unknown.to_owned(),
     })
@@ -107,7 +108,7 @@ pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let named: Vec<String> = found.findings.iter().map(name).collect();
     let title = match found.verdict {
         Verdict::Named => fill(words.picture_named, &[("names", &named.join(words.comma))]),
-        Verdict::NothingMissing => words.picture_nothing.to_owned(),
+        Verdict::NothingMissing | Verdict::Changed => words.picture_nothing.to_owned(),
         Verdict::CannotTell => words.picture_cannot_tell.to_owned(),
         Verdict::UnknownEffect => words.picture_unknown.to_owned(),
     };

@@ -29,8 +29,10 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .collect();
         blocks.push(Block::Warning(fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
+    // Alone they give the section its heading.
+    let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changed.is_empty();
     if !found.changed.is_empty() {
-        blocks.push(Block::Heading(words.changed_section.into()));
+        blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
         blocks.push(Block::Table(changed(found, words)));
     }
     if !found.shifts.is_empty() {
@@ -40,7 +42,11 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     if blocks.is_empty() {
         return None;
     }
-    let title = if found.findings.is_empty() { words.suspects_section } else { words.findings_section };
+    let title = match found.findings.is_empty() {
+        true if changed_alone => words.changed_section,
+        true => words.suspects_section,
+        false => words.findings_section,
+    };
     Some(Section::new("findings", title, blocks))
 }
 

@@ -103,6 +103,18 @@ pub const ALL: &[Said] = &[
         "没有这些记录能够显示的缺失效应（把握 {percent}）：模型偏差为{times}{not_seen}{not_confirmed}",
     ],
     [
+        "other than on the reference damper: {numbers}{more}; {besides}",
+        "anders als am Referenzdämpfer: {numbers}{more}; {besides}",
+        "autre que sur l’amortisseur de référence : {numbers}{more} ; {besides}",
+        "与参考减振器不同：{numbers}{more}；{besides}",
+    ],
+    [
+        "{name} {reference} -> {value} {unit}",
+        "{name} {reference} -> {value} {unit}",
+        "{name} {reference} -> {value} {unit}",
+        "{name} {reference} -> {value} {unit}",
+    ],
+    [
         "; they cannot show {names}",
         "; nicht zeigen können sie {names}",
         " ; elles ne peuvent montrer {names}",
@@ -466,10 +478,10 @@ pub const ALL: &[Said] = &[
         "与参考试验对比：模型在参考的相同试验中留下的残差已扣除{aside}",
     ],
     [
-        "; {count} tests have no counterpart there and were left aside: {tests}",
-        "; {count} Versuche haben dort kein Gegenstück und blieben beiseite: {tests}",
-        " ; {count} essais n’y ont pas d’équivalent et ont été laissés de côté : {tests}",
-        "；{count} 个试验在参考中没有对应，未予采用：{tests}",
+        "; only tests of whole cycles that both campaigns have are compared, and left aside: {tests}",
+        "; verglichen werden nur Versuche mit ganzen Zyklen, die beide Messungen haben; beiseite blieben: {tests}",
+        " ; seuls sont comparés les essais à cycles entiers que les deux campagnes ont ; laissés de côté : {tests}",
+        "；仅比较两组试验共有的整周期试验，未予采用：{tests}",
     ],
     // Where in the way of the force an effect acts.
     ["gas and springs", "Gas und Federn", "gaz et ressorts", "气体与弹簧"],

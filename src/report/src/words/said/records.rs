@@ -118,10 +118,10 @@ pub const ALL: &[Said] = &[
     ],
     // Samples.
     [
-        "{channel} is clipped at {value} (SI) in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}",
-        "der Kanal {channel} ist in {percent} % der Messwerte bei {value} (SI) abgeschnitten, zuerst in Zeile {line}; er wird weggelassen und aus dem Kanal {other} gewonnen",
-        "la voie {channel} est écrêtée à {value} (SI) sur {percent} % des échantillons, d’abord à la ligne {line} ; elle est écartée et tirée de la voie {other}",
-        "{channel}通道有 {percent} % 的采样在 {value}（国际单位）处被削平，首次在第 {line} 行；该通道已舍去，由{other}导出",
+        "{channel} is clipped at {value} {unit} in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}",
+        "der Kanal {channel} ist in {percent} % der Messwerte bei {value} {unit} abgeschnitten, zuerst in Zeile {line}; er wird weggelassen und aus dem Kanal {other} gewonnen",
+        "la voie {channel} est écrêtée à {value} {unit} sur {percent} % des échantillons, d’abord à la ligne {line} ; elle est écartée et tirée de la voie {other}",
+        "{channel}通道有 {percent} % 的采样在 {value} {unit} 处被削平，首次在第 {line} 行；该通道已舍去，由{other}导出",
     ],
     [
         "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out",
@@ -149,10 +149,16 @@ pub const ALL: &[Said] = &[
         "速度为位移导数的 {gain} 倍，滞后 {lag} ms（位移方差有 {percent} % 未被解释）",
     ],
     [
-        "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz",
-        "Geschwindigkeit aus dem Weg abgeleitet, mit örtlichen kubischen Polynomen über {points} Messwerte ({window} s), ohne Phase, -3 dB bei {frequency} Hz",
-        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), phase nulle, -3 dB à {frequency} Hz",
-        "速度由位移经局部三次多项式求导得到，窗口 {points} 个采样（{window} s），零相位，-3 dB 在 {frequency} Hz",
+        "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}",
+        "Geschwindigkeit aus dem Weg abgeleitet, mit örtlichen kubischen Polynomen über {points} Messwerte ({window} s), ohne Phase, -3 dB bei {frequency} Hz{shorter}",
+        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), phase nulle, -3 dB à {frequency} Hz{shorter}",
+        "速度由位移经局部三次多项式求导得到，窗口 {points} 个采样（{window} s），零相位，-3 dB 在 {frequency} Hz{shorter}",
+    ],
+    [
+        "; over fewer where the motion turns within them, {percent} % of the samples",
+        "; über weniger, wo die Bewegung darin umkehrt, {percent} % der Messwerte",
+        " ; sur moins là où le mouvement tourne dedans, {percent} % des échantillons",
+        "；运动在窗口内转折处窗口更短，占采样的 {percent} %",
     ],
     [
         "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})",
@@ -297,10 +303,10 @@ pub const ALL: &[Said] = &[
         "力比运动约晚 {delay} ms：按此计，速度曲线有 {left} % 的力方差未能解释，按原记录则为 {recorded} %",
     ],
     [
-        "{late}{energy}. Nothing was moved; to correct it give {option}",
-        "{late}{energy}. Nichts wurde verschoben; zum Korrigieren {option} angeben",
-        "{late}{energy}. Rien n’a été déplacé ; pour corriger, donner {option}",
-        "{late}{energy}。未作任何移动；如要修正，请给出 {option}",
+        "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}",
+        "{late}{energy}. Hysterese zählt hier als Verspätung: dashpot fit trennt beide und nimmt die Verspätung heraus. Nichts wurde verschoben; zum Korrigieren ohne fit {option} angeben",
+        "{late}{energy}. L’hystérésis compte ici comme retard : dashpot fit les distingue et ôte le retard. Rien n’a été déplacé ; pour corriger sans fit, donner {option}",
+        "{late}{energy}。此处滞回也被计为延迟：dashpot fit 会将两者区分并去除延迟。未作任何移动；如不拟合而要修正，请给出 {option}",
     ],
     [
         "; as recorded, the damper would feed energy in {count} of {all} tests",
@@ -771,10 +777,10 @@ pub const ALL: &[Said] = &[
         "，或用 --ignore {channel} 舍去该通道",
     ],
     [
-        "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, add a column 'test' or split it; otherwise cut the stray block",
-        "{at}, Zeile {line}: die Zeit springt von {from} s auf {to} s zurück. Enthält die Datei mehrere Versuche hintereinander, eine Spalte „test“ ergänzen oder sie teilen; sonst den fremden Block herausschneiden",
-        "{at}, ligne {line} : le temps recule de {from} s à {to} s. Si le fichier contient plusieurs essais à la suite, ajouter une colonne « test » ou le diviser ; sinon couper le bloc étranger",
-        "{at}，第 {line} 行：时间从 {from} s 退回到 {to} s。如果文件依次含有几个试验，请增加“test”列或将其拆分；否则请剪去多余的数据段",
+        "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, call the column that tells them apart 'test', or split it; otherwise cut the stray block",
+        "{at}, Zeile {line}: die Zeit springt von {from} s auf {to} s zurück. Enthält die Datei mehrere Versuche hintereinander, die Spalte, die sie unterscheidet, „test“ nennen oder die Datei teilen; sonst den fremden Block herausschneiden",
+        "{at}, ligne {line} : le temps recule de {from} s à {to} s. Si le fichier contient plusieurs essais à la suite, nommer « test » la colonne qui les distingue, ou le diviser ; sinon couper le bloc étranger",
+        "{at}，第 {line} 行：时间从 {from} s 退回到 {to} s。如果文件依次含有几个试验，请将区分它们的列命名为“test”，或拆分文件；否则请剪去多余的数据段",
     ],
     [
         "{at}: time does not advance, it is {time} s in every row; check that the right column is read as time",
@@ -783,16 +789,16 @@ pub const ALL: &[Said] = &[
         "{at}：时间不前进，每行都是 {time} s；请检查是否将正确的列读作时间",
     ],
     [
-        "{at}, lines {first} to {last}: {channel} is frozen at {value} (SI) for {seconds} s while {moving}; {advice}",
-        "{at}, Zeilen {first} bis {last}: der Kanal {channel} steht {seconds} s lang bei {value} (SI), während {moving}; {advice}",
-        "{at}, lignes {first} à {last} : la voie {channel} est figée à {value} (SI) pendant {seconds} s alors que {moving} ; {advice}",
-        "{at}，第 {first} 至 {last} 行：{channel}通道在 {value}（国际单位）停滞 {seconds} s，而{moving}；{advice}",
+        "{at}, lines {first} to {last}: {channel} is frozen at {value} {unit} for {seconds} s while {moving}; {advice}",
+        "{at}, Zeilen {first} bis {last}: der Kanal {channel} steht {seconds} s lang bei {value} {unit}, während {moving}; {advice}",
+        "{at}, lignes {first} à {last} : la voie {channel} est figée à {value} {unit} pendant {seconds} s alors que {moving} ; {advice}",
+        "{at}，第 {first} 至 {last} 行：{channel}通道在 {value} {unit} 停滞 {seconds} s，而{moving}；{advice}",
     ],
     [
-        "{at}, first at line {line}: {channel} is clipped at {value} (SI) in {percent} % of the samples, which leaves too little to trust; {advice}",
-        "{at}, zuerst in Zeile {line}: der Kanal {channel} ist in {percent} % der Messwerte bei {value} (SI) abgeschnitten, so dass zu wenig Verlässliches bleibt; {advice}",
-        "{at}, d’abord à la ligne {line} : la voie {channel} est écrêtée à {value} (SI) sur {percent} % des échantillons, ce qui en laisse trop peu de fiables ; {advice}",
-        "{at}，首次在第 {line} 行：{channel}通道有 {percent} % 的采样在 {value}（国际单位）处被削平，可信的数据太少；{advice}",
+        "{at}, first at line {line}: {channel} is clipped at {value} {unit} in {percent} % of the samples, which leaves too little to trust; {advice}",
+        "{at}, zuerst in Zeile {line}: der Kanal {channel} ist in {percent} % der Messwerte bei {value} {unit} abgeschnitten, so dass zu wenig Verlässliches bleibt; {advice}",
+        "{at}, d’abord à la ligne {line} : la voie {channel} est écrêtée à {value} {unit} sur {percent} % des échantillons, ce qui en laisse trop peu de fiables ; {advice}",
+        "{at}，首次在第 {line} 行：{channel}通道有 {percent} % 的采样在 {value} {unit} 处被削平，可信的数据太少；{advice}",
     ],
     [
         "{at}: the damper does not move: {channel} shows nothing but noise, within {range} {unit}. Measure the test again, or, if it is meant to stand, take it out",
