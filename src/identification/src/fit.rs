@@ -209,7 +209,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
     found.notes.extend(coverage_notes(&segments));
-    if options.family == Family::Thesis && found.measured.is_empty() {
+    if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
         found.notes.extend(zero_moves(&segments, &found.params));
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
@@ -550,9 +550,10 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// How many times larger the constant part of what a model leaves of the tests must be than all the rest of it, to be told as a zero that moves.
-/// With noise and errors of form alone it is a fraction of the rest.
-const MOVES: f64 = 1.0;
+/// Share of what a model leaves of the tests, in mean squares, that a constant force in each makes at least to be told, and how many times what noise and
+/// form allow the model must be off by. A model that fits leaves less than either; one that was bent by moving zeros leaves more than them.
+const CONSTANT: f64 = 0.2;
+const OFF: f64 = 2.0;
 
 /// What is said where a model leaves another constant force of each test: no number of a model is another from test to test, so it is
 /// the zero of the channel that moves, or the gas with its temperature.
@@ -568,7 +569,7 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     }
     let squares: f64 = constant.iter().map(|c| c * c).sum();
     let (low, high) = constant.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(*c), h.max(*c)));
-    (segments.len() >= 3 && squares > MOVES * MOVES * rest).then(|| {
+    (segments.len() >= 3 && squares > CONSTANT * (squares + rest)).then(|| {
         Sentence::from(phrases::ZERO_MOVES).with("low", format!("{low:.1}")).with("high", format!("{high:.1}"))
     })
 }

@@ -34,7 +34,7 @@ dashpot_records::phrases! {
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     NO_SLOW_TEST: "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
-    ZERO_MOVES: "what the model leaves of the tests is mainly another constant force in each, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
+    ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // What the measurement is off by.
     FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";

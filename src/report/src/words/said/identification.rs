@@ -100,10 +100,10 @@ pub const ALL: &[Said] = &[
         "所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定",
     ],
     [
-        "what the model leaves of the tests is mainly another constant force in each, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted",
-        "was das Modell von den Versuchen übrig lässt, ist vor allem eine andere gleichbleibende Kraft in jedem, von {low} bis {high} N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich",
-        "ce que le modèle laisse des essais est surtout une force constante, autre dans chacun, de {low} à {high} N : le zéro de la voie de force bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et force de gaz ne sont pas fiables",
-        "模型在各试验中剩下的主要是各不相同的恒定力，从 {low} 到 {high} N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信",
+        "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted",
+        "das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von {low} bis {high} N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich",
+        "le modèle laisse de chaque essai une autre force constante, de {low} à {high} N : le zéro de la voie de force bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et force de gaz ne sont pas fiables",
+        "模型在各试验中剩下各不相同的恒定力，从 {low} 到 {high} N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信",
     ],
     // What the measurement is off by.
     [
