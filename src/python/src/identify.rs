@@ -51,7 +51,8 @@ pub fn fit(
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
     let options = FitOptions { family, elements, late: campaign.read.delay.map(|d| d.seconds) };
     let found = work::run(py, progress, |progress| -> anyhow::Result<_> {
-        let found = dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text))?;
+        let found =
+            dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text.english()))?;
         let over_whole_records = whole_records::of_fit(&found, &records)?;
         Ok((found, over_whole_records))
     })?;
