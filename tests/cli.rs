@@ -1,6 +1,7 @@
 //! The command `dashpot`, and campaigns to run it on.
 
-use crate::library::{profile_folder, root, succeed};
+use crate::library::{root, succeed};
+use dashpot_test_support::profile_folder;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;

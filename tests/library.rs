@@ -1,5 +1,6 @@
 //! The shipped library, built as it is shipped, and host programs compiled against it.
 
+use dashpot_test_support::{profile_folder, target_folder};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -34,7 +35,7 @@ pub fn directory() -> &'static Path {
         let mut build = Command::new(env!("CARGO"));
         build.args(["build", "--release", "--quiet", "-p", "dashpot-dll"]).current_dir(root());
         succeed(&mut build);
-        let release = profile_folder().parent().expect("a target directory").join("release");
+        let release = target_folder().join("release");
         if release != profile_folder() {
             // The command takes the library that lies beside it. A file of its own: cargo's is another name of one that it keeps.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
@@ -44,13 +45,6 @@ pub fn directory() -> &'static Path {
         }
         release
     })
-}
-
-/// Where cargo puts what it builds as these tests.
-pub fn profile_folder() -> PathBuf {
-    // target/<profile>/deps/<this test>
-    let test = std::env::current_exe().expect("the path of this test");
-    test.ancestors().nth(2).expect("a target directory").to_owned()
 }
 
 /// The shared library.

@@ -1,6 +1,6 @@
 //! A Python with the packages that some hosts come in, in a virtual environment below the target directory.
 
-use dashpot_test_support::skipped;
+use dashpot_test_support::{skipped, target_folder};
 use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
@@ -30,8 +30,7 @@ pub fn python() -> PathBuf {
 fn made() -> &'static Result<PathBuf, String> {
     static PYTHON: OnceLock<Result<PathBuf, String>> = OnceLock::new();
     PYTHON.get_or_init(|| {
-        let test = std::env::current_exe().expect("the path of this test");
-        let environment = test.ancestors().nth(3).expect("a target directory").join("hosts-venv");
+        let environment = target_folder().join("hosts-venv");
         let python = environment.join("bin/python");
         let done = environment.join(PACKAGES.join("_"));
         if !done.exists() {
@@ -61,9 +60,7 @@ fn made() -> &'static Result<PathBuf, String> {
 /// An interpreter with packages, parted by blanks, in an environment of their own named after the first; or none, after a line that says so,
 /// where they cannot be installed here.
 pub fn python_with(packages: &str) -> Option<PathBuf> {
-    let test = std::env::current_exe().expect("the path of this test");
-    let target = test.ancestors().nth(3).expect("a target directory");
-    let environment = target.join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
+    let environment = target_folder().join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
     let (python, done) = (environment.join("bin/python"), environment.join(packages));
     let runs = |command: &mut Command| command.output().is_ok_and(|out| out.status.success());
     let made = done.exists()

@@ -1,25 +1,11 @@
 /* Damaged files through the readers in C, under the compiler's own watch over memory (-fsanitize=address,undefined). Arguments: rounds;
  * "map" and a channel map, or "fmu", the resources folder of a one-corner FMU and its GUID. What is let in is used too. */
 #include "channel_map.h"
-#include "fmi2.h"
+#include "fmi2_calls.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern fmi2Component fmi2Instantiate(fmi2String, fmi2Type, fmi2String, fmi2String, const fmi2CallbackFunctions *, fmi2Boolean,
-                                     fmi2Boolean);
-extern void fmi2FreeInstance(fmi2Component);
-extern fmi2Status fmi2SetupExperiment(fmi2Component, fmi2Boolean, fmi2Real, fmi2Real, fmi2Boolean, fmi2Real);
-extern fmi2Status fmi2EnterInitializationMode(fmi2Component), fmi2ExitInitializationMode(fmi2Component);
-extern fmi2Status fmi2GetReal(fmi2Component, const fmi2ValueReference[], size_t, fmi2Real[]);
-extern fmi2Status fmi2SetReal(fmi2Component, const fmi2ValueReference[], size_t, const fmi2Real[]);
-extern fmi2Status fmi2DoStep(fmi2Component, fmi2Real, fmi2Real, fmi2Boolean);
-extern fmi2Status fmi2GetFMUstate(fmi2Component, fmi2FMUstate *), fmi2SetFMUstate(fmi2Component, fmi2FMUstate);
-extern fmi2Status fmi2FreeFMUstate(fmi2Component, fmi2FMUstate *);
-extern fmi2Status fmi2SerializedFMUstateSize(fmi2Component, fmi2FMUstate, size_t *);
-extern fmi2Status fmi2SerializeFMUstate(fmi2Component, fmi2FMUstate, fmi2Byte[], size_t);
-extern fmi2Status fmi2DeSerializeFMUstate(fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate *);
 
 static uint64_t state = 5;
 

@@ -3,7 +3,7 @@
 //! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
 //! is no part of `cargo test --release`: `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
 
-use dashpot_test_support::skipped;
+use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
 use dashpot_tests::library::{directory, root};
 use std::path::{Path, PathBuf};
@@ -55,9 +55,7 @@ fn environment(target: &Path) -> Option<PathBuf> {
 #[test]
 #[ignore = "builds the workspace once more for the wheel and installs half a gigabyte: run it with -- --ignored"]
 fn the_wheel_does_what_the_command_does() {
-    let test = std::env::current_exe().expect("the path of this test");
-    let target = test.ancestors().nth(3).expect("a target directory");
-    let Some(bin) = environment(target) else { return };
+    let Some(bin) = environment(&target_folder()) else { return };
     let sources = root().join("src/python");
     let wheels = tempfile::tempdir().expect("a directory");
     let mut build = Command::new(bin.join("maturin"));

@@ -130,7 +130,7 @@ impl App {
     fn told(&mut self, path: &Path, written: anyhow::Result<()>) {
         match written {
             Ok(()) => self.session.say(path.display().to_string()),
-            Err(error) => self.session.complain(format!("{error:#}")),
+            Err(error) => self.session.complain(outputs::told(&error)),
         }
     }
 

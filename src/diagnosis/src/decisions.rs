@@ -27,3 +27,7 @@ pub const FORM: f64 = 0.5;
 pub const OWN_FORM: f64 = 0.3;
 /// Largest error of form that something may leave, in the same units: beyond it all are alike.
 pub const MOST_FORM: f64 = 30.0;
+
+/// Share of the larger by which a number differs from the reference damper's at least to stand in the answer: dampers of one series differ by as
+/// much, and windows of force allow it. Smaller differences stand in the table alone (`outcome::tests`).
+pub const MATERIAL: f64 = 0.1;

@@ -85,7 +85,7 @@ impl Diagnosis {
             choices: Vec::new(),
             measured: of_both(
                 if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
-                &used.first().map_or(Off::NONE, |r| r.given),
+                &Off::given(records),
                 &self.measured,
             ),
             notes,

@@ -1,5 +1,6 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
+use super::decisions::MATERIAL;
 use super::phrases;
 use super::tree::Branch;
 use dashpot_core::Params;
@@ -21,6 +22,13 @@ pub enum Verdict {
     CannotTell,
     /// Something is missing that no known effect explains.
     UnknownEffect,
+}
+
+impl Verdict {
+    /// Whether no effect is missing: the numbers of the model may be others than on a reference.
+    pub fn nothing_is_missing(self) -> bool {
+        matches!(self, Verdict::NothingMissing | Verdict::Changed)
+    }
 }
 
 /// Everything a diagnosis found.
@@ -238,18 +246,10 @@ pub struct Change {
     pub unit: &'static str,
 }
 
-/// Share by which a number differs at least to stand in the answer: less than a tenth is the scatter of a series.
-const MATERIAL: f64 = 0.1;
-
 impl Change {
-    /// By how much, as a share of the larger.
-    fn share(&self) -> f64 {
-        (self.value - self.reference).abs() / self.value.abs().max(self.reference.abs()).max(f64::MIN_POSITIVE)
-    }
-
     /// Whether it stands in the answer.
     pub(super) fn is_material(&self) -> bool {
-        self.share() > MATERIAL
+        (self.value - self.reference).abs() > MATERIAL * self.value.abs().max(self.reference.abs())
     }
 
     /// In words.
@@ -335,4 +335,19 @@ pub struct Evidence {
     pub implausibility: f64,
     /// Share of the tests of which it leaves less.
     pub tests_better: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_in_the_answer_differs_by_more_than_the_scatter_of_a_series() {
+        let of =
+            |reference, value| Change { parameter: "gas_force", reference, value, low: value, high: value, unit: "N" };
+        assert!(!of(180.0, 172.0).is_material() && !of(0.0, 0.0).is_material());
+        assert!(of(180.0, 12.85).is_material() && of(0.0, 3.0).is_material() && of(-50.0, -40.0).is_material());
+        assert_eq!(of(179.219_4, 0.012_852_4).sentence().to_string(), "gas_force 179.2 -> 0.01285 N");
+        assert_eq!(of(627.627, 0.0).sentence().to_string(), "gas_force 627.6 -> 0 N");
+    }
 }

@@ -3,6 +3,7 @@
 //! Force times velocity is measured, so the heat needs no model of the damper: C Ṫ = F v − h (T − T_a), from test to test
 //! on the campaign's clock, rests included.
 
+use super::campaign_clock::clock_runs_on;
 use super::samples::Test;
 use dashpot_records::Record;
 
@@ -15,13 +16,6 @@ pub struct Heating {
     looks: Vec<(f64, usize)>,
     /// Whether the records' clocks run through the campaign, so that heat carries over.
     pub continues: bool,
-}
-
-/// Whether the records' clocks run through the campaign: no two of them overlap. Where each file has a clock of its own, all begin at the same time.
-pub fn clock_runs_on(records: &[&Record]) -> bool {
-    let mut spans: Vec<(f64, f64)> = records.iter().filter_map(|r| Some((*r.time.first()?, *r.time.last()?))).collect();
-    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
-    spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9)
 }
 
 impl Heating {

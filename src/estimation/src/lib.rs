@@ -16,10 +16,12 @@
 //! | [`solve`] | bounded, robust least squares for any residuals |
 //! | [`deviations`] | how far the records leave numbers open |
 //! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
+//! | [`campaign_clock`] | whether the records were measured on one clock |
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
 pub mod as_read;
+pub mod campaign_clock;
 pub mod cancel;
 pub mod curve_weights;
 pub mod deviations;

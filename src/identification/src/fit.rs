@@ -14,7 +14,7 @@ use dashpot_core::elements;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
-use dashpot_estimation::heating::clock_runs_on;
+use dashpot_estimation::campaign_clock::clock_runs_on;
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
@@ -198,7 +198,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
-        Family::Thesis => fit_thesis(&guess, &segments, (options, clock_runs_on(records)), &progress),
+        Family::Thesis => fit_thesis(&guess, &segments, options, clock_runs_on(records), &progress),
         Family::Fv => as_found(&segments, fv_unknowns(&fv_only)),
         Family::Piecewise => fit_piecewise(&segments, &progress)?,
         Family::Lag => fit_lag(&segments, &progress)?,
@@ -214,7 +214,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
     let Found { params, estimates, choices, measured, mut notes, misfit } = found;
-    let given = records.first().map_or(Off::NONE, |record| record.given);
+    let given = Off::given(records);
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     Ok(Fit {
@@ -243,7 +243,8 @@ fn fv_unknowns(from: &Params) -> Unknowns {
 fn fit_thesis(
     guess: &Params,
     segments: &[Segment],
-    (options, clock_runs_on): (&FitOptions, bool),
+    options: &FitOptions,
+    clock_runs_on: bool,
     progress: &impl Fn(Stage),
 ) -> Found {
     let allowed =
@@ -291,8 +292,8 @@ fn fit_thesis(
         let variants = (&frictions[..], &springs[..], &physical[..]);
         (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         let before = structure;
-        (structure, from) =
-            look_at_the_measurement(structure, from, segments, (options.late, clock_runs_on), &mut choices, progress);
+        let ways = OfTheRig::ways(segments, options.late, clock_runs_on);
+        (structure, from) = look_at_the_measurement(structure, from, segments, ways, &mut choices, progress);
         if structure.rig != before.rig {
             // What the measurement did was taken for friction or a spring until now.
             choices.retain(|choice| choice.of == MEASUREMENT);
@@ -400,14 +401,13 @@ fn look_at_the_measurement(
     structure: Structure,
     from: Params,
     segments: &[Segment],
-    (late, clock_runs_on): (Option<f64>, bool),
+    ways: Vec<(&'static str, OfTheRig)>,
     choices: &mut Vec<Choice>,
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
     let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
-    let ways = OfTheRig::ways(segments, late, clock_runs_on).into_iter();
-    list.extend(ways.map(|(name, rig)| Candidate {
+    list.extend(ways.into_iter().map(|(name, rig)| Candidate {
         name,
         structure: Structure { rig, ..structure },
         starts: vec![from],

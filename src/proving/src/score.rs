@@ -84,13 +84,11 @@ pub fn table(all: &[Outcome]) -> String {
             "  of these names, true of the damper though not hidden in it: {}",
             share(names().filter(|is| *is).count(), names().count())
         );
+        let changed = some.iter().filter(|o| o.verdict == Verdict::Changed).count();
         let _ = writeln!(
             out,
-            "  nothing_missing said: {}",
-            share(
-                some.iter().filter(|o| matches!(o.verdict, Verdict::NothingMissing | Verdict::Changed)).count(),
-                some.len()
-            )
+            "  nothing_missing said: {}, with other numbers than the reference's {changed}",
+            share(some.iter().filter(|o| o.verdict.nothing_is_missing()).count(), some.len())
         );
     }
     let unknown = of("unknown");
@@ -125,7 +123,7 @@ pub fn table(all: &[Outcome]) -> String {
         .iter()
         .filter(|o| {
             right(o)
-                || (o.named.is_empty() && !matches!(o.verdict, Verdict::NothingMissing | Verdict::Changed))
+                || (o.named.is_empty() && !o.verdict.nothing_is_missing())
                 || o.truth().is_some_and(|t| o.could_not_test.iter().any(|c| c == t))
         })
         .count();

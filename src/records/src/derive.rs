@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use super::samples::sample_time;
+use super::samples::{quantum, sample_time};
 use super::smoothing::channel_noise;
 
 /// The filter that a derivative was taken with.
@@ -24,7 +24,7 @@ const REACH: usize = 250;
 /// How many deviations of its noise a slope over a long window may be off that over a shorter one to be taken for the same. With 4, one sample
 /// in a thousand of a smooth motion gets a shorter window by chance, and a slope with all its noise; a corner is off by tens.
 const SAME: f64 = 5.0;
-/// How much longer each window is than the one before.
+/// How much longer each window is than the one before: closer ones cost time, wider ones leave a sample a window that much too short.
 const LONGER: f64 = 1.4;
 
 /// Velocity by local cubics (Savitzky and Golay 1964): at every sample a cubic is fitted by least squares to the
@@ -70,9 +70,8 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
 
 /// White noise of the channel, m; no less than its last digit makes.
 fn displacement_noise(displacement: &[f64]) -> f64 {
-    let step = displacement.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
-    let digit = if step.is_finite() { step / 12f64.sqrt() } else { 0.0 };
-    channel_noise(displacement).max(digit)
+    // Rounding to a step is off by a twelfth of its square in the mean.
+    channel_noise(displacement).max(quantum(displacement) / 12f64.sqrt())
 }
 
 /// Slopes of the cubics over so many samples on either side.

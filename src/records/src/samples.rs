@@ -108,3 +108,8 @@ pub(crate) fn range(values: &[f64]) -> f64 {
 pub(crate) fn sample_time(time: &[f64]) -> f64 {
     median(&mut time.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>())
 }
+/// The step of a channel's last digit: the smallest difference of neighbours that is not zero.
+pub(crate) fn quantum(values: &[f64]) -> f64 {
+    let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
+    if smallest.is_finite() { smallest } else { 0.0 }
+}

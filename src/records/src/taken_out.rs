@@ -22,6 +22,11 @@ impl Off {
     /// Not off at all.
     pub const NONE: Off = Off { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
 
+    /// What the user gave of records: the same for all that are read together.
+    pub fn given(records: &[&Record]) -> Off {
+        records.first().map_or(Off::NONE, |record| record.given)
+    }
+
     /// What is left of it where some was taken out before.
     pub fn beyond(&self, before: &Off) -> Off {
         Off {

@@ -9,7 +9,9 @@ use crate::cells::Cell;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
 use crate::words::{Words, fill};
+use dashpot_core::Model;
 use dashpot_records::Record;
+use dashpot_simulation::chatter::RINGS;
 use dashpot_simulation::vehicle::{CORNERS, Car, Quiet, Run, SLOW, Sample};
 use serde::Serialize;
 
@@ -45,7 +47,7 @@ pub struct CornerFigures {
     pub energy_fv_j: f64,
     /// Share of the time near which rig tests came.
     pub share_inside_tests: Option<f64>,
-    /// Velocities, m/s, at which the model's FV curve ends; none where it has no curve of points.
+    /// Velocities, m/s, at which the model's FV curve ends; none where it has no ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
     /// Share of the time beyond them, where the curve goes straight on.
     pub share_beyond_curve: f64,
@@ -136,7 +138,7 @@ pub fn figures(
     [model, curve]: [&Run; 2],
     quiet: Option<&Quiet>,
     covered: Option<&Covered>,
-    curve_ends: [Option<[f64; 2]>; 4],
+    models: [&Model; 4],
 ) -> Figures {
     let [calm_model, calm_curve] = compared([model, curve], quiet);
     let near = covered.map(Covered::near);
@@ -166,11 +168,12 @@ pub fn figures(
                 },
                 energy_j: energy(model) * step,
                 energy_fv_j: energy(curve) * step,
-                curve_ends_m_s: curve_ends[i],
-                share_beyond_curve: curve_ends[i].map_or(0.0, |[low, high]| {
-                    let beyond = points().filter(|[_, v]| *v < low || *v > high).count();
-                    beyond as f64 / model.samples.len().max(1) as f64
-                }),
+                curve_ends_m_s: {
+                    let (low, high) = models[i].elements().fv_curve.range();
+                    (low < high).then_some([low, high])
+                },
+                share_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64
+                    / model.samples.len().max(1) as f64,
                 share_inside_tests: near
                     .as_ref()
                     .map(|near| points().filter(|p| near(*p)).count() as f64 / model.samples.len() as f64),
@@ -193,10 +196,7 @@ pub fn figures(
 
 /// The runs with model and curve that differ by the dampers alone.
 fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
-    match quiet.map(|quiet| quiet.runs.as_slice()) {
-        Some([model, curve]) => [model, curve],
-        _ => host,
-    }
+    quiet.map_or(host, |quiet| quiet.runs.each_ref())
 }
 
 /// What a report of a manoeuvre is written from.
@@ -453,10 +453,10 @@ pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     let [all, moving, mass, slow] =
         [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));
     let figures = [("all", all.as_str()), ("moving", &moving), ("mass", &mass), ("slow", &slow)];
-    if f.coupling_moving > 1.0 {
+    if f.coupling_moving > RINGS {
         return Some(fill(words.coupling_unstable, &figures));
     }
-    (f.coupling > 1.0).then(|| fill(words.coupling_chatter, &figures))
+    (f.coupling > RINGS).then(|| fill(words.coupling_chatter, &figures))
 }
 
 /// A range in mm or mm/s.

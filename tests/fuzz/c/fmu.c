@@ -1,26 +1,12 @@
 /* The resources of an FMU and a saved state, through the readers of its runtime (vi-crt-bridge/fmu): an instance is made or refused, and one that
  * was made runs. The input is contents.txt, a zero, model.toml of every corner, a zero, and what a saved state is to be damaged with: pairs of a
  * place and a byte. */
-#include "fmi2.h"
+#include "../../hosts/fmi2_calls.h"
 #include "resources.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern fmi2Component fmi2Instantiate(fmi2String, fmi2Type, fmi2String, fmi2String, const fmi2CallbackFunctions *, fmi2Boolean,
-                                     fmi2Boolean);
-extern void fmi2FreeInstance(fmi2Component);
-extern fmi2Status fmi2SetupExperiment(fmi2Component, fmi2Boolean, fmi2Real, fmi2Real, fmi2Boolean, fmi2Real);
-extern fmi2Status fmi2EnterInitializationMode(fmi2Component), fmi2ExitInitializationMode(fmi2Component);
-extern fmi2Status fmi2GetReal(fmi2Component, const fmi2ValueReference[], size_t, fmi2Real[]);
-extern fmi2Status fmi2SetReal(fmi2Component, const fmi2ValueReference[], size_t, const fmi2Real[]);
-extern fmi2Status fmi2DoStep(fmi2Component, fmi2Real, fmi2Real, fmi2Boolean);
-extern fmi2Status fmi2GetFMUstate(fmi2Component, fmi2FMUstate *), fmi2SetFMUstate(fmi2Component, fmi2FMUstate);
-extern fmi2Status fmi2FreeFMUstate(fmi2Component, fmi2FMUstate *);
-extern fmi2Status fmi2SerializedFMUstateSize(fmi2Component, fmi2FMUstate, size_t *);
-extern fmi2Status fmi2SerializeFMUstate(fmi2Component, fmi2FMUstate, fmi2Byte[], size_t);
-extern fmi2Status fmi2DeSerializeFMUstate(fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate *);
 
 /* What stands in place of the FMU's folder (resources.c is not linked). */
 static const char *contents, *model;

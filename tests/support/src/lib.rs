@@ -1,7 +1,9 @@
-//! What the tests of all crates share: seeds of property tests, and tests that cannot run on a machine.
+//! What the tests of all crates share: seeds of property tests, tests that cannot run on a machine, and where cargo puts what it builds.
 
+mod built;
 mod seeds;
 mod skips;
 
+pub use built::{profile_folder, target_folder};
 pub use seeds::{drawn, held};
 pub use skips::{counted, skipped};

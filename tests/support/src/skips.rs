@@ -1,6 +1,7 @@
 //! Tests that cannot run on a machine. Rust's test program has no word for them but "ok", so each says in a line of its own that it was
 //! skipped, and the last program of a whole run (`tests/tests/what_was_skipped.rs`) counts them.
 
+use super::built::target_folder;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::fs::{self, OpenOptions};
@@ -13,12 +14,11 @@ const STALE: Duration = Duration::from_secs(24 * 3600);
 
 /// Where the tests of this run note what they skipped: below the target directory, by the process that started all of them, which is cargo.
 fn notes() -> PathBuf {
-    let test = std::env::current_exe().expect("the path of this test");
     #[cfg(unix)]
     let run = std::os::unix::process::parent_id();
     #[cfg(not(unix))]
     let run = 0;
-    test.ancestors().nth(3).expect("a target directory").join("skipped").join(run.to_string())
+    target_folder().join("skipped").join(run.to_string())
 }
 
 /// Says that this test cannot run here, for the reason given: on the terminal at once, which the test program does not hold back, and in the

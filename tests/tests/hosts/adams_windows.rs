@@ -1,7 +1,7 @@
 //! The library for Adams on Windows: built on Linux with mingw-w64, looked into, and run with Wine where it is there.
 
 use dashpot_core::{Input, evaluate::force};
-use dashpot_test_support::skipped;
+use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::adams::{PLAIN, model_of, written};
 use dashpot_tests::library::{root, succeed};
 use std::path::{Path, PathBuf};
@@ -25,9 +25,7 @@ fn built(folder: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--release", "--quiet", "-p", "dashpot-dll", "--target", TARGET]).current_dir(root());
     succeed(&mut build);
-    // target/<profile>/deps/<this test>
-    let test = std::env::current_exe().unwrap();
-    let archive = test.ancestors().nth(3).unwrap().join(TARGET).join("release/libdashpot.a");
+    let archive = target_folder().join(TARGET).join("release/libdashpot.a");
     let library = folder.join("dashpot_adams.dll");
     let mut make = Command::new("make");
     make.arg("-s").arg("-C").arg(root().join("adams-usersub")).arg("windows");

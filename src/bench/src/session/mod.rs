@@ -135,8 +135,8 @@ impl Session {
     }
 
     /// Says what went wrong.
-    pub fn complain(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: Sentence::as_it_is(text.into()), wrong: true });
+    pub fn complain(&mut self, text: Sentence) {
+        self.message = Some(Message { text, wrong: true });
     }
 
     /// Opens whatever was dropped or named: model files, record files and folders.
@@ -184,7 +184,7 @@ impl Session {
                 self.take_model(model);
                 self.say(path.display().to_string());
             }
-            Err(error) => self.complain(error),
+            Err(error) => self.complain(Sentence::as_it_is(error)),
         }
     }
 
@@ -310,7 +310,7 @@ impl Session {
                 self.task = None;
                 match result {
                     Ok(outcome) => self.take(outcome),
-                    Err(error) => self.message = Some(Message { text: error, wrong: true }),
+                    Err(error) => self.complain(error),
                 }
             }
         }
@@ -340,7 +340,7 @@ impl Session {
             Outcome::Fitted(fit) => {
                 match Tuned::identified(model_file::write(&fit)) {
                     Ok(model) => self.take_model(model),
-                    Err(error) => self.complain(error),
+                    Err(error) => self.complain(Sentence::as_it_is(error)),
                 }
                 self.answers.diagnosis = None;
                 self.answers.fit = Some(fit);
@@ -413,7 +413,7 @@ impl Session {
         let text = self.improved_text();
         match text.map(Tuned::identified) {
             Some(Ok(model)) => self.take_model(model),
-            Some(Err(error)) => self.complain(error),
+            Some(Err(error)) => self.complain(Sentence::as_it_is(error)),
             None => {}
         }
     }

@@ -11,8 +11,8 @@ use dashpot_records::{Profile, Sentence, profile};
 use std::path::{Path, PathBuf};
 
 /// The error with its causes in one sentence.
-pub fn told(error: &anyhow::Error) -> String {
-    format!("{error:#}")
+pub fn told(error: &anyhow::Error) -> Sentence {
+    Sentence::as_it_is(format!("{error:#}"))
 }
 
 impl Session {
@@ -72,7 +72,7 @@ impl Session {
         let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
         self.begin(Work::Write, move |report| {
             report(0.1, None);
-            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| Sentence::as_it_is(told(&e)))
+            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
         });
     }
 }

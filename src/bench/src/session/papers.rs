@@ -107,8 +107,7 @@ impl Session {
                 made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words)
-                    .map_err(|e| Sentence::as_it_is(told(&e)))?
+                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words).map_err(|e| told(&e))?
             };
             write(path, paper.kind(), |path| match paper.kind() {
                 Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
@@ -153,6 +152,6 @@ impl Session {
 
 /// Writes a file of a kind where nothing else would be lost.
 fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, Sentence> {
-    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| Sentence::as_it_is(told(&e)))?;
+    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| told(&e))?;
     Ok(Outcome::Written(path, Vec::new()))
 }

@@ -83,18 +83,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let with_model = drive(&car, driven, models, args.step)?;
     let with_curve = drive(&car, driven, curves, args.step).context("with the FV curve alone")?;
     let both = [with_model, with_curve];
-    let quiet = without_chatter(&car, driven, &[models, curves], &both, args.step)?;
+    let quiet = without_chatter(&car, driven, [models, curves], &both, args.step)?;
     let [with_model, with_curve] = &both;
     let campaign = args.tests.as_ref().map(|path| DataArgs::folder(path.clone()).load()).transpose()?;
     let covered = campaign.as_ref().map(|campaign| Covered::of(&campaign.records));
-    let figures = manoeuvre::figures(
-        &args.name,
-        args.step,
-        [with_model, with_curve],
-        quiet.as_ref(),
-        covered.as_ref(),
-        models.map(curve_ends),
-    );
+    let figures =
+        manoeuvre::figures(&args.name, args.step, [with_model, with_curve], quiet.as_ref(), covered.as_ref(), models);
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&figures))?;
     for note in [quiet_note(&figures, &EN), coupling_note(&figures, &car, &EN), beyond_note(&figures, &EN)]
@@ -131,12 +125,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
     }
     Ok(())
-}
-
-/// Where a model's FV curve of points ends, m/s.
-fn curve_ends(model: &Model) -> Option<[f64; 2]> {
-    let (low, high) = model.elements().fv_curve.range();
-    (low < high && low.is_finite() && high.is_finite()).then_some([low, high])
 }
 
 /// The model of a file, and its FV curve alone.

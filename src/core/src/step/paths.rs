@@ -22,7 +22,8 @@ use crate::paths::acting::{
 };
 use crate::paths::{STATES, place};
 use crate::state::{Output, State};
-pub use stage::{Derivative, PathsStage, Seed};
+use stage::PathsStage;
+pub use stage::Seed;
 
 /// Between these lengths of a step, s, the states move by more than their own rounding and the host's motion by less
 /// than any damper's stroke.
@@ -75,28 +76,6 @@ pub trait StageSlopes {
     /// Carries derivatives over the stage. `seed` says how their direction moves the stage itself; its known parts are
     /// filled in here.
     fn carry(&self, derivatives: &mut Carried, seed: Seed);
-}
-
-impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
-    fn oil_velocity(&self) -> f64 {
-        self.oil_velocity
-    }
-
-    fn valve_read(&self) -> [f64; 2] {
-        self.valve_read()
-    }
-
-    fn mass_displacement(&self) -> f64 {
-        self.x_m
-    }
-
-    fn series_by_frame(&self) -> [f64; 3] {
-        self.series_by_frame()
-    }
-
-    fn carry(&self, derivatives: &mut Carried, seed: Seed) {
-        derivatives.over(self, seed);
-    }
 }
 
 /// As [`FollowPaths`] within the step, which is compiled for each: for [`PathsByEnd`] here, for others through [`Told`] in their crate.

@@ -3,7 +3,7 @@
 use super::super::channel::Channel;
 use super::super::error::RecordError;
 use super::super::phrases;
-use super::super::samples::Samples;
+use super::super::samples::{Samples, quantum};
 use super::super::sentence::Sentence;
 
 /// Fewest equal samples at the extreme that make a flat top.
@@ -81,15 +81,16 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
             continue;
         };
-        if let Some(other_values) = samples.channel(other) {
-            tops.leave_out(|run| moved_so(channel, &samples.time, other_values, run));
+        let moved = samples.channel(other);
+        if let Some(moved) = moved {
+            tops.leave_out(|top| moved_so(channel, &samples.time, moved, top));
             if tops.count == 0 {
                 continue;
             }
         }
         let percent = 100.0 * tops.count as f64 / samples.len() as f64;
         let value = tops.value;
-        if samples.channel(other).is_none() {
+        if moved.is_none() {
             return Err(RecordError::Clipped {
                 at: samples.at.clone(),
                 line: samples.lines[tops.first],
@@ -173,12 +174,6 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     (!tops.is_empty()).then(|| FlatTops::of(n, tops))
 }
 
-/// The step of the channel's last digit: the smallest difference of neighbours that is not zero.
-fn quantum(values: &[f64]) -> f64 {
-    let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
-    if smallest.is_finite() { smallest } else { 0.0 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::super::fixtures::SineTest;
@@ -228,5 +223,30 @@ mod tests {
             assert!(!deal(&mut samples).unwrap().contains(&true), "{quantum}");
             assert!(samples.notes.is_empty());
         }
+    }
+
+    /// Constant velocity to and fro, recorded without noise: its plateaus are what the displacement says, and stay unless that says more.
+    #[test]
+    fn a_plateau_that_the_displacement_confirms_is_no_clipping() {
+        let (rate, frequency, speed) = (1000.0, 5.0, 0.05);
+        let mut samples = SineTest::default().samples();
+        let n = samples.len();
+        // It turns within some sixteen samples: two would be taken for the step of the last digit.
+        let of = |t: f64| speed * (4.0 * (std::f64::consts::TAU * frequency * t).sin()).clamp(-1.0, 1.0);
+        samples.time = (0..n).map(|i| i as f64 / rate).collect();
+        let velocity: Vec<f64> = samples.time.iter().map(|t| of(*t)).collect();
+        let moved = |v: &[f64]| v.iter().scan(0.0, |x, v| (*x += v / rate, Some(*x)).1).collect::<Vec<f64>>();
+        samples.displacement = Some(moved(&velocity));
+        samples.velocity = Some(velocity.clone());
+        samples.force = velocity.iter().map(|v| 1500.0 * v + (v * 7e3).sin()).collect();
+        deal(&mut samples).unwrap();
+        assert!(samples.velocity.is_some(), "{:?}", samples.notes);
+        // The same channel where the damper went on faster than it shows.
+        let went_on = |t: f64| 4.0 * speed * (std::f64::consts::TAU * frequency * t).sin();
+        let real: Vec<f64> = samples.time.iter().map(|t| went_on(*t)).collect();
+        samples.displacement = Some(moved(&real));
+        samples.velocity = Some(real.iter().map(|v| v.clamp(-speed, speed)).collect());
+        deal(&mut samples).unwrap();
+        assert!(samples.velocity.is_none(), "{:?}", samples.notes);
     }
 }

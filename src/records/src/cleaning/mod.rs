@@ -42,6 +42,8 @@ const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 /// Length of the differentiating window where there is no cycle, s: bends 25 Hz, the upper end of road motion at a
 /// damper, by 1 %.
 const WINDOW_NO_CYCLE: f64 = 0.017;
+/// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
+const BY_CHANCE: f64 = 0.01;
 
 /// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
 #[derive(Debug, Clone)]
@@ -176,8 +178,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                 n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
             };
             let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
-            // Of chance alone a few are.
-            let shorter = (filter.shorter > 0.01)
+            let shorter = (filter.shorter > BY_CHANCE)
                 .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
             samples.note(
                 "derived",

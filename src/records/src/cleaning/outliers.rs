@@ -42,11 +42,6 @@ pub(crate) fn replace(samples: &mut Samples) {
             }
         }
         let line = samples.lines[spikes[0].0];
-        let unit = match channel {
-            Channel::Force => "N",
-            Channel::Displacement => "m",
-            _ => "m/s",
-        };
         samples.note(
             "outlier",
             Sentence::from(phrases::SPIKES)
@@ -55,7 +50,7 @@ pub(crate) fn replace(samples: &mut Samples) {
                 .with("spikes", spikes.len())
                 .with("line", line)
                 .with("largest", format!("{largest:.4}"))
-                .with("unit", unit),
+                .with("unit", channel.si()),
         );
     }
 }

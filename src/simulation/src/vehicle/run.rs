@@ -1,6 +1,7 @@
 //! A manoeuvre driven from beginning to end at a fixed step.
 
 use super::{Body, Car, Manoeuvre, Road};
+use crate::chatter::RINGS;
 use dashpot_core::{Input, Model, State, step};
 
 /// Names of the corners.
@@ -74,6 +75,12 @@ struct Kernels<'a> {
     states: [State; 4],
 }
 
+impl<'a> Kernels<'a> {
+    fn new(models: [&'a Model; 4]) -> Kernels<'a> {
+        Kernels { models, states: [State::ZERO; 4] }
+    }
+}
+
 impl Dampers for Kernels<'_> {
     fn rest(&mut self) -> [f64; 4] {
         let still = Input::motion(0.0, 0.0);
@@ -97,7 +104,7 @@ impl Dampers for Kernels<'_> {
 /// # Errors
 /// Where the step is out of range, or the run unstable.
 pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
-    run_with(car, manoeuvre, &mut Kernels { models, states: [State::ZERO; 4] }, dt)
+    run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
 
 /// The same with dampers of any kind, such as those behind the simulator bridge.
@@ -156,18 +163,16 @@ fn told_every(
     Ok(Run { samples, coupling, coupling_moving })
 }
 
-/// Several sets of dampers in the same manoeuvre, in steps so short that the exchange of force and motion chatters with none.
+/// Two sets of dampers in the same manoeuvre, in steps so short that the exchange of force and motion chatters with none.
 #[derive(Clone, Debug)]
 pub struct Quiet {
     /// The step, s.
     pub step: f64,
     /// As they went, told at the steps of the host.
-    pub runs: Vec<Run>,
+    pub runs: [Run; 2],
 }
 
-/// c h / m above which an exchange that holds the force over a step, one step late, chatters; see [`Run::coupling`].
-const CHATTERS: f64 = 1.0;
-/// What it is brought down to: what rings below dies out within a few steps.
+/// What c h / m is brought down to: what rings below dies out within a few steps.
 const QUIET: f64 = 0.5;
 /// Most parts of a host step: a curve so steep that it chatters in them is a jump, which no step is short enough for.
 const MOST_PARTS: f64 = 64.0;
@@ -180,22 +185,19 @@ const MOST_PARTS: f64 = 64.0;
 pub fn without_chatter(
     car: &Car,
     manoeuvre: Manoeuvre,
-    sets: &[[&Model; 4]],
-    runs: &[Run],
+    sets: [[&Model; 4]; 2],
+    runs: &[Run; 2],
     dt: f64,
 ) -> Result<Option<Quiet>, VehicleError> {
     let coupling = runs.iter().map(|run| run.coupling).fold(0.0, f64::max);
-    if coupling <= CHATTERS {
+    if coupling <= RINGS {
         return Ok(None);
     }
     let parts = (coupling / QUIET).ceil().min(MOST_PARTS);
     let step = dt / parts;
-    let each = |models: &[&Model; 4]| {
-        let mut dampers = Kernels { models: *models, states: [State::ZERO; 4] };
-        told_every(parts as usize, car, manoeuvre, &mut dampers, step)
-    };
-    let runs = sets.iter().map(each).collect::<Result<_, _>>()?;
-    Ok(Some(Quiet { step, runs }))
+    let each = |models| told_every(parts as usize, car, manoeuvre, &mut Kernels::new(models), step);
+    let [first, second] = sets;
+    Ok(Some(Quiet { step, runs: [each(first)?, each(second)?] }))
 }
 
 #[cfg(test)]
@@ -284,13 +286,15 @@ mod tests {
             force.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() / 399.0
         };
         let host = drive(&steep);
-        let quiet = without_chatter(&car, Manoeuvre::StepSteer, &[[&steep; 4]], std::slice::from_ref(&host), 1e-3);
+        let hosts = [host.clone(), host.clone()];
+        let quiet = without_chatter(&car, Manoeuvre::StepSteer, [[&steep; 4]; 2], &hosts, 1e-3);
         let quiet = quiet.unwrap().unwrap();
         assert!(restless(&host) > 20.0 && restless(&quiet.runs[0]) < 0.05 * restless(&host), "{}", restless(&host));
         let times = |run: &Run| run.samples.iter().map(|s| (1e6 * s.time).round() as i64).collect::<Vec<_>>();
         assert_eq!(times(&host), times(&quiet.runs[0]));
         let gentle = run(&car, Manoeuvre::StepSteer, [&smooth; 4], 1e-4).unwrap();
-        assert!(gentle.coupling < CHATTERS, "{}", gentle.coupling);
-        assert!(without_chatter(&car, Manoeuvre::StepSteer, &[[&smooth; 4]], &[gentle], 1e-4).unwrap().is_none());
+        assert!(gentle.coupling < RINGS, "{}", gentle.coupling);
+        let gentle = [gentle.clone(), gentle];
+        assert!(without_chatter(&car, Manoeuvre::StepSteer, [[&smooth; 4]; 2], &gentle, 1e-4).unwrap().is_none());
     }
 }

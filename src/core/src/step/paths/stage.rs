@@ -1,6 +1,6 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::{Balance, Known, REACH};
+use super::{Balance, Carried, Known, REACH, StageSlopes};
 use crate::dual::Dual;
 use crate::elements::{Elements, Motion, Relaxed, Response};
 use crate::input::PathPoint;
@@ -67,9 +67,9 @@ pub struct Seed {
     pub curve: f64,
     /// Height of the FV curve at standstill.
     pub standing: f64,
-    /// Its height above that at the velocities that the late valve read it: see [`PathsStage::valve_read`].
+    /// Its height above that at the velocities that the late valve read it: see [`StageSlopes::valve_read`].
     pub read: [f64; 2],
-    /// Force of the series path, all else held: see [`PathsStage::series_by_frame`].
+    /// Force of the series path, all else held: see [`StageSlopes::series_by_frame`].
     pub series: f64,
     /// Force of springs and inertia that holds the mass back, all else held.
     pub drag: f64,
@@ -225,18 +225,6 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         Balance { states, force, primary, inner: at.inner.force }
     }
 
-    /// As [`super::StageSlopes::series_by_frame`].
-    #[inline(always)]
-    pub fn series_by_frame(&self) -> [f64; 3] {
-        [self.at.law.by_stiffness, self.at.law.by_damping, (self.u - self.known[place::U]) / self.g]
-    }
-
-    /// As [`super::StageSlopes::valve_read`].
-    #[inline(always)]
-    pub fn valve_read(&self) -> [f64; 2] {
-        self.at.valves.read
-    }
-
     /// The derivatives of the stage in one direction.
     #[inline(always)]
     pub fn along(&self, seed: &Seed) -> Derivative {
@@ -332,6 +320,28 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             force += law.by_relaxing * e.bushing.relaxing(relaxed);
         }
         Derivative { states, force }
+    }
+}
+
+impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
+    fn oil_velocity(&self) -> f64 {
+        self.oil_velocity
+    }
+
+    fn valve_read(&self) -> [f64; 2] {
+        self.at.valves.read
+    }
+
+    fn mass_displacement(&self) -> f64 {
+        self.x_m
+    }
+
+    fn series_by_frame(&self) -> [f64; 3] {
+        [self.at.law.by_stiffness, self.at.law.by_damping, (self.u - self.known[place::U]) / self.g]
+    }
+
+    fn carry(&self, derivatives: &mut Carried, seed: Seed) {
+        derivatives.over(self, seed);
     }
 }
 

@@ -154,7 +154,7 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
         return "changed: " + ", ".join(
             f"{c['parameter']} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
         )
-    words = {"nothing_missing": "nothing that the tests show", "changed": "other numbers than the reference", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
+    words = {"nothing_missing": "nothing that the tests show", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
     return words.get(table["verdict"][k] or "", "not diagnosed")
 
 
