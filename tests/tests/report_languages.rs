@@ -360,14 +360,16 @@ fn flawed_cases() -> &'static [Flawed] {
     })
 }
 
-/// The texts of its validation report that are about the records and the fit, and why tests were left out.
-fn remarks(case: &Flawed, language: Language) -> Vec<String> {
-    let words = language.words();
+/// The texts of its validation report in each language that are about the records and the fit, and why tests were left out.
+fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     let compared = compare(&case.model, &case.campaign, &|_, _| ()).unwrap();
     let validation = validate(&compared).unwrap();
-    let page = render(&ReportInput::of(&case.model, &case.campaign, &compared, &validation, words).unwrap());
-    let all = visible(&page).into_iter().chain(reading::sentences(&case.campaign, words));
-    all.map(|text| text.replace(&case.folder, "").replace('\u{a0}', " ")).collect()
+    move |code| {
+        let words = code.parse::<Language>().unwrap().words();
+        let page = render(&ReportInput::of(&case.model, &case.campaign, &compared, &validation, words).unwrap());
+        let all = visible(&page).into_iter().chain(reading::sentences(&case.campaign, words));
+        all.map(|text| text.replace(&case.folder, "").replace('\u{a0}', " ")).collect()
+    }
 }
 
 /// Words of a text in Latin letters, without the options of the command.
@@ -402,11 +404,12 @@ fn is_flawed_name(word: &str) -> bool {
 fn what_was_noticed_of_records_and_in_a_fit_is_said_in_every_language() {
     let mut foreign = BTreeSet::new();
     for case in flawed_cases() {
-        let texts = remarks(case, Language::Chinese);
+        let remarks = remarks(case);
+        let texts = remarks("zh");
         foreign.extend(texts.into_iter().filter(|t| !stays(t) && !without_options(t).into_iter().all(is_flawed_name)));
-        let english: BTreeSet<String> = remarks(case, Language::English).into_iter().collect();
+        let english: BTreeSet<String> = remarks("en").into_iter().collect();
         for (code, known) in SAME {
-            let texts = remarks(case, code.parse().unwrap());
+            let texts = remarks(code);
             let is_same = |text: &String| english.contains(text) && !stays(text) && !known.contains(&text.as_str());
             foreign.extend(texts.into_iter().filter(|t| is_same(t) && !latin(t).all(is_flawed_name)));
         }

@@ -1,6 +1,6 @@
 //! Every text that a fit says, in English, in one place: a language that lacks one of them is found by a test.
 //!
-//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::Sentence::read`]).
+//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::sentence::Reader`]).
 
 use super::variants::{FRICTION, PHYSICAL_SPRING, SPRING};
 use super::{fit, of_the_rig};

@@ -1,9 +1,9 @@
 //! Sentences that can be said in any language: an English text with the places of its values, and the values. Scripts and the terminal
 //! get the English; who writes for people looks the text up in another language and puts the same values in. A sentence that was written
-//! to a file in English is taken apart again by the templates that it was made of ([`Sentence::read`]).
+//! to a file in English is taken apart again by the templates that it was made of ([`Reader`]).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 
 /// A text with `{name}` where a value stands. Only [`phrases!`](crate::phrases) makes them, so that its list holds every one.
@@ -21,30 +21,47 @@ impl Template {
     pub fn english(self) -> &'static str {
         self.0
     }
+}
 
-    /// The text up to the first place, then every place with the text behind it.
-    fn parts(self) -> (&'static str, Vec<(&'static str, &'static str)>) {
-        let mut pieces = self.0.split('{');
+/// A template taken to pieces once.
+#[derive(Debug)]
+struct Pieces {
+    template: Template,
+    /// The text up to the first place.
+    first: &'static str,
+    /// Every place with the text behind it.
+    places: Vec<(&'static str, &'static str)>,
+    /// Letters that the template itself brings: the more, the surer is a text that fits it of it.
+    own: usize,
+    /// Whether it has a word of its own.
+    speaks: bool,
+}
+
+impl Pieces {
+    fn new(template: Template) -> Self {
+        let mut pieces = template.0.split('{');
         let first = pieces.next().unwrap_or("");
-        (first, pieces.map(|piece| piece.split_once('}').unwrap_or((piece, ""))).collect())
+        let places: Vec<_> = pieces.map(|piece| piece.split_once('}').unwrap_or((piece, ""))).collect();
+        let own = first.len() + places.iter().map(|(_, behind)| behind.len()).sum::<usize>();
+        let mut texts = std::iter::once(first).chain(places.iter().map(|(_, behind)| *behind));
+        let speaks = texts.any(|own| own.chars().any(char::is_alphabetic));
+        Pieces { template, first, places, own, speaks }
     }
 
-    /// Letters that the template itself brings: the more, the surer is a text that fits it of it.
-    fn own(self) -> usize {
-        let (first, places) = self.parts();
-        first.len() + places.iter().map(|(_, behind)| behind.len()).sum::<usize>()
+    /// Whether a text begins and ends as this template does.
+    fn may_enclose(&self, text: &str) -> bool {
+        text.starts_with(self.first) && self.places.last().is_none_or(|(_, behind)| text.ends_with(behind))
     }
 
     /// What stands at the places in a text of this template. Where the text between two places occurs several times, the first one counts;
     /// before the last place the last one, so that of `{name} {figure}` the name may hold spaces. Where there is no text between two
     /// places, the second one begins where another sentence may (`begins`), or is empty.
-    fn taken_apart<'t>(self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
-        let (first, places) = self.parts();
-        let Some((last, between)) = places.split_last() else {
-            return (text == first).then(Vec::new);
+    fn taken_apart<'t>(&self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
+        let Some((last, between)) = self.places.split_last() else {
+            return (text == self.first).then(Vec::new);
         };
-        let mut rest = text.strip_prefix(first)?.strip_suffix(last.1)?;
-        let mut values = Vec::with_capacity(places.len());
+        let mut rest = text.strip_prefix(self.first)?.strip_suffix(last.1)?;
+        let mut values = Vec::with_capacity(self.places.len());
         for (k, (name, behind)) in between.iter().enumerate() {
             let at = match (behind.is_empty(), k + 1 == between.len()) {
                 (true, _) => {
@@ -158,15 +175,6 @@ impl Sentence {
         Sentence::from(AS_IT_IS).with("text", text)
     }
 
-    /// A text taken apart by the templates and words that it was made of, where they fit it; what does not stays as it is. Its English is
-    /// the text in any case.
-    pub fn read(text: &str, templates: &[Template], words: &[&str]) -> Self {
-        match (Reader { templates, words }).value(text) {
-            Value::Said(sentence) => sentence,
-            other => Sentence::from(AS_IT_IS).and("text", other),
-        }
-    }
-
     fn and(mut self, name: &'static str, value: Value) -> Self {
         debug_assert!(self.template.0.contains(&format!("{{{name}}}")), "no place for {name} in {:?}", self.template);
         self.values.push((name, value));
@@ -203,15 +211,37 @@ impl Value {
     }
 }
 
-/// Takes texts apart.
-struct Reader<'a> {
-    templates: &'a [Template],
-    words: &'a [&'a str],
+/// Takes texts apart by the templates and words that they were made of.
+#[derive(Debug)]
+pub struct Reader {
+    templates: Vec<Pieces>,
+    words: HashSet<&'static str>,
+    /// What may stand between the values of a list.
+    between: Vec<Template>,
+    /// How a sentence begins that stands without a text before it: its template has a beginning of its own, which is no word.
+    beginnings: Vec<&'static str>,
 }
 
-impl Reader<'_> {
+impl Reader {
+    /// One for texts of these.
+    pub fn new(templates: impl IntoIterator<Item = Template>, words: impl IntoIterator<Item = &'static str>) -> Reader {
+        let templates: Vec<Pieces> = templates.into_iter().map(Pieces::new).collect();
+        let between = templates.iter().filter(|t| t.places.is_empty()).map(|t| t.template).collect();
+        let with_places = templates.iter().filter(|t| !t.places.is_empty()).map(|t| t.first);
+        let beginnings = with_places.filter(|first| first.starts_with([' ', ',', ';', '(', ':'])).collect();
+        Reader { templates, words: words.into_iter().collect(), between, beginnings }
+    }
+
+    /// A text taken apart, where templates and words fit it; what does not stays as it is. Its English is the text in any case.
+    pub fn read(&self, text: &str) -> Sentence {
+        match self.value(text) {
+            Value::Said(sentence) => sentence,
+            other => Sentence::from(AS_IT_IS).and("text", other),
+        }
+    }
+
     fn value(&self, text: &str) -> Value {
-        if self.words.contains(&text) {
+        if self.words.contains(text) {
             return Value::Word(text.to_owned());
         }
         self.list(text).or_else(|| self.sentence(text).map(Value::Said)).unwrap_or_else(|| Value::AsIs(text.to_owned()))
@@ -219,43 +249,41 @@ impl Reader<'_> {
 
     /// Whether a value is a word of the list or holds no letters.
     fn is_known(&self, value: &str) -> bool {
-        self.words.contains(&value) || !value.chars().any(char::is_alphabetic)
+        self.words.contains(value) || !value.chars().any(char::is_alphabetic)
     }
 
-    /// Whether a sentence that stands without a text before it may begin here: its template has a beginning of its own, which is no word.
+    /// Whether a sentence that stands without a text before it may begin here.
     fn begins(&self, text: &str) -> bool {
-        let beginnings = self.templates.iter().filter(|t| !t.parts().1.is_empty()).map(|t| t.parts().0);
-        beginnings.filter(|b| b.starts_with([' ', ',', ';', '(', ':'])).any(|b| text.starts_with(b))
+        self.beginnings.iter().any(|beginning| text.starts_with(beginning))
     }
 
     /// By the template that leaves least to its places. One without a word of its own, such as `{name} {figure}`, fits much: it counts where
     /// its places hold words of the list, figures or a list of such.
     fn sentence(&self, text: &str) -> Option<Sentence> {
-        let fitting = self.templates.iter().filter(|template| template.own() > 0);
-        let (template, values) = fitting
-            .filter_map(|template| Some((*template, template.taken_apart(text, &|rest| self.begins(rest))?)))
-            .filter(|(template, values)| {
-                let speaks = template.0.split(['{', '}']).step_by(2).any(|own| own.chars().any(char::is_alphabetic));
-                speaks || values.iter().all(|(_, v)| self.is_known(v) || !matches!(self.value(v), Value::AsIs(_)))
-            })
-            .max_by_key(|(template, _)| template.own())?;
-        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
-        Some(Sentence { template, values })
+        let mut fitting: Vec<_> = self
+            .templates
+            .iter()
+            .filter(|pieces| pieces.own > 0)
+            .filter_map(|pieces| Some((pieces, pieces.taken_apart(text, &|rest| self.begins(rest))?)))
+            .collect();
+        fitting.sort_by_key(|(pieces, _)| pieces.own);
+        let (pieces, values) = fitting.into_iter().rev().find(|(pieces, values)| {
+            pieces.speaks || values.iter().all(|(_, v)| self.is_known(v) || !matches!(self.value(v), Value::AsIs(_)))
+        })?;
+        Some(self.made_of(pieces, values))
     }
 
     /// Several of one template, whose places hold words and figures.
     fn list(&self, text: &str) -> Option<Value> {
-        let between =
-            self.templates.iter().filter(|template| template.parts().1.is_empty() && text.contains(template.0));
+        let between = self.between.iter().filter(|between| text.contains(between.0));
         let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
-        lists.filter(|(_, of)| of.own() > 0).find_map(|(between, of)| {
+        lists.filter(|(_, of)| of.own > 0 && of.may_enclose(text)).find_map(|(between, of)| {
             let (mut items, mut open) = (Vec::new(), String::new());
             for part in text.split(between.0) {
                 open += part;
                 match of.taken_apart(&open, &|rest| self.begins(rest)) {
                     Some(values) if values.iter().all(|(_, value)| self.is_known(value)) => {
-                        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
-                        items.push(Value::Said(Sentence { template: *of, values }));
+                        items.push(Value::Said(self.made_of(of, values)));
                         open.clear();
                     }
                     // A name may hold what stands between names.
@@ -264,6 +292,12 @@ impl Reader<'_> {
             }
             (open.is_empty() && items.len() > 1).then_some(Value::List(items, *between))
         })
+    }
+
+    /// The sentence of a template with these texts at its places.
+    fn made_of(&self, pieces: &Pieces, values: Vec<(&'static str, &str)>) -> Sentence {
+        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
+        Sentence { template: pieces.template, values }
     }
 }
 
@@ -319,8 +353,8 @@ mod tests {
         const OTHERS: Template = Template(" ({others})");
         const OTHER: Template = Template("{name} {error}");
         const COMMA: Template = Template(", ");
-        let (templates, words) =
-            ([COMMA, OTHER, OTHERS, CHOICE], ["friction", "none", "none, rigid", "Coulomb + viscous"]);
+        let words = ["friction", "none", "none, rigid", "Coulomb + viscous"];
+        let reader = Reader::new([COMMA, OTHER, OTHERS, CHOICE], words);
         let other = |name, error: &str| Sentence::from(OTHER).with_word("name", name).with("error", error);
         for others in
             [vec![other("none", "2.10")], vec![other("none, rigid", "1.20"), other("Coulomb + viscous", "0.97")]]
@@ -335,10 +369,10 @@ mod tests {
                 .with("error", "0.93")
                 .with_said("others", list(&others))
                 .with("why", "the simplest");
-            assert_eq!(Sentence::read(&made.to_string(), &templates, &words), made);
+            assert_eq!(reader.read(&made.to_string()), made);
         }
         for text in ["", "{", "by hand: nothing of ours", "none", ", , "] {
-            assert_eq!(Sentence::read(text, &templates, &words).to_string(), text);
+            assert_eq!(reader.read(text).to_string(), text);
         }
     }
 }

@@ -29,14 +29,13 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
         near *= 1.5;
         merged = merge(path, near);
     }
+    let strays = strays(&merged);
     let mut tolerance = INVISIBLE;
-    loop {
-        let points = douglas_peucker(&merged, tolerance);
-        if points.len() <= limit.max(2) {
-            return Thinned { points, rough: tolerance > ROUGH };
-        }
+    while strays.iter().filter(|stray| **stray > tolerance).count() > limit.max(2) {
         tolerance *= 1.3;
     }
+    let kept = merged.iter().zip(&strays).filter_map(|(point, stray)| (*stray > tolerance).then_some(*point));
+    Thinned { points: kept.collect(), rough: tolerance > ROUGH }
 }
 
 /// Drops points closer than `near` to the last kept one; the ends stay.
@@ -51,35 +50,41 @@ fn merge(path: &[Point], near: f64) -> Vec<Point> {
     kept
 }
 
-/// Keeps the ends and, between kept points, every point further than `tolerance` from their connection.
-fn douglas_peucker(path: &[Point], tolerance: f64) -> Vec<Point> {
-    if path.len() < 3 {
-        return path.to_vec();
+/// The tolerance up to which each point is kept, px: the ends whatever it is, a point between kept ones while it is further than the
+/// tolerance from their connection. Which point is furthest does not depend on the tolerance, so one pass is right for all.
+fn strays(path: &[Point]) -> Vec<f64> {
+    let mut strays = vec![0.0; path.len()];
+    let mut open = Vec::new();
+    if let Some(last) = path.len().checked_sub(1) {
+        (strays[0], strays[last]) = (f64::INFINITY, f64::INFINITY);
+        open.push((0, last, f64::INFINITY));
     }
-    let mut keep = vec![false; path.len()];
-    keep[0] = true;
-    keep[path.len() - 1] = true;
-    let mut open = vec![(0, path.len() - 1)];
-    while let Some((from, to)) = open.pop() {
+    while let Some((from, to, known)) = open.pop() {
+        let square = square_of_distance(path[from], path[to]);
         let furthest = (from + 1..to)
-            .map(|i| (i, distance(path[i], path[from], path[to])))
-            .fold((from, tolerance), |best, this| if this.1 > best.1 { this } else { best });
+            .map(|i| (i, square(path[i])))
+            .fold((from, INVISIBLE * INVISIBLE), |best, this| if this.1 > best.1 { this } else { best });
         if furthest.0 != from {
-            keep[furthest.0] = true;
-            open.push((from, furthest.0));
-            open.push((furthest.0, to));
+            let stray = furthest.1.sqrt().min(known);
+            strays[furthest.0] = stray;
+            open.push((from, furthest.0, stray));
+            open.push((furthest.0, to, stray));
         }
     }
-    path.iter().zip(keep).filter_map(|(point, keep)| keep.then_some(*point)).collect()
+    strays
 }
 
-/// Distance of a point from the segment a–b, px.
-fn distance(point: Point, a: Point, b: Point) -> f64 {
+/// Square of a point's distance from the segment a–b, px².
+fn square_of_distance(a: Point, b: Point) -> impl Fn(Point) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let square = dx * dx + dy * dy;
-    let along = if square > 0.0 { ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square } else { 0.0 };
-    let along = along.clamp(0.0, 1.0);
-    (point[0] - a[0] - along * dx).hypot(point[1] - a[1] - along * dy)
+    let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
+    move |point| {
+        let (x, y) = (point[0] - a[0], point[1] - a[1]);
+        let along = ((x * dx + y * dy) * inverse).clamp(0.0, 1.0);
+        let (across, beyond) = (x - along * dx, y - along * dy);
+        across * across + beyond * beyond
+    }
 }
 
 #[cfg(test)]
@@ -98,7 +103,8 @@ mod tests {
         let thin = thin.points;
         assert!(thin.len() < 100, "{}", thin.len());
         for point in circle(5000) {
-            let nearest = thin.windows(2).map(|s| distance(point, s[0], s[1])).fold(f64::MAX, f64::min);
+            let nearest =
+                thin.windows(2).map(|s| square_of_distance(s[0], s[1])(point).sqrt()).fold(f64::MAX, f64::min);
             assert!(nearest <= 2.0 * INVISIBLE, "{nearest}");
         }
     }

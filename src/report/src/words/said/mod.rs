@@ -6,7 +6,7 @@ mod records;
 
 use super::{Language, Words};
 use dashpot_records::Sentence;
-use dashpot_records::sentence::Template;
+use dashpot_records::sentence::{Reader, Template};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -19,18 +19,13 @@ static SAID: LazyLock<HashMap<&'static str, &'static Said>> = LazyLock::new(|| {
     all.map(|said| (said[0], said)).collect()
 });
 
-/// What the texts that a model file keeps were made of.
-struct Vocabulary {
-    templates: Vec<Template>,
-    words: Vec<&'static str>,
-}
-
-static VOCABULARY: LazyLock<Vocabulary> = LazyLock::new(|| {
+/// Takes apart the texts that a model file keeps.
+static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let crates = [dashpot_identification::templates(), dashpot_diagnosis::templates()];
     let templates: Vec<Template> = crates.into_iter().flatten().copied().collect();
     let texts = dashpot_identification::texts().into_iter().chain(dashpot_diagnosis::texts());
-    let words = texts.filter(|text| templates.iter().all(|template| template.english() != *text)).collect();
-    Vocabulary { templates, words }
+    let words: Vec<&str> = texts.filter(|text| templates.iter().all(|t| t.english() != *text)).collect();
+    Reader::new(templates, words)
 });
 
 impl Words {
@@ -46,7 +41,7 @@ impl Words {
 
     /// A text that a model file keeps in English, in this language.
     pub fn say_kept(&self, english: &str) -> String {
-        self.say(&Sentence::read(english, &VOCABULARY.templates, &VOCABULARY.words))
+        self.say(&KEPT.read(english))
     }
 
     /// What is called by a word in a sentence (a path, a form of an effect, a choice), or an effect itself, in this language.
