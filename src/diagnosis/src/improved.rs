@@ -5,6 +5,7 @@ use super::name_of;
 use super::outcome::Diagnosis;
 use super::phrases;
 use super::search::{Search, physical};
+use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::model_file::ModelFile;
@@ -68,11 +69,11 @@ impl Diagnosis {
     /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: it keeps that one's
     /// plain curve to compare with, and has what its fit and this diagnosis found of the measurement.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
-        let used: Vec<&&Record> = records
+        let used: Vec<&Record> = records
             .iter()
             .zip(held_out.iter().chain(std::iter::repeat(&false)))
             .filter(|(_, out)| !**out)
-            .map(|(r, _)| r)
+            .map(|(r, _)| *r)
             .collect();
         let mut notes = vec![Sentence::from(phrases::DIAGNOSIS).with_said("answer", self.summary.clone())];
         notes.extend(self.findings.iter().map(|f| {
@@ -88,6 +89,7 @@ impl Diagnosis {
                 &Off::given(records),
                 &self.measured,
             ),
+            clock_from: clock_from(&used),
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

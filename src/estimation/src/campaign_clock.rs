@@ -1,12 +1,18 @@
 //! Whether the records of a campaign were measured on one clock, so that heat and drifts carry over from test to test.
 
-use dashpot_records::Record;
+use dashpot_records::{Record, apart};
 
 /// Whether the records' clocks run through the campaign: no two of them overlap. Where each file has a clock of its own, all begin at the same time.
 pub fn clock_runs_on(records: &[&Record]) -> bool {
-    let mut spans: Vec<(f64, f64)> = records.iter().filter_map(|r| Some((*r.time.first()?, *r.time.last()?))).collect();
-    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
-    spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9)
+    apart(records.iter().filter_map(|record| record.span()).collect())
+}
+
+/// Date and time at which that clock was nought, s since 1970 by the rig's own clock; nothing where the records do not bear it.
+pub fn clock_from(records: &[&Record]) -> Option<f64> {
+    let mut from = records.iter().map(|record| Some(record.begins? - record.clock_s));
+    let first = from.next()??;
+    (clock_runs_on(records) && from.all(|other| other.is_some_and(|other| (other - first).abs() < 1e-3)))
+        .then_some(first)
 }
 
 #[cfg(test)]
@@ -20,6 +26,15 @@ mod tests {
                 spans.iter().map(|span| Record { time: span.to_vec(), ..Record::default() }).collect();
             clock_runs_on(&records.iter().collect::<Vec<_>>())
         };
+        let with = |begins: f64, clock_s: f64| Record {
+            begins: Some(begins),
+            clock_s,
+            time: vec![0.0, 2.0],
+            ..Record::default()
+        };
+        assert_eq!(clock_from(&[&with(1e9, 0.0), &with(1e9 + 60.0, 60.0)]), Some(1e9));
+        assert_eq!(clock_from(&[&with(1e9, 0.0), &with(1e9 + 70.0, 60.0)]), None);
+        assert_eq!(clock_from(&[&with(1e9, 0.0), &with(1e9 + 1.0, 1.0)]), None);
         assert!(of(&[[0.0, 2.0], [7.0, 9.0], [2.0, 5.0]]));
         assert!(!of(&[[0.0, 2.0], [0.0, 9.0]]) && !of(&[[0.0, 2.0], [1.0, 9.0]]) && !of(&[[0.0, 2.0]]));
     }

@@ -30,7 +30,7 @@ impl Heating {
                     .zip(r.force.windows(2).zip(r.velocity.windows(2)))
                     .map(|(t, (f, v))| 0.5 * (f[0] * v[0] + f[1] * v[1]) * (t[1] - t[0]))
                     .sum();
-                let (begin, end) = (r.time[0], r.time[r.time.len() - 1]);
+                let (begin, end) = (r.clock_s + r.time[0], r.clock_s + r.time[r.time.len() - 1]);
                 (begin, end, work / (end - begin).max(1e-9))
             })
             .collect();

@@ -40,8 +40,14 @@ impl Identification {
                 .with_any("option", option);
             return Some(Note { kind: AS_THE_FIT_SAW, text });
         }
-        // What the user gave is out of them already.
-        records.into_par_iter().for_each(|record| *record = taken_out(record, &off.beyond(&record.given)));
+        records.into_par_iter().for_each(|record| {
+            // Drifts count from the fit's own campaign, of which these records may be a part.
+            if let (Some(from), Some(begins)) = (self.clock_from, record.begins) {
+                record.clock_s = begins - from;
+            }
+            // What the user gave is out of them already.
+            *record = taken_out(record, &off.beyond(&record.given));
+        });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);
         let text = text.with_list("findings", found, phrases::SEMICOLON);
         Some(Note { kind: AS_THE_FIT_SAW, text })

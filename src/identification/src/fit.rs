@@ -14,7 +14,7 @@ use dashpot_core::elements;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
-use dashpot_estimation::campaign_clock::clock_runs_on;
+use dashpot_estimation::campaign_clock::{clock_from, clock_runs_on};
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
@@ -124,6 +124,8 @@ pub struct Fit {
     pub choices: Vec<Choice>,
     /// What the records are off by, taken out of the comparison and never part of the model.
     pub measured: Vec<Measured>,
+    /// When the clock by which gain and zero drift was nought, s since 1970; where the records bear their date and time.
+    pub clock_from: Option<f64>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
     /// Names of the tests used.
@@ -222,6 +224,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         estimates,
         choices,
         measured,
+        clock_from: clock_from(records),
         notes,
         tests: records.iter().map(|r| r.name.clone()).collect(),
         fingerprints: records.iter().map(|r| r.fingerprint()).collect(),

@@ -8,7 +8,8 @@ use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};
-use dashpot_records::Record;
+use dashpot_estimation::measurement::Artefact;
+use dashpot_records::{Record, clock};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -41,6 +42,9 @@ pub struct Identification {
     /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
     #[serde(default, deserialize_with = "known_numbers")]
     pub measurement: BTreeMap<String, [f64; 3]>,
+    /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
+    #[serde(default, deserialize_with = "known_time")]
+    pub clock_from: Option<f64>,
     /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
     #[serde(default)]
     pub intervals: BTreeMap<String, Interval>,
@@ -50,6 +54,13 @@ pub struct Identification {
     /// The plain FV curve fitted to the same tests.
     #[serde(default)]
     pub fv_only: Option<FvOnly>,
+}
+
+fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    let text = String::deserialize(from)?;
+    let refusal =
+        || format!("[identification] clock_from = \"{text}\" is no date and time, such as 2026-11-25 10:03:22");
+    clock::seconds(&text).map(Some).ok_or_else(|| serde::de::Error::custom(refusal()))
 }
 
 /// Refuses what no fit finds: a name that is not known could not be taken out of any record.
@@ -376,6 +387,12 @@ pub fn write(fit: &Fit) -> String {
     let choices = fit.choices.iter().map(Choice::in_words);
     let notes: Vec<String> = choices.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
     let _ = writeln!(out, "notes = {}", list(&notes));
+    let drifts =
+        fit.measured.iter().any(|m| [Artefact::GainDrift, Artefact::Drift].iter().any(|a| a.parameter() == m.name));
+    if let Some(from) = fit.clock_from.filter(|_| drifts) {
+        let _ =
+            writeln!(out, "clock_from = \"{}\"  # when what drifts in the measurement was right", clock::written(from));
+    }
     out += "\n[identification.intervals]  # 95 %\n";
     let mut names: Vec<&str> = fit.estimates.iter().map(|e| e.name).collect();
     names.dedup();

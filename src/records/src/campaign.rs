@@ -12,6 +12,7 @@ use super::channel::Channel;
 use super::cleaning;
 use super::delay::Delay;
 use super::error::RecordError;
+use super::one_clock;
 use super::options::Options;
 use super::phrases;
 use super::plausibility;
@@ -137,6 +138,7 @@ pub fn load(
     let unusable = sieve.tell(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
+    one_clock::settle(&mut records, &mut notes);
     slips::refuse(&records, options)?;
     plausibility::remark(&records, &mut notes)?;
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));

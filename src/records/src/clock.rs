@@ -1,11 +1,71 @@
-//! Time columns that hold the time of day, with or without the date.
+//! Date and time of day as files write them, in a column of times or above the table, and how reports write them.
 
 /// Seconds of a day.
-const DAY: f64 = 86_400.0;
+pub(crate) const DAY: f64 = 86_400.0;
+/// Lines above a table in which date and time of the test are looked for: as many as a header may take.
+const ABOVE: usize = 400;
+
+/// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one): seconds since 1970 by the
+/// rig's own clock. A line with both counts before a date and a time in lines of their own. Nothing without a date.
+pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<f64> {
+    let (mut date, mut time) = (None, None);
+    for line in lines.take(ABOVE) {
+        let of_line = date_and_time(line);
+        match of_line {
+            (Some(date), Some(time)) => return Some(date + time),
+            (d, t) => (date, time) = (date.or(d), time.or(t)),
+        }
+    }
+    Some(date? + time?)
+}
+
+/// The first date and the first time of day in a line, s.
+fn date_and_time(line: &str) -> (Option<f64>, Option<f64>) {
+    let is_between = |c: char| c.is_whitespace() || ",;\"'()[]=".contains(c);
+    let mut words = line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty()).peekable();
+    let (mut date, mut time) = (None, None);
+    while let Some(word) = words.next() {
+        let starts = word.starts_with(|c: char| c.is_ascii_digit());
+        if !starts {
+            continue;
+        }
+        if let Some(number) = day(word) {
+            date = date.or(Some(number * DAY));
+        } else if word.matches(':').count() == 2 {
+            let half = words.next_if(|next| ["AM", "PM"].iter().any(|half| next.eq_ignore_ascii_case(half)));
+            time = time.or(seconds(&format!("{word} {}", half.unwrap_or_default())));
+        }
+    }
+    (date, time)
+}
+
+/// A time since 1970 as reports write it, to the second: `2026-11-25 10:03:22`; below a day, which is of an unknown day, without the date.
+pub fn written(seconds: f64) -> String {
+    let whole = seconds.floor();
+    let (days, of_day) = ((whole / DAY).floor(), whole.rem_euclid(DAY));
+    let (hour, minute, second) = ((of_day / 3600.0).floor(), (of_day / 60.0).floor() % 60.0, of_day % 60.0);
+    let time = format!("{hour:02}:{minute:02}:{second:02}");
+    if days == 0.0 {
+        return time;
+    }
+    // Civil date from days (Hinnant, as in `day`).
+    let days = days + 719_468.0;
+    let era = (days / 146_097.0).floor();
+    let of_era = days - era * 146_097.0;
+    let year_of_era =
+        ((of_era - (of_era / 1460.0).floor() + (of_era / 36_524.0).floor() - (of_era / 146_096.0).floor()) / 365.0)
+            .floor();
+    let of_year = of_era - (365.0 * year_of_era + (year_of_era / 4.0).floor() - (year_of_era / 100.0).floor());
+    let from_march = ((5.0 * of_year + 2.0) / 153.0).floor();
+    let day = of_year - ((153.0 * from_march + 2.0) / 5.0).floor() + 1.0;
+    let month = if from_march < 10.0 { from_march + 3.0 } else { from_march - 9.0 };
+    let year = year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0));
+    format!("{year:04}-{month:02}-{day:02} {time}")
+}
 
 /// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
-/// seconds from an arbitrary but fixed midnight. Nothing where the text is no such time.
-pub(crate) fn seconds(text: &str) -> Option<f64> {
+/// with a date seconds since 1970, else since midnight. Nothing where the text is no such time.
+pub fn seconds(text: &str) -> Option<f64> {
     let text = text.trim().trim_end_matches('Z');
     let (text, half) = match text.get(text.len().saturating_sub(2)..).map(str::to_ascii_uppercase).as_deref() {
         Some("AM") => (text[..text.len() - 2].trim_end(), Some(0.0)),
@@ -71,12 +131,13 @@ fn day(date: &str) -> Option<f64> {
     let era = (year / 400.0).floor();
     let of_era = year - 400.0 * era;
     let of_year = ((153.0 * (month + if month > 2.0 { -3.0 } else { 9.0 }) + 2.0) / 5.0).floor() + day - 1.0;
-    Some(era * 146_097.0 + of_era * 365.0 + (of_era / 4.0).floor() - (of_era / 100.0).floor() + of_year)
+    let days = era * 146_097.0 + of_era * 365.0 + (of_era / 4.0).floor() - (of_era / 100.0).floor() + of_year;
+    Some(days - 719_468.0)
 }
 
-/// Times of day as seconds from the first one on; a step back by most of a day is midnight.
-pub(crate) fn from_first(times: &mut [f64]) {
-    let Some(&first) = times.iter().find(|t| t.is_finite()) else { return };
+/// Times of day as seconds from the first one on, which is returned; a step back by most of a day is midnight.
+pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
+    let &first = times.iter().find(|t| t.is_finite())?;
     let (mut before, mut midnights) = (first, 0.0);
     for time in times {
         if !time.is_finite() {
@@ -88,6 +149,7 @@ pub(crate) fn from_first(times: &mut [f64]) {
         before = *time;
         *time += midnights - first;
     }
+    Some(first)
 }
 
 #[cfg(test)]
@@ -125,6 +187,34 @@ mod tests {
             "time",
         ] {
             assert_eq!(seconds(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_time_since_1970_is_written_and_read_back() {
+        assert_eq!(seconds("1970-01-01 00:00:00"), Some(0.0));
+        assert_eq!(written(36_001.5), "10:00:01");
+        assert_eq!(seconds("2001-09-09T01:46:40Z"), Some(1e9));
+        for text in ["2024-02-29 23:59:59", "2000-03-01 00:00:00", "1999-12-31 12:00:01", "2026-11-25 10:03:22"] {
+            assert_eq!(written(seconds(text).unwrap()), text);
+        }
+    }
+
+    #[test]
+    fn when_a_test_began_is_found_above_its_table() {
+        let at = |text: &str| begins(text.lines()).map(written);
+        let wanted = Some("2026-11-25 10:03:22".to_owned());
+        for text in [
+            "Operator\tmh\nDate\t25.11.2026\nTime\t10:03:22\nRate\t1000",
+            "Data Acquisition: Timed\tTime: 3.2451172 Sec\t11/25/2026 10:03:22 AM",
+            "# run 7, 2026-11-25T10:03:22",
+            "Datum;25.11.2026\nUhrzeit;10:03:22,5",
+            "Created 1.1.2020\nStart: 25.11.2026 10:03:22\nEnd: 25.11.2026 10:09:01",
+        ] {
+            assert_eq!(at(text), wanted, "{text}");
+        }
+        for text in ["", "Time: 10:03:22", "Date: 25.11.2026", "1.2.3\t12:75:00", "Part no. 4-11-2026x\t10:03:22"] {
+            assert_eq!(at(text), None, "{text}");
         }
     }
 

@@ -273,6 +273,9 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     let step = options.sample_rate_hz.map(|rate| 1.0 / rate).or_else(|| sample_time(text[..offset].lines()));
     let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, step.is_some(), &is_clock)?;
     let mut rows = Rows::new(at.clone(), name.to_string(), layout);
+    // When each test began, as the lines above its figures say; up to where these lines are read.
+    let mut began = vec![clock::begins(text[..offset].lines())];
+    let mut behind = offset;
 
     let mut reader = ReaderBuilder::new()
         .has_headers(false)
@@ -292,6 +295,7 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             (p.line() as usize, ends.filter(|b| **b == b'\n').count())
         });
         let line = header_index + begins + empty;
+        let here = record.position().map_or(offset, |p| offset + p.byte() as usize);
         let first = record.get(0).unwrap_or_default().trim_ascii_start();
         if matches!(first.first(), Some(b'#' | b'%')) || first.starts_with(b"//") {
             continue;
@@ -346,7 +350,9 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             let layout = rows.layout().clone();
             let name = format!("{name} {}", tests.len() + 2);
             tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+            began.push(clock::begins(text.get(behind..here).unwrap_or_default().lines()));
         }
+        behind = here;
         let test = rows
             .layout()
             .test
@@ -356,8 +362,8 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     beside.tell(&mut rows);
     tests.push(rows);
     let mut read = Vec::new();
-    for rows in tests {
-        read.extend(rows.finish(step)?);
+    for (rows, began) in tests.into_iter().zip(began) {
+        read.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began)));
     }
     Ok(read)
 }

@@ -107,6 +107,7 @@ impl SineTest {
             name: "test".into(),
             lines: (2..n + 2).collect(),
             time,
+            begins: None,
             force,
             displacement: Some(x),
             velocity: Some(v),

@@ -86,7 +86,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
     }
     let time = layout.columns.iter().position(|c| c.channel == super::Channel::Time);
     let mut rows = Rows::new(at.clone(), name.to_owned(), layout);
-    let mut tests: Vec<Rows> = Vec::new();
+    let mut tests: Vec<(Rows, Option<f64>)> = Vec::new();
     let (mut last, mut began): (Option<f64>, Option<f64>) = (None, first.clock());
     for packet in &packets {
         if packet.names.len() != first.names.len() {
@@ -128,7 +128,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
                 } else {
                     let layout = rows.layout().clone();
                     let name = format!("{name} {}", tests.len() + 2);
-                    tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+                    tests.push((std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)), began));
                     began = packet.clock();
                 }
             }
@@ -137,9 +137,10 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
             rows.push(*line, values.into_iter(), None);
         }
     }
-    tests.push(rows);
+    tests.push((rows, began));
     let mut read = Vec::new();
-    for rows in tests {
+    for (mut rows, begins) in tests {
+        rows.begins = begins;
         read.extend(rows.finish(step)?);
     }
     Ok(read)

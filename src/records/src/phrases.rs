@@ -17,6 +17,11 @@ crate::phrases! {
     CONVERTED: "converted to SI: {channels}";
     FROM_UNIT: "{channel} from {unit}";
     TIME_OF_DAY: "time of day taken from the first row on";
+    ONE_CLOCK: "the records are put on one clock by the date and time that their files bear, from {first} to {last}: heat and drifts carry over from file to file";
+    OWN_CLOCKS: "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}";
+    SOME_WITHOUT_DATE: "only {count} of {all} files bear the time at which the test began";
+    TOO_FAR_APART: "by the times that their files bear they are too far apart to be one campaign";
+    CLOCKS_OVERLAP: "by the times that their files bear they overlap; these may be the times of an export";
     BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
     BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
     // Gaps in time.

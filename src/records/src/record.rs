@@ -18,6 +18,12 @@ pub struct Record {
     /// Time, s, strictly increasing.
     #[serde(skip)]
     pub time: Vec<f64>,
+    /// Date and time of the record's time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
+    #[serde(default)]
+    pub begins: Option<f64>,
+    /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
+    #[serde(default)]
+    pub clock_s: f64,
     /// Damper displacement, m.
     #[serde(skip)]
     pub displacement: Vec<f64>,
@@ -57,12 +63,17 @@ pub struct Record {
 }
 
 impl Record {
+    /// From when to when it was measured, by the campaign's clock, s; nothing of a record without samples.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        Some((self.time.first()? + self.clock_s, self.time.last()? + self.clock_s))
+    }
+
     /// A short name for the content: tells whether two records hold the same measurement, whatever their file is called.
     pub fn fingerprint(&self) -> String {
         if let Some(as_read) = &self.as_read {
             return as_read.clone();
         }
-        // FNV-1a over the bits of time and force.
+        // Not of the campaign's clock, which depends on the other records. FNV-1a over the bits of time and force.
         let hash = self.time.iter().chain(&self.force).fold(0xcbf2_9ce4_8422_2325u64, |hash, value| {
             value.to_bits().to_le_bytes().iter().fold(hash, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3))
         });

@@ -15,6 +15,8 @@ pub(crate) struct Samples {
     /// Line (row, element) of every sample in its file, from 1.
     pub lines: Vec<usize>,
     pub time: Vec<f64>,
+    /// Date and time of its time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
+    pub begins: Option<f64>,
     pub force: Vec<f64>,
     pub displacement: Option<Vec<f64>>,
     pub velocity: Option<Vec<f64>>,
@@ -28,6 +30,13 @@ pub(crate) struct Samples {
 impl Samples {
     pub fn len(&self) -> usize {
         self.time.len()
+    }
+
+    /// With the date and time of its first sample, where its own times do not say it.
+    pub fn beginning(mut self, first: Option<f64>) -> Samples {
+        let zero = || Some(first? - self.time.iter().find(|t| t.is_finite())?);
+        self.begins = self.begins.or_else(zero);
+        self
     }
 
     pub fn note(&mut self, kind: &'static str, text: Sentence) {

@@ -336,6 +336,8 @@ pub(crate) struct Rows {
     names: Vec<String>,
     by_name: HashMap<String, usize>,
     notes: Vec<Note>,
+    /// When the table's time zero was, as [`Samples::begins`]. A column of dates says it too, and counts before it.
+    pub begins: Option<f64>,
 }
 
 impl Rows {
@@ -351,6 +353,7 @@ impl Rows {
             names: Vec::new(),
             by_name: HashMap::new(),
             notes: Vec::new(),
+            begins: None,
         }
     }
 
@@ -411,7 +414,7 @@ impl Rows {
             notes.push(Note { kind: "converted", text });
         }
         if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
-            clock::from_first(&mut self.values[index]);
+            self.begins = clock::from_first(&mut self.values[index]).or(self.begins);
             notes.push(Note { kind: "converted", text: phrases::TIME_OF_DAY.into() });
         }
         let groups: Vec<(String, Place, Option<Vec<usize>>)> = if self.layout.test.is_some() {
@@ -447,6 +450,7 @@ impl Rows {
                 name,
                 lines,
                 time,
+                begins: self.begins,
                 force: take(Channel::Force).unwrap_or_default(),
                 displacement: take(Channel::Displacement),
                 velocity: take(Channel::Velocity),

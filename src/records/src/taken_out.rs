@@ -12,9 +12,9 @@ pub struct Off {
     pub delay_s: f64,
     /// Mass between load cell and damper, kg, that the load cell has to speed up with the damper's end.
     pub mass_kg: f64,
-    /// Growth of the force's gain with the record's clock, 1/s.
+    /// Growth of the force's gain with the campaign's clock, 1/s.
     pub gain_per_s: f64,
-    /// Growth of the force's zero with the record's clock, N/s.
+    /// Growth of the force's zero with the campaign's clock, N/s.
     pub zero_n_per_s: f64,
 }
 
@@ -45,7 +45,8 @@ pub fn taken_out(record: &Record, off: &Off) -> Record {
     }
     let mut right = if off.delay_s == 0.0 { record.clone() } else { earlier(record, off.delay_s) };
     for (force, t) in right.force.iter_mut().zip(&right.time) {
-        *force = (*force - off.zero_n_per_s * t) / (1.0 + off.gain_per_s * t);
+        let clock = right.clock_s + t;
+        *force = (*force - off.zero_n_per_s * clock) / (1.0 + off.gain_per_s * clock);
     }
     take_mass(&mut right, off.mass_kg);
     right.as_read = Some(record.fingerprint());

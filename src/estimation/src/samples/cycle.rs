@@ -142,7 +142,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     });
     let cycles = bounds.len() as f64;
     let noise = mean_noise.powi(2) / independence;
-    let clock = 0.5 * (bounds[0].0 + bounds[bounds.len() - 1].1);
+    let clock = record.clock_s + 0.5 * (bounds[0].0 + bounds[bounds.len() - 1].1);
     let segment = segment(record, clock, dt, input, force, lead, noise);
     let times: Vec<f64> = alone.iter().map(|alone| if *alone { cycles } else { 1.0 }).collect();
     Test {

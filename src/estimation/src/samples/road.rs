@@ -43,7 +43,7 @@ pub fn road(place: usize, record: &Record, motion: &Motion) -> Test {
     let every = (picks.len() / SCORED).max(1);
     let thinned = independence(lag1.powi((stride * every) as i32));
     let noise = mean_noise.powi(2) / thinned;
-    let clock = 0.5 * (record.time[0] + record.time[n - 1]);
+    let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
     let segment = segment(record, clock, dt, input, force, lead, noise);
     let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
     // The model goes through all of it; samples between the scored ones count nothing.

@@ -51,6 +51,7 @@ pub(crate) struct Motion {
     pub at: Place,
     pub name: String,
     pub time: Vec<f64>,
+    pub begins: Option<f64>,
     pub displacement: Vec<f64>,
     pub velocity: Vec<f64>,
     pub force: Vec<f64>,
@@ -108,6 +109,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, Re
         at: samples.at,
         name: samples.name,
         time: samples.time,
+        begins: samples.begins,
         displacement,
         velocity,
         force: samples.force,
@@ -232,8 +234,20 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
     trim::trim(&mut motion);
-    let Motion { at, name, time, displacement, velocity, force, side_force, temperature, cycles, given, mut notes } =
-        motion;
+    let Motion {
+        at,
+        name,
+        time,
+        begins,
+        displacement,
+        velocity,
+        force,
+        side_force,
+        temperature,
+        cycles,
+        given,
+        mut notes,
+    } = motion;
     if time.len() < FEWEST {
         return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
     }
@@ -257,6 +271,8 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         cycles: cycles.iter().map(|c| c.start..c.end).collect(),
         noise,
         time,
+        begins,
+        clock_s: 0.0,
         displacement,
         velocity,
         force,
@@ -402,6 +418,7 @@ mod tests {
                 lines: (2..n + 2).collect(),
                 headings: Vec::new(),
                 time: times,
+                begins: None,
                 force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),
                 displacement: (motion != 0).then(|| rows.iter().map(|r| r.2).collect()),
                 velocity: (motion != 1).then(|| rows.iter().map(|r| f64::from(r.1)).collect()),

@@ -107,6 +107,10 @@ impl Block<'_> {
         Ok(self.part::<1>(at)?[0])
     }
 
+    pub fn i16(&self, at: usize) -> Result<i16, String> {
+        Ok(i16::from_le_bytes(self.part(at)?))
+    }
+
     pub fn u16(&self, at: usize) -> Result<u16, String> {
         Ok(u16::from_le_bytes(self.part(at)?))
     }

@@ -46,9 +46,13 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         return Err(RecordError::EmptyFile { file: file.into() });
     }
     let wrong = |cause: String| RecordError::Binary { file: file.into(), kind: KIND, cause };
-    let found =
-        if version3::is_one(&bytes) { version3::groups(&bytes) } else { Mdf::new(&bytes).and_then(|mdf| groups(&mdf)) };
-    let joined = joined(found.map_err(wrong)?);
+    let found = if version3::is_one(&bytes) {
+        version3::groups(&bytes)
+    } else {
+        Mdf::new(&bytes).and_then(|mdf| Ok((groups(&mdf)?, begins(&mdf).ok().flatten())))
+    };
+    let (groups, begins) = found.map_err(wrong)?;
+    let joined = joined(groups);
     let headers: Vec<Vec<&str>> = joined.iter().map(|g| g.channels.iter().map(|c| c.name.as_str()).collect()).collect();
     let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
     if recorded.is_empty() {
@@ -67,6 +71,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         let units: Vec<&str> = channels.iter().map(|c| c.unit.as_str()).collect();
         let layout = Layout::new(&at, 1, &headers[*k], Some(&units), options, false)?;
         let mut rows = Rows::new(at, name, layout);
+        rows.begins = begins;
         let columns: Vec<usize> = rows.layout().columns.iter().map(|c| c.index).collect();
         for row in 0..joined[*k].rows {
             rows.push(row + 1, columns.iter().map(|c| channels[*c].values[row]), None);
@@ -108,6 +113,15 @@ struct Format {
     bit: u32,
     bits: u32,
     big_endian: bool,
+}
+
+/// When time was nought, s since 1970 by the rig's own clock; nothing where the file says none.
+fn begins(mdf: &Mdf<'_>) -> Result<Option<f64>, String> {
+    let header = mdf.block(64, "HD")?;
+    // Nanoseconds, and minutes from universal to local time where a flag says that they hold.
+    let seconds = header.u64(0)? as f64 * 1e-9;
+    let to_local = if header.u8(12)? & 2 == 0 { 0.0 } else { f64::from(header.i16(8)?) + f64::from(header.i16(10)?) };
+    Ok((seconds > 0.0).then_some(seconds + 60.0 * to_local))
 }
 
 /// All groups of the file, channels read.

@@ -1,6 +1,7 @@
 //! MDF 2 and 3: blocks of two letters and a length of 16 bits, links of 32 bits at fixed places, numbers in the byte order that
 //! the file states. What is found goes the same way as of MDF 4.
 
+use super::super::clock;
 use super::conversion::Conversion;
 use super::data::{self, Record};
 use super::{Channel, Format, Group, MOST, Stored, VALUES};
@@ -27,8 +28,8 @@ pub(super) fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MDF     ") && bytes.get(8).is_some_and(|version| [b'2', b'3'].contains(version))
 }
 
-/// All groups of the file, channels read.
-pub(super) fn groups(bytes: &[u8]) -> Result<Vec<Group>, String> {
+/// All groups of the file, channels read, and when time was nought, s since 1970.
+pub(super) fn groups(bytes: &[u8]) -> Result<(Vec<Group>, Option<f64>), String> {
     let order = bytes.get(24..26).ok_or("it ends in its identification")?;
     let file = File { bytes, big_endian: order != [0, 0] };
     let header = file.block(HEADER, "HD")?;
@@ -37,7 +38,10 @@ pub(super) fn groups(bytes: &[u8]) -> Result<Vec<Group>, String> {
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut budget, &mut found)?;
     }
-    Ok(found)
+    // `25:11:2026` and `10:03:22`.
+    let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
+    let (date, time) = text.split_at_checked(10).unwrap_or_default();
+    Ok((found, clock::seconds(&format!("{} {time}", date.replace(':', ".")))))
 }
 
 fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mut Vec<Group>) -> Result<(), String> {

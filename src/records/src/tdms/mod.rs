@@ -42,6 +42,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     for (group, members) in recorded {
         let at = Place { file: file.into(), part: several.then(|| format!("group '{group}'")) };
         let step = members.iter().find_map(|c| c.step);
+        let began = members.iter().find_map(|c| c.begins);
         let header = names(members);
         let units: Vec<String> = members.iter().map(|c| c.unit.clone()).collect();
         let layout = Layout::new(&at, 1, &header, Some(&units), options, step.is_some())?;
@@ -58,7 +59,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         for row in 0..length {
             rows.push(row + 1, columns.iter().map(|c| members[*c].values[row]), None);
         }
-        tests.extend(rows.finish(step)?);
+        tests.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began)));
     }
     Ok(tests)
 }

@@ -25,6 +25,8 @@ pub(super) struct Channel {
     pub unit: String,
     /// Step of its waveform, s.
     pub step: Option<f64>,
+    /// When its first value was taken, s since 1970, where it is known.
+    pub begins: Option<f64>,
     pub values: Vec<f64>,
 }
 
@@ -205,7 +207,12 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = f64::NAN);
     let unit = text("unit_string").or_else(|| text("NI_UnitDescription")).unwrap_or_default();
     let step = number("wf_increment").filter(|s| s.is_finite() && *s > 0.0);
-    Ok(Some(Channel { group: group.clone(), name: name.clone(), unit, step, values }))
+    // Nought is what a waveform without a time has.
+    let begins = match object.properties.get("wf_start_time") {
+        Some(Property::Time(seconds)) => Some(*seconds).filter(|seconds| *seconds > 0.0),
+        _ => None,
+    };
+    Ok(Some(Channel { group: group.clone(), name: name.clone(), unit, step, begins, values }))
 }
 
 /// The names in a path such as `/'group'/'channel'`, in which a quote is written twice.

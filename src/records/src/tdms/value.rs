@@ -108,7 +108,12 @@ impl<'a> Cursor<'a> {
         match code {
             0x20 => Ok(Property::Text(self.text()?)),
             0x21 => self.take(1).map(|_| Property::Other),
-            0x44 => self.take(16).map(|_| Property::Other),
+            0x44 => {
+                // 2^-64 s and whole seconds since 1904; in a file of big-endian numbers the seconds stand first.
+                let (first, second) = (self.u64()?, self.u64()?);
+                let (fraction, seconds) = if self.big_endian { (second, first) } else { (first, second) };
+                Ok(Property::Time(seconds as i64 as f64 - FROM_1904_TO_1970 + fraction as f64 / 2f64.powi(64)))
+            }
             0x0008_000c => self.take(8).map(|_| Property::Other),
             0x0010_000d => self.take(16).map(|_| Property::Other),
             _ => Err(format!("a property has the type {code:#x}, which is not known")),
@@ -116,10 +121,15 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Seconds from the first instant of 1904, from which these files count, to that of 1970.
+const FROM_1904_TO_1970: f64 = 24_107.0 * 86_400.0;
+
 /// The value of a property.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Property {
     Number(f64),
     Text(String),
+    /// Seconds since 1970.
+    Time(f64),
     Other,
 }

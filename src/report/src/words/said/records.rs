@@ -41,6 +41,36 @@ pub const ALL: &[Said] = &[
         "钟点时间自第一行起算",
     ],
     [
+        "the records are put on one clock by the date and time that their files bear, from {first} to {last}: heat and drifts carry over from file to file",
+        "die Messungen stehen nach Datum und Uhrzeit in ihren Dateien auf einer gemeinsamen Uhr, von {first} bis {last}: Wärme und Driften reichen von Datei zu Datei",
+        "les mesures sont mises sur une même horloge d'après la date et l'heure que portent leurs fichiers, de {first} à {last} : la chaleur et les dérives passent d'un fichier à l'autre",
+        "各记录按其文件所载的日期和时间放到同一时钟上，从 {first} 到 {last}：热量和漂移在文件之间延续",
+    ],
+    [
+        "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}",
+        "jede Messung hat ihre eigene Uhr, so dass Wärme und Driften nicht von Datei zu Datei reichen: {why}",
+        "chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d'un fichier à l'autre : {why}",
+        "每条记录各有自己的时钟，因此热量和漂移不在文件之间延续：{why}",
+    ],
+    [
+        "only {count} of {all} files bear the time at which the test began",
+        "nur {count} von {all} Dateien nennen den Beginn des Versuchs",
+        "seuls {count} fichiers sur {all} portent l'heure du début de l'essai",
+        "{all} 个文件中只有 {count} 个载有试验开始的时间",
+    ],
+    [
+        "by the times that their files bear they are too far apart to be one campaign",
+        "nach den Zeiten in ihren Dateien liegen sie für eine Messreihe zu weit auseinander",
+        "d'après les heures que portent leurs fichiers, elles sont trop éloignées pour être une seule campagne",
+        "按其文件所载的时间，它们相隔太久，不可能是同一批试验",
+    ],
+    [
+        "by the times that their files bear they overlap; these may be the times of an export",
+        "nach den Zeiten in ihren Dateien überlappen sie sich; das können die Zeiten eines Exports sein",
+        "d'après les heures que portent leurs fichiers, elles se chevauchent ; ce sont peut-être les heures d'une exportation",
+        "按其文件所载的时间，它们互相重叠；这些时间可能是导出的时间",
+    ],
+    [
         "line {line}, below the heading, holds no figures: {text}",
         "Zeile {line} unter der Überschrift enthält keine Zahlen: {text}",
         "la ligne {line}, sous l’en-tête, ne contient pas de chiffres : {text}",
