@@ -46,6 +46,16 @@ impl Heating {
     /// Temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
     pub fn rise(&self, place: usize, cooling: f64) -> f64 {
         let (t, record) = self.looks[place];
+        self.at(t, record, cooling)
+    }
+
+    /// The same when record `record` begins.
+    pub fn at_the_begin(&self, record: usize, cooling: f64) -> f64 {
+        self.at(self.inputs[record].0, record, cooling)
+    }
+
+    /// The same at time `t` of the campaign's clock, during a record.
+    fn at(&self, t: f64, record: usize, cooling: f64) -> f64 {
         let of = |(begin, end, power): &(f64, f64, f64)| {
             let end = end.min(t);
             if end <= *begin {

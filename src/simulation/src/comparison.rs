@@ -1,6 +1,7 @@
 //! A model and its FV curve alone beside the records of a campaign.
 
 use crate::prediction::{at_velocities, predict};
+use crate::warm_starts::WarmStarts;
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{ModelFile, NoModel, prepared};
 use dashpot_identification::validation::{Compared, Validation};
@@ -36,16 +37,18 @@ pub fn compare<'a>(
 ) -> Result<Vec<Compared<'a>>, CompareError> {
     let model = prepared(&file.params)?;
     let fv_only = prepared(&fv_only(file, campaign)?)?;
+    let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
     let done = AtomicUsize::new(0);
     Ok(campaign
         .records
         .par_iter()
-        .map(|record| {
+        .enumerate()
+        .map(|(k, record)| {
             let motion = smooth(record);
             let compared = Compared {
                 record,
-                model: predict(&model, record, &motion),
-                fv_only: predict(&fv_only, record, &motion),
+                model: predict(&model, record, &motion, warm.rise(&file.params, k)),
+                fv_only: predict(&fv_only, record, &motion, 0.0),
                 used_in_fit: file.identification.used(record),
             };
             progress(1 + done.fetch_add(1, Ordering::Relaxed), campaign.records.len());

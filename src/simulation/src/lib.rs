@@ -3,6 +3,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
+//! | [`warm_starts`] | how warm the damper is when each record begins |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`whole_records`] | how far a model is off over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
@@ -16,4 +17,5 @@ pub mod comparison;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod vehicle;
+pub mod warm_starts;
 pub mod whole_records;

@@ -1,12 +1,14 @@
 //! The forces that a model gives for the motion of a record.
 
+use crate::warm_starts::warm;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model, State};
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`dashpot_records::smoothing::smooth`]) from the settled state.
-pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
+/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`dashpot_records::smoothing::smooth`]) from the settled
+/// state, with oil that is warmer than the surroundings by `rise`, K ([`WarmStarts`](crate::warm_starts::WarmStarts)).
+pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| Input {
         displacement: Some(motion.displacement[i]),
@@ -24,6 +26,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
         state
     };
     let mut start = model.settled(&input(0));
+    warm(model, &mut start, rise);
     // A periodic record was cut out of a running test: what the damper remembers at its start is what it remembers one
     // cycle later.
     if let Some(first) = record.cycles.first().filter(|c| c.start == 0 && c.end < n) {
@@ -31,6 +34,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion) -> Vec<f64> {
         start.mass_displacement = later.mass_displacement - later.displacement + start.displacement;
         start.mass_velocity = later.mass_velocity;
         start.memory = later.memory;
+        warm(model, &mut start, rise);
     }
     let mut forces = vec![dashpot_core::evaluate::force(model, &start, &input(0)).force];
     run(start, 1..n, &mut forces);

@@ -5,6 +5,7 @@
 //! than those of a validation, which takes every sample of every record from the settled start.
 
 use crate::prediction::predict;
+use crate::warm_starts::WarmStarts;
 use dashpot_core::Params;
 use dashpot_identification::model_file::{NoModel, prepared};
 use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
@@ -32,10 +33,12 @@ pub enum WholeRecordsError {
 /// Where there is no model, or nothing to compare it with.
 pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let model = prepared(params)?;
+    let warm = WarmStarts::new(records);
     let compared: Vec<Compared> = records
         .par_iter()
-        .map(|record| {
-            let forces = predict(&model, record, &smooth(record));
+        .enumerate()
+        .map(|(k, record)| {
+            let forces = predict(&model, record, &smooth(record), warm.rise(params, k));
             Compared { record, fv_only: forces.clone(), model: forces, used_in_fit: true }
         })
         .collect();

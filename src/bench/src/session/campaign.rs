@@ -3,6 +3,7 @@
 use crate::session::tasks::Report;
 use dashpot_records::smoothing::{Motion, smooth};
 use dashpot_records::{Campaign, Note, Options, Record, RecordError, load};
+use dashpot_simulation::warm_starts::WarmStarts;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -19,6 +20,8 @@ pub struct Loaded {
     pub campaign: Campaign,
     /// What the views need of each, in the same order.
     pub tests: Vec<Seen>,
+    /// How warm the damper is when each begins.
+    pub warm: WarmStarts,
     /// The campaign as it was read, where something was taken out of it since.
     as_read: Option<Box<Campaign>>,
 }
@@ -131,7 +134,8 @@ impl Loaded {
         let mut folders: Vec<PathBuf> = paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
         folders.dedup();
         let folder = folders.pop().filter(|_| folders.is_empty());
-        Ok(Loaded { paths, folder, options, campaign, tests, as_read: None })
+        let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
+        Ok(Loaded { paths, folder, options, campaign, tests, warm, as_read: None })
     }
 
     /// The campaign as it was read: what a fit looks at.
@@ -147,7 +151,8 @@ impl Loaded {
         campaign.notes.extend(note);
         let tests = campaign.records.par_iter().map(Seen::new).collect();
         let (paths, folder, options) = (self.paths.clone(), self.folder.clone(), self.options.clone());
-        Loaded { paths, folder, options, campaign, tests, as_read }
+        let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
+        Loaded { paths, folder, options, campaign, tests, warm, as_read }
     }
 
     /// Where it comes from, in a few words.

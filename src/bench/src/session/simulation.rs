@@ -64,13 +64,13 @@ impl OfTest {
         }
     }
 
-    /// Of a whole test, or of its shown cycle alone.
-    pub fn of(model: &Model, record: &Record, seen: &Seen, quick: bool) -> OfTest {
+    /// Of a whole test, or of its shown cycle alone, from oil that is warmer than the surroundings by `rise`, K.
+    pub fn of(model: &Model, record: &Record, seen: &Seen, rise: f64, quick: bool) -> OfTest {
         if quick {
-            let forces = predict(model, &seen.cycle, &seen.cycle_motion);
+            let forces = predict(model, &seen.cycle, &seen.cycle_motion, rise);
             OfTest::new(&forces, &seen.cycle, 0..seen.cycle_samples, seen.stride, seen.max_force)
         } else {
-            OfTest::new(&predict(model, record, &seen.motion), record, seen.shown.clone(), 1, seen.max_force)
+            OfTest::new(&predict(model, record, &seen.motion, rise), record, seen.shown.clone(), 1, seen.max_force)
         }
     }
 }
@@ -174,9 +174,11 @@ fn work(shared: &Shared, waker: &Waker) {
 pub fn simulate(wanted: &Wanted, outdated: &(dyn Fn() -> bool + Sync)) -> Option<Simulated> {
     let began = Instant::now();
     let model = Model::new(&wanted.params).ok()?;
-    let all = wanted.loaded.campaign.records.par_iter().zip(&wanted.loaded.tests);
-    let tests: Option<Vec<OfTest>> =
-        all.map(|(record, seen)| (!outdated()).then(|| OfTest::of(&model, record, seen, wanted.quick))).collect();
+    let all = wanted.loaded.campaign.records.par_iter().zip(&wanted.loaded.tests).enumerate();
+    let rise = |k| wanted.loaded.warm.rise(&wanted.params, k);
+    let tests: Option<Vec<OfTest>> = all
+        .map(|(k, (record, seen))| (!outdated()).then(|| OfTest::of(&model, record, seen, rise(k), wanted.quick)))
+        .collect();
     Some(Simulated {
         params: wanted.params,
         loaded: wanted.loaded.clone(),

@@ -63,7 +63,8 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
             let mut with = *params;
             with.set(question.number, value(k)).ok()?;
             let model = Model::new(&with).ok()?;
-            let force = OfTest::of(&model, record, seen, true).shown;
+            let rise = loaded.warm.rise(&with, question.test);
+            let force = OfTest::of(&model, record, seen, rise, true).shown;
             let [area, gap] = figures(&force);
             Some(Member { value: value(k), force, area, gap })
         })

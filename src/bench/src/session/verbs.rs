@@ -102,8 +102,8 @@ pub fn compared<'a>(
             let (record, seen) = (&loaded.campaign.records[*k], &loaded.tests[*k]);
             let compared = Compared {
                 record,
-                model: predict(&model, record, &seen.motion),
-                fv_only: predict(&fv_only, record, &seen.motion),
+                model: predict(&model, record, &seen.motion, loaded.warm.rise(&file.params, *k)),
+                fv_only: predict(&fv_only, record, &seen.motion, 0.0),
                 used_in_fit: file.identification.used(record),
             };
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);

@@ -133,8 +133,8 @@ fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec
         }
         let with =
             effect.filter(|_| place < EFFECTS).and_then(|(element, strength)| session.with_effect(element, strength));
-        if let Some(model) = with.and_then(|p| Model::new(&p).ok()) {
-            let of = OfTest::of(&model, record, seen, true);
+        if let Some((params, model)) = with.and_then(|p| Some((p, Model::new(&p).ok()?))) {
+            let of = OfTest::of(&model, record, seen, loaded.warm.rise(&params, *test), true);
             lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }
