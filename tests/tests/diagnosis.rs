@@ -1,6 +1,7 @@
 //! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
 
 use dashpot_core::Params;
+use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
 use dashpot_identification::model_file;
@@ -126,6 +127,34 @@ fn a_mass_between_load_cell_and_damper_is_named() {
 }
 
 /// The force channel read `delay` later than it was, in steady motion.
+#[test]
+fn a_worn_valve_is_told_against_the_damper_as_it_was() {
+    let mut worn = base();
+    let forces: Vec<f64> = worn.list(list!("fv_force")).iter().map(|f| if *f > 0.0 { 0.8 * f } else { *f }).collect();
+    worn.set_list(list!("fv_force"), &forces).unwrap();
+    let reference = campaign(&base(), &tests(), 7, 0.01);
+    let against = |truth: &Params| {
+        let records = campaign(truth, &tests(), 5, 0.01);
+        let refs: Vec<&Record> = records.iter().collect();
+        let options = Options { reference: reference.clone(), ..Options::default() };
+        diagnose(&refs, &choose_held_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap()
+    };
+    let found = against(&worn);
+    assert_eq!(found.verdict, Verdict::Changed, "{}", told(&found));
+    assert!(
+        found.summary.to_string().starts_with("other than on the reference damper: rebound force at"),
+        "{}",
+        found.summary
+    );
+    let points: Vec<_> = found.changed.iter().filter(|c| c.parameter == "fv_force").collect();
+    assert!(points.len() >= 4 && points.iter().all(|c| c.velocity_m_s > Some(0.0)), "{points:?}");
+    for point in points.iter().filter(|c| c.velocity_m_s > Some(0.2)) {
+        assert!((point.value / point.reference - 0.8).abs() < 0.03, "{point:?}");
+    }
+    let same = against(&base());
+    assert_eq!(same.verdict, Verdict::NothingMissing, "{}", told(&same));
+}
+
 fn late(record: &Record, delay: f64) -> Record {
     let (first, period) = (record.time[0], record.cycles.len() as f64 / record.frequency);
     let dt = record.time[1] - first;

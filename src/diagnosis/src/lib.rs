@@ -21,6 +21,7 @@
 
 mod answer;
 mod calibration;
+mod changes;
 mod decisions;
 mod edges;
 mod effects;
@@ -46,6 +47,7 @@ mod unbent;
 mod untestable;
 mod vocabulary;
 
+pub use changes::Change;
 pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_held_out;
 pub use outcome::*;
@@ -463,26 +465,11 @@ impl Answer<'_> {
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside))
     }
 
-    /// Numbers of the model that differ from the reference damper's by more than both leave open.
+    /// What is another on the reference damper.
     fn changed(&self) -> Vec<Change> {
         let Some(Against { base: (reference, there), .. }) = &self.reference else { return Vec::new() };
         let (last, end) = &self.found.found.last;
-        let (of_there, of_here) = (deviations(reference, there), deviations(last, end));
-        let one = |(k, n): (usize, &dashpot_estimation::hypothesis::Number)| {
-            let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
-            let place = last.place_of(&n.free)?;
-            let deviation = of_there[k].hypot(of_here[place]);
-            let (before, after) = (there.theta[k], end.theta[place]);
-            ((after - before).abs() > CHANGED * deviation).then(|| Change {
-                parameter: number.name(),
-                reference: physical(&n.free, before),
-                value: physical(&n.free, after),
-                low: physical(&n.free, after - 1.96 * deviation),
-                high: physical(&n.free, after + 1.96 * deviation),
-                unit: number.parameter().unit,
-            })
-        };
-        reference.numbers.iter().enumerate().filter_map(one).collect()
+        changes::changes((reference, there), (last, end), self.fitted)
     }
 
     /// Scalars of the base that moved by more than three of their deviations.
@@ -544,7 +531,7 @@ const TOLD: usize = 3;
 
 /// No effect is missing, but what there is has other numbers than on the reference: that is the answer then.
 fn changed_instead(nothing: Sentence, changed: &[Change]) -> (Verdict, Sentence) {
-    let material: Vec<&Change> = changed.iter().filter(|change| change.is_material()).collect();
+    let material = changes::told(changed);
     if material.is_empty() {
         return (Verdict::NothingMissing, nothing);
     }
@@ -557,8 +544,6 @@ fn changed_instead(nothing: Sentence, changed: &[Change]) -> (Verdict, Sentence)
     (Verdict::Changed, summary)
 }
 
-/// Standard deviations from which a number of two dampers differs.
-const CHANGED: f64 = 3.0;
 /// Probability, each test counted as one sample, from which a name needs no further test.
 const DECIDED: f64 = 0.9;
 /// Most names that a test is sought to tell apart.

@@ -1,7 +1,6 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
-use super::decisions::MATERIAL;
-use super::phrases;
+use super::changes::Change;
 use super::tree::Branch;
 use dashpot_core::Params;
 use dashpot_records::sentence::Sentence;
@@ -229,44 +228,6 @@ pub struct Shift {
     pub unit: &'static str,
 }
 
-/// A number of the model that is another on this damper than on the reference.
-#[derive(Debug, Clone, Serialize)]
-pub struct Change {
-    /// Parameter.
-    pub parameter: &'static str,
-    /// On the reference damper.
-    pub reference: f64,
-    /// On this one.
-    pub value: f64,
-    /// Ends of the 95 % interval of this one's, what the reference leaves open included.
-    pub low: f64,
-    /// See `low`.
-    pub high: f64,
-    /// Unit.
-    pub unit: &'static str,
-}
-
-impl Change {
-    /// Whether it stands in the answer.
-    pub(super) fn is_material(&self) -> bool {
-        (self.value - self.reference).abs() > MATERIAL * self.value.abs().max(self.reference.abs())
-    }
-
-    /// In words.
-    pub(super) fn sentence(&self) -> Sentence {
-        // Four digits that count.
-        let of = |value: f64| match value {
-            0.0 => "0".to_owned(),
-            _ => format!("{value:.*}", (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize),
-        };
-        Sentence::from(phrases::OTHER_NUMBER)
-            .with("name", self.parameter)
-            .with("reference", of(self.reference))
-            .with("value", of(self.value))
-            .with("unit", self.unit)
-    }
-}
-
 /// One test before and after.
 #[derive(Debug, Clone, Serialize)]
 pub struct TestOutcome {
@@ -335,19 +296,4 @@ pub struct Evidence {
     pub implausibility: f64,
     /// Share of the tests of which it leaves less.
     pub tests_better: f64,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_stands_in_the_answer_differs_by_more_than_the_scatter_of_a_series() {
-        let of =
-            |reference, value| Change { parameter: "gas_force", reference, value, low: value, high: value, unit: "N" };
-        assert!(!of(180.0, 172.0).is_material() && !of(0.0, 0.0).is_material());
-        assert!(of(180.0, 12.85).is_material() && of(0.0, 3.0).is_material() && of(-50.0, -40.0).is_material());
-        assert_eq!(of(179.219_4, 0.012_852_4).sentence().to_string(), "gas_force 179.2 -> 0.01285 N");
-        assert_eq!(of(627.627, 0.0).sentence().to_string(), "gas_force 627.6 -> 0 N");
-    }
 }

@@ -31,6 +31,8 @@ dashpot_records::phrases! {
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
     CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
     OTHER_NUMBER: "{name} {reference} -> {value} {unit}";
+    OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N";
+    OTHER_COMPRESSION: "compression force at {velocity} m/s {reference} -> {value} N";
     MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {names}";
     NOT_CONFIRMED: "; no test was left out to confirm it";

@@ -358,7 +358,7 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
     for change in &found.changed {
         let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &EN);
         let before = with_unit(change.reference, change.unit);
-        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.parameter));
+        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.name()));
     }
     lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
     lines.extend(found.next_tests.iter().take(NEXT).map(|test| format!("next test: {}", test.text)));

@@ -207,7 +207,7 @@ impl Answers {
             lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
             for one in &answer.diagnosis.changed {
                 let before = with_unit(one.reference, one.unit);
-                lines.push(format!("    {:<30} {before:>16} -> {}", one.parameter, change(one)));
+                lines.push(format!("    {:<30} {before:>16} -> {}", one.name(), change(one)));
             }
         }
         lines.extend(self.as_the_fit_saw.iter().map(|text| format!("note: {text}")));
@@ -289,21 +289,21 @@ impl Answers {
 
     /// Every number that changed in any group, of the reference and of all groups.
     fn numbers(&self, words: &Words) -> Table {
-        let mut numbers: BTreeMap<&str, (f64, &str)> = BTreeMap::new();
+        let mut numbers: BTreeMap<String, (f64, &str)> = BTreeMap::new();
         for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
-            numbers.entry(one.parameter).or_insert((one.reference, one.unit));
+            numbers.entry(one.name()).or_insert((one.reference, one.unit));
         }
         let mut rows = Vec::new();
         for (name, (reference, unit)) in &numbers {
             let first = [self.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
-            rows.push([Cell::from(*name)].into_iter().chain(first).collect());
+            rows.push([Cell::from(name.as_str())].into_iter().chain(first).collect());
             for answer in &self.groups {
-                let there = answer.diagnosis.changed.iter().find(|c| c.parameter == *name);
+                let there = answer.diagnosis.changed.iter().find(|c| c.name() == *name);
                 let [value, interval] = there.map_or_else(
                     || [words.no_change.into(), Cell::none()],
                     |c| Cell::with_interval(c.value, c.low, c.high, c.unit, words),
                 );
-                rows.push(vec![Cell::from(*name), answer.group.as_str().into(), value, interval]);
+                rows.push(vec![Cell::from(name.as_str()), answer.group.as_str().into(), value, interval]);
             }
         }
         Table {

@@ -103,6 +103,6 @@ def changed(found: Diagnosis, axes: Axes | None = None) -> Axes:
     spread = np.abs(share[:, 1:].T - share[:, 0])
     drawn.errorbar(share[:, 0], at, xerr=spread, fmt="o", capsize=3, color=MODEL)
     drawn.axvline(1.0, color=MEASURED, lw=0.8)
-    drawn.set_yticks(at, [c.parameter for c in rows])
+    drawn.set_yticks(at, [c.name for c in rows])
     drawn.set(xlabel="value over that of the reference")
     return drawn

@@ -441,6 +441,14 @@ class Change(Result):
     low: float
     high: float
     unit: str
+    force_share: float
+    #: Of a point of the FV curve (``fv_force``) its velocity, rebound positive.
+    velocity_m_s: float | None = None
+
+    @property
+    def name(self) -> str:
+        """The parameter, with the velocity of a point of the FV curve."""
+        return self.parameter if self.velocity_m_s is None else f"{self.parameter}, {self.velocity_m_s:.3f} m/s"
 
 
 @dataclass(frozen=True, repr=False)

@@ -127,7 +127,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
 fn changed(found: &Diagnosis, words: &Words) -> Table {
     let row = |c: &dashpot_diagnosis::Change| {
         let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit, words);
-        vec![c.parameter.into(), Cell::measured(c.reference, c.unit), value, interval]
+        vec![c.name().into(), Cell::measured(c.reference, c.unit), value, interval]
     };
     let columns = vec![
         Column::words(words.col_parameter),

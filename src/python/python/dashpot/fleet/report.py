@@ -142,17 +142,22 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
     return "".join(out)
 
 
+def _named(change: dict[str, Any]) -> str:
+    velocity = change["velocity_m_s"]
+    return change["parameter"] if velocity is None else f"{change['parameter']} at {velocity:.3f} m/s"
+
+
 def _effect(table: dict[str, list[Any]], k: int) -> str:
     """What makes a damper so, where a diagnosis says it."""
     if table["effect"][k]:
         return f"{table['effect'][k]} ({100 * table['effect_confidence'][k]:.0f} % sure)"
     if table["suspect"][k]:
         return f"suspect: {table['suspect'][k]}"
-    # The same effects as the reference: then it is numbers that differ, those first that differ by most of what they leave open.
-    changed = sorted(table["changed"][k] or (), key=lambda c: -abs(c["value"] - c["reference"]) / max(c["high"] - c["low"], 1e-300))
+    # The same effects as the reference: then it is numbers that differ, those first that move the force most.
+    changed = sorted(table["changed"][k] or (), key=lambda c: -c["force_share"])
     if changed:
         return "changed: " + ", ".join(
-            f"{c['parameter']} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
+            f"{_named(c)} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
         )
     words = {"nothing_missing": "nothing that the tests show", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
     return words.get(table["verdict"][k] or "", "not diagnosed")

@@ -39,6 +39,8 @@ _CHANGE = pa.struct(
         ("low", pa.float64()),
         ("high", pa.float64()),
         ("unit", pa.string()),
+        ("force_share", pa.float64()),
+        ("velocity_m_s", pa.float64()),
     ]
 )
 #: Columns of a part; the table has, after these, three for every number of the model that any damper has.

@@ -115,6 +115,18 @@ pub const ALL: &[Said] = &[
         "{name} {reference} -> {value} {unit}",
     ],
     [
+        "rebound force at {velocity} m/s {reference} -> {value} N",
+        "Zugkraft bei {velocity} m/s {reference} -> {value} N",
+        "force en détente à {velocity} m/s {reference} -> {value} N",
+        "{velocity} m/s 时的复原力 {reference} -> {value} N",
+    ],
+    [
+        "compression force at {velocity} m/s {reference} -> {value} N",
+        "Druckkraft bei {velocity} m/s {reference} -> {value} N",
+        "force en compression à {velocity} m/s {reference} -> {value} N",
+        "{velocity} m/s 时的压缩力 {reference} -> {value} N",
+    ],
+    [
         "; they cannot show {names}",
         "; nicht zeigen können sie {names}",
         " ; elles ne peuvent montrer {names}",
