@@ -2,6 +2,8 @@
 
 /// Seconds of a day.
 pub(crate) const DAY: f64 = 86_400.0;
+/// The first instant of 1980, s since 1970: what clocks start from that were never set.
+pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 /// Lines above a table in which date and time of the test are looked for: as many as a header may take.
 const ABOVE: usize = 400;
 

@@ -63,3 +63,16 @@ fn tdms_of_nptdms() {
     check("time.tdms", 1.0);
     check("waves.tdms", 1.0);
 }
+
+#[test]
+fn when_a_file_says_the_test_began_is_read() {
+    use dashpot_records::clock::seconds;
+    let at = |name: &str| only(name).begins;
+    assert_eq!(at("waves.tdms"), seconds("2026-11-25 10:03:22.5"));
+    for (name, made) in [("plain.mf4", "2026-11-23 17:56:09"), ("transposed.mf4", "2026-11-23 17:56:09")] {
+        let from = seconds(made).unwrap();
+        assert!(at(name).is_some_and(|t| (from..from + 1.0).contains(&t)), "{name}: {:?}", at(name));
+    }
+    // MDF 3 without a time has the first one that its writers know, and a TDMS channel of times has none.
+    assert_eq!([at("plain.mdf"), at("time.tdms")], [None, None]);
+}

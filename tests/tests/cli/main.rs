@@ -11,6 +11,7 @@ mod limits;
 mod manoeuvre;
 mod mistakes;
 mod nothing_lost;
+mod one_clock;
 mod records;
 mod same_result;
 mod simulate;

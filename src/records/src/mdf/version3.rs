@@ -38,10 +38,11 @@ pub(super) fn groups(bytes: &[u8]) -> Result<(Vec<Group>, Option<f64>), String> 
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut budget, &mut found)?;
     }
-    // `25:11:2026` and `10:03:22`.
+    // `25:11:2026` and `10:03:22`; a writer that knows no time puts the first instant of 1980.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
     let (date, time) = text.split_at_checked(10).unwrap_or_default();
-    Ok((found, clock::seconds(&format!("{} {time}", date.replace(':', ".")))))
+    let begins = clock::seconds(&format!("{} {time}", date.replace(':', ".")));
+    Ok((found, begins.filter(|begins| *begins != clock::FIRST_OF_1980)))
 }
 
 fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mut Vec<Group>) -> Result<(), String> {

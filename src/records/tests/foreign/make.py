@@ -54,6 +54,7 @@ mdf("apart.mf4", plain, together=False, compression=2)
 
 unit = lambda name: {"unit_string": name}
 wave = {"wf_increment": 1 / RATE, "wf_start_offset": 0.0, "wf_samples": len(t)}
+wave["wf_start_time"] = np.datetime64("2026-11-25T10:03:22.5")
 with TdmsWriter(HERE / "time.tdms") as file:
     file.write_segment([
         RootObject(properties={"Operator": "nobody"}),
