@@ -176,6 +176,7 @@ fn the_cases_have_every_section() {
         "What is missing",
         "Tests worth running next",
         "others than on the reference",
+        "FV curves of both dampers",
         "Numbers of the model that moved",
     ] {
         assert!(

@@ -306,6 +306,7 @@ impl Answer<'_> {
             rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),
             base: base.params(&first.theta),
             improved: last.params(&end.theta),
+            reference: self.reference.as_ref().map(|Against { base: (there, refit), .. }| there.params(&refit.theta)),
             corrections: self.corrections(),
             estimates: improved::estimates(found, &after),
             measured: improved::measured(found, &after),

@@ -77,6 +77,9 @@ pub struct Diagnosis {
     /// The model with the findings that belong to the damper.
     #[serde(skip)]
     pub improved: Params,
+    /// Against a reference: the same model fitted to the reference damper.
+    #[serde(skip)]
+    pub reference: Option<Params>,
     /// What is known of the improved model's numbers.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,

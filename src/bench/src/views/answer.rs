@@ -193,7 +193,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
     for change in &found.changed {
         let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, said);
         let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
-        wrapped(ui, RichText::new(format!("{}  {before} → {value}  ({interval})", change.parameter)));
+        wrapped(ui, RichText::new(format!("{}  {before} → {value}  ({interval})", change.name())));
     }
     for note in &found.notes {
         wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());

@@ -176,7 +176,7 @@ impl DataArgs {
 
 /// Whether a note was said when the records were read.
 pub fn is_said_first(note: &Note) -> bool {
-    ["gap", "left_out", "late", "profile"].contains(&note.kind)
+    ["gap", "left_out", "late", "profile", "clock", "duplicated", "no_force", "small"].contains(&note.kind)
 }
 
 /// The name of a file without its folder.

@@ -1,6 +1,6 @@
 //! What was added, with its numbers, and why not something else.
 
-use super::capital;
+use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::numbers::{share, with_unit};
@@ -33,6 +33,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changed.is_empty();
     if !found.changed.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
+        blocks.extend(both_curves::figure(found, words).map(Block::Wide));
         blocks.push(Block::Table(changed(found, words)));
     }
     if !found.shifts.is_empty() {

@@ -3,6 +3,7 @@
 //! | file | section |
 //! |---|---|
 //! | [`answer`] | the verdict, the error before and after, test by test |
+//! | [`both_curves`] | FV curves of the damper and of the reference |
 //! | [`findings`] | what was added, with numbers, intervals and rivals |
 //! | [`loops`] | loops of the tests with the largest disagreement |
 //! | [`limits`] | what these records cannot show, and the tests that would; what was noticed |
@@ -13,6 +14,7 @@
 //! The first four, with the worst test's loops alone, are what is printed in short.
 
 mod answer;
+mod both_curves;
 mod findings;
 mod limits;
 mod loops;

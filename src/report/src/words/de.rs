@@ -39,6 +39,7 @@ pub const DE: Words = Words {
     plot_error_of_tests: "Fehler jedes Versuchs, % seiner größten Kraft",
     plot_error_map: "Fehler nach Amplitude und Spitzengeschwindigkeit, %",
     plot_error_map_note: "groß: {model}, klein: {curve} allein",
+    plot_both_curves: "FV-Kurven beider Dämpfer, mit Reibung und Gaskraft",
     plot_peaks: "Spitzenkraft über Spitzengeschwindigkeit",
     identified_curve: "ermittelte Kurve mit Reibung und Gaskraft",
     measured_peaks: "gemessene Spitzen",

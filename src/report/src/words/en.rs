@@ -39,6 +39,7 @@ pub const EN: Words = Words {
     plot_error_of_tests: "Error of every test, % of its largest force",
     plot_error_map: "Error by amplitude and peak velocity, %",
     plot_error_map_note: "large: {model}, small: {curve} alone",
+    plot_both_curves: "FV curves of both dampers, with friction and gas force",
     plot_peaks: "Peak force over peak velocity",
     identified_curve: "identified curve with friction and gas force",
     measured_peaks: "measured peaks",

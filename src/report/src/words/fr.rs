@@ -39,6 +39,7 @@ pub const FR: Words = Words {
     plot_error_of_tests: "Écart de chaque essai, % de son effort maximal",
     plot_error_map: "Écart par amplitude et vitesse de pointe, %",
     plot_error_map_note: "grand : {model}, petit : {curve} seule",
+    plot_both_curves: "Courbes FV des deux amortisseurs, avec frottement et effort de gaz",
     plot_peaks: "Effort de pointe selon la vitesse de pointe",
     identified_curve: "courbe identifiée avec frottement et gaz",
     measured_peaks: "pointes mesurées",

@@ -116,6 +116,7 @@ words!(
     plot_error_of_tests,
     plot_error_map,
     plot_error_map_note,
+    plot_both_curves,
     plot_peaks,
     identified_curve,
     measured_peaks,

@@ -39,6 +39,7 @@ pub const ZH: Words = Words {
     plot_error_of_tests: "各试验误差，占其最大力的 %",
     plot_error_map: "按振幅和峰值速度的误差，%",
     plot_error_map_note: "大字：{model}，小字：仅 {curve}",
+    plot_both_curves: "两只减振器的 FV 曲线（含摩擦力和气体力）",
     plot_peaks: "峰值力—峰值速度",
     identified_curve: "辨识曲线（含摩擦力和气体力）",
     measured_peaks: "实测峰值",

@@ -1,0 +1,42 @@
+//! The FV curve of the damper beside that of the reference.
+
+use crate::blocks::Figure;
+use crate::plot::axes::{Axis, Marks, Plane, Series};
+use crate::plot::palette::Role;
+use crate::words::Words;
+use dashpot_core::{Model, Params};
+use dashpot_diagnosis::Diagnosis;
+use dashpot_simulation::prediction::at_velocities;
+
+/// Size, px: printed across the page.
+const SIZE: [f64; 2] = [880.0, 340.0];
+/// Points to each side of zero.
+const POINTS: i32 = 100;
+
+/// The figure, with friction and gas force, as far as the tests reach; `None` without a reference.
+pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {
+    let reference = found.reference.as_ref()?;
+    let velocities = || found.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
+    let (low, high) = velocities().fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
+    // Close near zero, where friction and bleed make the shape.
+    let at = |k: i32| {
+        let share = f64::from(k) / f64::from(POINTS);
+        share * share * if k < 0 { low } else { high }
+    };
+    let at: Vec<f64> = (-POINTS..=POINTS).map(at).collect();
+    let of = |params: &Params| {
+        let model = Model::new(params).ok()?;
+        Some(at_velocities(&model, &at).into_iter().map(|[v, f]| [1e3 * v, f]).collect::<Vec<_>>())
+    };
+    let (there, here) = (of(reference)?, of(&found.improved)?);
+    let all = || there.iter().chain(&here);
+    let line =
+        |role, label, points: &Vec<[f64; 2]>| Series { role, label, lines: vec![points.clone()], marks: Marks::Line };
+    let plane = Plane {
+        title: words.plot_both_curves.into(),
+        x: Axis::around(words.axis_velocity, all().map(|p| p[0])),
+        y: Axis::around(words.axis_force, all().map(|p| p[1])),
+        series: vec![line(Role::FvOnly, words.col_reference, &there), line(Role::Model, words.col_this_damper, &here)],
+    };
+    Some(Figure::new("both-curves", plane.draw_sized(SIZE)))
+}
