@@ -119,7 +119,7 @@ fn model_files() {
         assert_eq!(&params, &read.params, "both readers read the same");
         let model = prepared(&read.params).map_err(|e| e.to_string())?;
         let motion = dashpot_records::smoothing::smooth(&records[0]);
-        let forces = dashpot_simulation::prediction::predict(&model, &records[0], &motion);
+        let forces = dashpot_simulation::prediction::predict(&model, &records[0], &motion, 0.0);
         assert_eq!(forces.len(), records[0].force.len());
         if let Some(curve) = &read.identification.fv_only {
             curve.params()?;

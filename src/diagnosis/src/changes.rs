@@ -125,12 +125,15 @@ fn curve_at(params: &Params, velocity: f64) -> f64 {
     a.1 + share * (b.1 - a.1)
 }
 
+/// Which numbers are meant.
+type Which<'a> = dyn Fn(&Free) -> bool + 'a;
+
 /// Numbers and points of the FV curve that differ from the reference damper's by more than both leave open.
 pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refit), tests: &[Test]) -> Vec<Change> {
     let (Some(there), Some(here)) = (Fitted::new(reference), Fitted::new(own)) else { return Vec::new() };
     let forces = here.hypothesis.forces(tests, here.theta);
     // Most that the force of a test moves, as a share of its largest, where these numbers are as on the reference.
-    let moved = |which: &dyn Fn(&Free) -> bool| {
+    let moved = |which: &Which| {
         let mut theta = here.theta.to_vec();
         for (place, number) in here.hypothesis.numbers.iter().enumerate().filter(|(_, n)| which(&n.free)) {
             theta[place] = there.hypothesis.place_of(&number.free).map_or(theta[place], |k| there.theta[k]);
@@ -162,12 +165,7 @@ pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refi
 }
 
 /// Points of the FV curve as far as the tests reach.
-fn of_the_curve(
-    there: &Fitted,
-    here: &Fitted,
-    tests: &[Test],
-    moved: &dyn Fn(&dyn Fn(&Free) -> bool) -> f64,
-) -> Vec<Change> {
+fn of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test], moved: &dyn Fn(&Which) -> f64) -> Vec<Change> {
     let params = here.params();
     if !params.is_on(element!("fv_curve")) || !here.hypothesis.numbers.iter().any(|n| is_of_curve(&n.free)) {
         return Vec::new();
