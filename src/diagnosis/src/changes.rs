@@ -35,8 +35,8 @@ pub struct Change {
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// By how much it moves the force, as a share of the largest force of the test in which it moves it most; of a point of the FV curve, all
-    /// of its side together.
+    /// By how much it moves the force, as a share of the largest force in that direction of the test in which it moves it most; of a point of the
+    /// FV curve, all of its side together.
     pub force_share: f64,
 }
 
@@ -132,17 +132,24 @@ type Which<'a> = dyn Fn(&Free) -> bool + 'a;
 pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refit), tests: &[Test]) -> Vec<Change> {
     let (Some(there), Some(here)) = (Fitted::new(reference), Fitted::new(own)) else { return Vec::new() };
     let forces = here.hypothesis.forces(tests, here.theta);
-    // Most that the force of a test moves, as a share of its largest, where these numbers are as on the reference.
+    // Most that the force of a test moves in rebound or in compression, as a share of its largest there, where these numbers are as on the
+    // reference: half of the compression force may be little beside the rebound force.
     let moved = |which: &Which| {
         let mut theta = here.theta.to_vec();
         for (place, number) in here.hypothesis.numbers.iter().enumerate().filter(|(_, n)| which(&n.free)) {
             theta[place] = there.hypothesis.place_of(&number.free).map_or(theta[place], |k| there.theta[k]);
         }
         let (Some(own), Some(with)) = (&forces, here.hypothesis.forces(tests, &theta)) else { return 0.0 };
-        let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |most, f| most.max(f.abs()));
-        let shares = tests.iter().zip(own.iter().zip(&with)).map(|(test, (own, with))| {
-            most(&mut own.iter().zip(with).map(|(a, b)| a - b)) / most(&mut test.forces().iter().copied()).max(1e-9)
-        });
+        let share = |test: &Test, own: &[f64], with: &[f64], side: f64| {
+            let on_side = test.inputs().iter().map(|input| side * input.velocity > 0.0);
+            let samples = on_side.zip(test.forces()).zip(own.iter().zip(with)).filter(|((on_side, _), _)| *on_side);
+            let (moved, force) = samples.fold((0.0f64, 0.0f64), |(moved, force), ((_, f), (own, with))| {
+                (moved.max((own - with).abs()), force.max(f.abs()))
+            });
+            if force > 0.0 { moved / force } else { 0.0 }
+        };
+        let tests = tests.iter().zip(own.iter().zip(&with));
+        let shares = tests.flat_map(|(test, (own, with))| [1.0, -1.0].map(|side| share(test, own, with, side)));
         shares.fold(0.0, f64::max)
     };
     let numbers = there.hypothesis.numbers.iter().enumerate().filter_map(|(k, n)| {

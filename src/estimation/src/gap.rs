@@ -3,16 +3,23 @@
 use super::heating::Heating;
 use super::hypothesis::Hypothesis;
 use super::samples::Test;
+use super::sensitivity::Accuracy;
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// Residuals in N of an explanation on tests of its own choice.
-pub fn errors(hypothesis: &Hypothesis, theta: &[f64], records: &[&Record], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
+/// Residuals in N of an explanation on tests of its own choice, integrated this exactly.
+pub fn errors(
+    accuracy: Accuracy,
+    hypothesis: &Hypothesis,
+    theta: &[f64],
+    records: &[&Record],
+    tests: &[Test],
+) -> Option<Vec<Vec<f64>>> {
     let mut own = hypothesis.clone();
     if own.heating.is_some() {
         own.heating = Some(Arc::new(Heating::new(records, tests)));
     }
-    let forces = own.forces(tests, theta)?;
+    let forces = own.forces_by(&own.model_by(accuracy, theta)?, tests, theta)?;
     Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
 }
 

@@ -193,7 +193,8 @@ impl Hypothesis {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
 
-    fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
+    /// The same of a prepared model.
+    pub fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
             tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
