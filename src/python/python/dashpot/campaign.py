@@ -40,6 +40,10 @@ class Record(Result):
     mean_displacement: float
     noise: Noise
     notes: tuple[Note, ...]
+    #: Date and time of the record's time zero, s since 1970 by the rig's own clock, where its file bears it.
+    begins: float | None = None
+    #: The campaign's clock at the record's time zero, s; 0 where every record has a clock of its own.
+    clock_s: float = 0.0
     _native: _native.Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     _index: int = field(default=0, metadata={"hidden": True}, compare=False, repr=False)
 
