@@ -13,6 +13,7 @@ use dashpot_estimation::unknowns::{CurveName, Unknown};
 use dashpot_records::Sentence;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
+use std::cell::LazyCell;
 
 /// Standard deviations from which a number of two dampers differs.
 const CHANGED: f64 = 3.0;
@@ -131,7 +132,8 @@ type Which<'a> = dyn Fn(&Free) -> bool + 'a;
 /// Numbers and points of the FV curve that differ from the reference damper's by more than both leave open.
 pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refit), tests: &[Test]) -> Vec<Change> {
     let (Some(there), Some(here)) = (Fitted::new(reference), Fitted::new(own)) else { return Vec::new() };
-    let forces = here.hypothesis.forces(tests, here.theta);
+    // Only where there is a change to weigh.
+    let forces = LazyCell::new(|| here.hypothesis.forces(tests, here.theta));
     // Most that the force of a test moves in rebound or in compression, as a share of its largest there, where these numbers are as on the
     // reference: half of the compression force may be little beside the rebound force.
     let moved = |which: &Which| {
@@ -139,7 +141,7 @@ pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refi
         for (place, number) in here.hypothesis.numbers.iter().enumerate().filter(|(_, n)| which(&n.free)) {
             theta[place] = there.hypothesis.place_of(&number.free).map_or(theta[place], |k| there.theta[k]);
         }
-        let (Some(own), Some(with)) = (&forces, here.hypothesis.forces(tests, &theta)) else { return 0.0 };
+        let (Some(own), Some(with)) = (&*forces, here.hypothesis.forces(tests, &theta)) else { return 0.0 };
         let share = |test: &Test, own: &[f64], with: &[f64], side: f64| {
             let on_side = test.inputs().iter().map(|input| side * input.velocity > 0.0);
             let samples = on_side.zip(test.forces()).zip(own.iter().zip(with)).filter(|((on_side, _), _)| *on_side);

@@ -28,7 +28,7 @@ pub const OWN_FORM: f64 = 0.3;
 /// Largest error of form that something may leave, in the same units: beyond it all are alike.
 pub const MOST_FORM: f64 = 30.0;
 
-/// Share of a test's largest force by which a number that is another on the reference damper has to move the force to stand in the answer: dampers
+/// Share of a test's largest force in rebound or in compression by which a number that is another on the reference damper has to move the force to stand in the answer: dampers
 /// of one series differ by as much, and windows of force allow it. Smaller differences stand in the table alone (`changes::tests`). With a
 /// tenth of the number itself as the bar, 3 of 18 healthy dampers had a `spring_linear` in the answer that moved their force by 3 N.
 pub const MATERIAL: f64 = 0.1;

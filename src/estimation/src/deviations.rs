@@ -6,16 +6,21 @@ use nalgebra::DMatrix;
 
 /// Standard deviations of the numbers of a refit, widened where more than noise is left.
 pub fn deviations(hypothesis: &Hypothesis, refit: &Refit) -> Vec<f64> {
-    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0).sqrt();
+    let excess = excess(refit).sqrt();
     by_noise(hypothesis, refit).into_iter().map(|d| excess * d).collect()
 }
 
 /// Covariance of the numbers of a refit, widened where more than noise is left; nothing where some of them are not known at all.
 pub fn covariance(hypothesis: &Hypothesis, refit: &Refit) -> Option<DMatrix<f64>> {
-    let excess = (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0);
+    let excess = excess(refit);
     inverse(hypothesis, refit).map(|(inverse, scale)| {
         DMatrix::from_fn(scale.len(), scale.len(), |i, j| excess * inverse[(i, j)] / (scale[i] * scale[j]))
     })
+}
+
+/// By how much more than noise is left, as variances; 1 where it is no more.
+fn excess(refit: &Refit) -> f64 {
+    (refit.chi2 / refit.residual.len().max(1) as f64).max(1.0)
 }
 
 /// Standard deviations by noise alone.

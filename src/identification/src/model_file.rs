@@ -3,12 +3,11 @@
 //! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
 //! are for validation, diagnosis and people.
 
-use crate::{Choice, Estimate, Fit, Measured, Standing};
+use crate::{Choice, Estimate, Fit, Measured, Standing, off};
 use dashpot_core::elements::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};
-use dashpot_estimation::measurement::Artefact;
 use dashpot_records::{Record, clock};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -387,8 +386,8 @@ pub fn write(fit: &Fit) -> String {
     let choices = fit.choices.iter().map(Choice::in_words);
     let notes: Vec<String> = choices.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
     let _ = writeln!(out, "notes = {}", list(&notes));
-    let drifts =
-        fit.measured.iter().any(|m| [Artefact::GainDrift, Artefact::Drift].iter().any(|a| a.parameter() == m.name));
+    let off = off(&fit.measured);
+    let drifts = off.gain_per_s != 0.0 || off.zero_n_per_s != 0.0;
     if let Some(from) = fit.clock_from.filter(|_| drifts) {
         let _ =
             writeln!(out, "clock_from = \"{}\"  # when what drifts in the measurement was right", clock::written(from));

@@ -4,16 +4,13 @@
 pub(crate) const DAY: f64 = 86_400.0;
 /// The first instant of 1980, s since 1970: what clocks start from that were never set.
 pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
-/// Lines above a table in which date and time of the test are looked for: as many as a header may take.
-const ABOVE: usize = 400;
 
 /// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one): seconds since 1970 by the
 /// rig's own clock. A line with both counts before a date and a time in lines of their own. Nothing without a date.
 pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<f64> {
     let (mut date, mut time) = (None, None);
-    for line in lines.take(ABOVE) {
-        let of_line = date_and_time(line);
-        match of_line {
+    for line in lines {
+        match date_and_time(line) {
             (Some(date), Some(time)) => return Some(date + time),
             (d, t) => (date, time) = (date.or(d), time.or(t)),
         }
@@ -27,8 +24,7 @@ fn date_and_time(line: &str) -> (Option<f64>, Option<f64>) {
     let mut words = line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty()).peekable();
     let (mut date, mut time) = (None, None);
     while let Some(word) = words.next() {
-        let starts = word.starts_with(|c: char| c.is_ascii_digit());
-        if !starts {
+        if !word.starts_with(|c: char| c.is_ascii_digit()) {
             continue;
         }
         if let Some(number) = day(word) {

@@ -86,8 +86,9 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
     }
     let time = layout.columns.iter().position(|c| c.channel == super::Channel::Time);
     let mut rows = Rows::new(at.clone(), name.to_owned(), layout);
-    let mut tests: Vec<(Rows, Option<f64>)> = Vec::new();
-    let (mut last, mut began): (Option<f64>, Option<f64>) = (None, first.clock());
+    rows.begins = first.clock();
+    let mut tests: Vec<Rows> = Vec::new();
+    let mut last: Option<f64> = None;
     for packet in &packets {
         if packet.names.len() != first.names.len() {
             let (line, found, wanted) = (packet.line, packet.names.len(), first.names.len());
@@ -121,15 +122,15 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
                 && let (Some(before), now) = (last, values[time])
                 && now <= before
             {
-                let clocks = began.zip(packet.clock()).map(|(first, own)| own - first);
+                let clocks = rows.begins.zip(packet.clock()).map(|(first, own)| own - first);
                 let next = before + step.unwrap_or(0.0);
                 if clocks.is_some_and(|clock| (clock + now - next).abs() <= TOGETHER * length) {
                     shift = next - now;
                 } else {
                     let layout = rows.layout().clone();
                     let name = format!("{name} {}", tests.len() + 2);
-                    tests.push((std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)), began));
-                    began = packet.clock();
+                    tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+                    rows.begins = packet.clock();
                 }
             }
             values[time] += shift;
@@ -137,10 +138,9 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
             rows.push(*line, values.into_iter(), None);
         }
     }
-    tests.push((rows, began));
+    tests.push(rows);
     let mut read = Vec::new();
-    for (mut rows, begins) in tests {
-        rows.begins = begins;
+    for rows in tests {
         read.extend(rows.finish(step)?);
     }
     Ok(read)

@@ -1,6 +1,6 @@
 //! A model and its FV curve alone beside the records of a campaign.
 
-use crate::prediction::{at_velocities, predict};
+use crate::prediction::{between_velocities, predict};
 use crate::warm_starts::WarmStarts;
 use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{ModelFile, NoModel, prepared};
@@ -57,25 +57,13 @@ pub fn compare<'a>(
         .collect())
 }
 
-/// The model's force at constant velocities over what the tests reach: close near zero, where friction and bleed make the
-/// shape.
+/// The model's force at constant velocities over what the tests reach.
 pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
-    /// Points to each side of zero.
-    const POINTS: i32 = 120;
     let reach = |sign: f64| {
         let peaks = validation.tests.iter().flat_map(|t| &t.peaks).map(|p| sign * p.velocity_m_s);
         sign * peaks.fold(0.0, f64::max)
     };
-    let (low, high) = (reach(-1.0), reach(1.0));
-    let side = |end: f64| {
-        move |k: i32| {
-            let share = f64::from(k) / f64::from(POINTS);
-            end * share * share
-        }
-    };
-    let velocities: Vec<f64> =
-        (1..=POINTS).rev().map(side(low)).chain(std::iter::once(0.0)).chain((1..=POINTS).map(side(high))).collect();
-    at_velocities(model, &velocities)
+    between_velocities(model, reach(-1.0), reach(1.0))
 }
 
 /// The plain FV curve of the fit; fitted to these records where the model file brings none.

@@ -49,3 +49,14 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     };
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
+
+/// The same from one velocity to another on the other side of zero: close near zero, where friction and bleed make the shape.
+pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {
+    /// Points to each side of zero.
+    const POINTS: i32 = 120;
+    let at = |k: i32| {
+        let share = f64::from(k) / f64::from(POINTS);
+        share * share * if k < 0 { low } else { high }
+    };
+    at_velocities(model, &(-POINTS..=POINTS).map(at).collect::<Vec<_>>())
+}

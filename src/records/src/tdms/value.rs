@@ -1,5 +1,7 @@
 //! Numbers and texts of a TDMS file, read one after the other, never beyond its end.
 
+use super::super::clock::DAY;
+
 /// Kinds of number that raw data may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Number {
@@ -122,7 +124,7 @@ impl<'a> Cursor<'a> {
 }
 
 /// Seconds from the first instant of 1904, from which these files count, to that of 1970.
-const FROM_1904_TO_1970: f64 = 24_107.0 * 86_400.0;
+const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
 /// The value of a property.
 #[derive(Debug, Clone, PartialEq)]

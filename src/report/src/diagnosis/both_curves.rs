@@ -6,27 +6,19 @@ use crate::plot::palette::Role;
 use crate::words::Words;
 use dashpot_core::{Model, Params};
 use dashpot_diagnosis::Diagnosis;
-use dashpot_simulation::prediction::at_velocities;
+use dashpot_simulation::prediction::between_velocities;
 
 /// Size, px: printed across the page.
 const SIZE: [f64; 2] = [880.0, 340.0];
-/// Points to each side of zero.
-const POINTS: i32 = 100;
 
 /// The figure, with friction and gas force, as far as the tests reach; `None` without a reference.
 pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {
     let reference = found.reference.as_ref()?;
     let velocities = || found.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
     let (low, high) = velocities().fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
-    // Close near zero, where friction and bleed make the shape.
-    let at = |k: i32| {
-        let share = f64::from(k) / f64::from(POINTS);
-        share * share * if k < 0 { low } else { high }
-    };
-    let at: Vec<f64> = (-POINTS..=POINTS).map(at).collect();
     let of = |params: &Params| {
         let model = Model::new(params).ok()?;
-        Some(at_velocities(&model, &at).into_iter().map(|[v, f]| [1e3 * v, f]).collect::<Vec<_>>())
+        Some(between_velocities(&model, low, high).into_iter().map(|[v, f]| [1e3 * v, f]).collect::<Vec<_>>())
     };
     let (there, here) = (of(reference)?, of(&found.improved)?);
     let all = || there.iter().chain(&here);

@@ -147,6 +147,15 @@ def _named(change: dict[str, Any]) -> str:
     return change["parameter"] if velocity is None else f"{change['parameter']} at {velocity:.3f} m/s"
 
 
+def _told(changed: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those that move the force most first; of a side of the FV curve the point that moved most, as in the answer of a diagnosis."""
+    most: dict[tuple[str, bool | None], dict[str, Any]] = {}
+    for change in sorted(changed, key=lambda c: abs(c["value"] - c["reference"])):
+        velocity = change["velocity_m_s"]
+        most[change["parameter"], None if velocity is None else velocity > 0] = change
+    return sorted(most.values(), key=lambda c: -c["force_share"])
+
+
 def _effect(table: dict[str, list[Any]], k: int) -> str:
     """What makes a damper so, where a diagnosis says it."""
     if table["effect"][k]:
@@ -154,7 +163,7 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
     if table["suspect"][k]:
         return f"suspect: {table['suspect'][k]}"
     # The same effects as the reference: then it is numbers that differ, those first that move the force most.
-    changed = sorted(table["changed"][k] or (), key=lambda c: -c["force_share"])
+    changed = _told(table["changed"][k] or ())
     if changed:
         return "changed: " + ", ".join(
             f"{_named(c)} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
