@@ -79,7 +79,7 @@ fn near(value: f64, places: &[f64], distance: f64) -> bool {
 }
 
 proptest! {
-    // Held: on 24 of 25 other seeds one of sixty cases is found where the force bends or jumps within the difference (a void that closes, a
+    // Held: on 20 of 25 other seeds one of sixty cases is found where the force bends or jumps within the difference (a void that closes, a
     // spool alone in a long step, a bushing whose substep is taken again), and the slope is not the difference's.
     #![proptest_config(held(60, 1))]
 

@@ -3,6 +3,7 @@
 mod common;
 use common::*;
 use dashpot_core::parameter::Element;
+use dashpot_core::paths::hydraulic::column_force;
 use dashpot_core::paths::series::held as held_by;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
@@ -91,7 +92,7 @@ fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State)
         sum += match model.state_name(index).unwrap().0 {
             "bushing" => 0.5 * number(number!("bushing_loss_stiffness")) * series.stiffness * z * z,
             "bushing_slow" => 0.5 * number(number!("bushing_slow_stiffness")) * series.stiffness * z * z,
-            "oil_column" => under(|q| column(params, q), z),
+            "oil_column" => under(|q| column(params, q), column_force(e, s.displacement, z).1),
             _ => 0.0,
         };
     }

@@ -130,6 +130,49 @@ fn steps_of_any_length_stay_finite() {
     }
 }
 
+/// Two chambers of which the one that takes over is twenty times as long, behind an FV curve that holds 19 kN at rest: with the
+/// column's deflection as its state, the step in which the force turned answered -24 kN for 9 kN, and 0.6 GN eight steps later.
+#[test]
+fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
+    let mut p = params(&[
+        ("series_stiffness", 1.656e7),
+        ("series_damping", 0.0),
+        ("internal_mass", 0.05),
+        ("free_play_gap", 2.18e-4),
+        ("free_play_force", 0.1),
+        ("oil_stiffness", 4.08e7),
+        ("oil_compression", 7.83),
+        ("oil_shortening", -50.0),
+        ("oil_chambers", 1.0),
+        ("fv_interpolation", 1.0),
+    ]);
+    p.enable(element!("free_play"), true);
+    p.enable(element!("oil_compressibility"), true);
+    p.set_list(list!("fv_velocity"), &[-0.05, -0.022, 0.023, 0.05]).unwrap();
+    p.set_list(list!("fv_force"), &[-2e4, -18879.0, -18879.0, 2e4]).unwrap();
+    let motion = sine(0.032356, 15.1257);
+    for method in METHODS {
+        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+        let forces = |pieces: usize| {
+            let dt = 4.896e-4 / pieces as f64;
+            let mut state = model.settled(&Input::motion(motion(0.0).0, 0.0));
+            let mut forces = Vec::new();
+            for i in 1..=20 * pieces {
+                let (x, v) = motion(i as f64 * dt);
+                let (next, output) = step(&model, &state, &Input::motion(x, v), dt);
+                state = next;
+                if i % pieces == 0 {
+                    forces.push(output.force);
+                }
+            }
+            forces
+        };
+        for (i, (whole, pieces)) in forces(1).iter().zip(forces(16)).enumerate() {
+            assert!((whole - pieces).abs() <= 600.0 + 0.02 * pieces.abs(), "{method:?} step {i}: {whole} {pieces}");
+        }
+    }
+}
+
 /// A far first guess on a hardening spring: oil that holds 10 kJ at rest lets the mass follow any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {

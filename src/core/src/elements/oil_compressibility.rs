@@ -9,7 +9,16 @@ use crate::parameter::{Parameter, View};
 /// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
 ///
 /// ℓ is the length of the column relative to that at x = 0. The rebound chamber gets shorter with extension: ℓ = 1 − λ x.
-/// With two chambers the one under pressure yields: ℓ = 1 − λ x tanh(F_h/F_c), longer on the compression stroke.
+/// With two chambers the one under pressure yields: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression stroke.
+///
+/// The state is what the column has taken up of the piston's stroke, s = ∫ ℓ dq from 0 at the place x:
+///
+/// ```text
+/// ds/dt = u − w + v ∂s/∂x
+/// ```
+///
+/// With q as the state a stage would solve ℓ(q) (q − Q)/g = u − w, which falls with q where the longer chamber takes over and
+/// has three answers there; and what the methods put together from stages on both sides of rest lies on neither.
 ///
 /// In compression k_o is r_o times that in rebound: in a twin tube the oil below the piston, which the rod's area loads
 /// alone, yields more to the force than that above it.
@@ -22,9 +31,11 @@ pub struct OilCompressibility {
     compliance: [f64; 2],
     shortening: f64,
     has_two_chambers: bool,
+    /// q_c.
+    changes: f64,
 }
 
-/// F_c, N.
+/// q_c is the deflection of the stiffer chamber under so many newtons: far below every force that a damper is judged by.
 const CHANGES: f64 = 50.0;
 /// Least ℓ.
 const SHORTEST: f64 = 0.1;
@@ -64,16 +75,17 @@ impl Describe for OilCompressibility {
 
 impl Prepare for OilCompressibility {
     /// Ten times stiffer than most oil: hardly noticed beside the air it then carries.
-    const OFF: Self = OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false };
+    const OFF: Self =
+        OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        let rebound = 1.0 / p.number(own!("oil_stiffness"));
+        let compression = 1.0 / (p.number(own!("oil_stiffness")) * p.number(own!("oil_compression")));
         Ok(OilCompressibility {
-            compliance: [
-                1.0 / p.number(own!("oil_stiffness")),
-                1.0 / (p.number(own!("oil_stiffness")) * p.number(own!("oil_compression"))),
-            ],
+            compliance: [rebound, compression],
             shortening: p.number(own!("oil_shortening")),
             has_two_chambers: p.number(own!("oil_chambers")) == 1.0,
+            changes: CHANGES * rebound.min(compression),
         })
     }
 }
@@ -98,12 +110,78 @@ impl OilCompressibility {
         self.shortening != 0.0
     }
 
-    /// ℓ.
+    /// ℓ of the rebound chamber and, with two, of that of compression.
     #[inline(always)]
-    pub(crate) fn length<R: Real>(&self, x: R, force: R) -> R {
+    fn lengths<R: Real>(&self, x: R) -> [R; 2] {
+        let within = |length: R| if length.value() > SHORTEST { length } else { R::constant(SHORTEST) };
         let away = x * self.shortening;
-        let away = if self.has_two_chambers { away * (force * (1.0 / CHANGES)).tanh() } else { away };
-        let length = (-away).plus(1.0);
-        if length.value() > SHORTEST { length } else { R::constant(SHORTEST) }
+        let rebound = within((-away).plus(1.0));
+        [rebound, if self.has_two_chambers { within(away.plus(1.0)) } else { rebound }]
+    }
+
+    /// By how much more the deflection's size counts than that below q_c: ∫ q/√(q² + q_c²) dq from 0.
+    #[inline(always)]
+    fn size<R: Real>(&self, deflection: R) -> R {
+        (deflection * deflection).plus(self.changes * self.changes).sqrt().plus(-self.changes)
+    }
+
+    /// s.
+    #[inline(always)]
+    pub(crate) fn taken_up<R: Real>(&self, x: R, deflection: R) -> R {
+        let [rebound, compression] = self.lengths(x);
+        if !self.has_two_chambers {
+            return rebound * deflection;
+        }
+        ((rebound + compression) * deflection + (rebound - compression) * self.size(deflection)) * 0.5
+    }
+
+    /// ∂s/∂x with q held.
+    #[inline(always)]
+    pub(crate) fn taken_up_by_place<R: Real>(&self, x: R, deflection: R) -> R {
+        let [rebound, compression] = self.lengths(x).map(|length| length.value() > SHORTEST);
+        let per = |moves: bool, sign: f64| if moves { sign * self.shortening } else { 0.0 };
+        if !self.has_two_chambers {
+            return deflection * per(rebound, -1.0);
+        }
+        let [by_rebound, by_compression] = [per(rebound, -0.5), per(compression, 0.5)];
+        deflection * (by_rebound + by_compression) + self.size(deflection) * (by_rebound - by_compression)
+    }
+
+    /// The deflection of a column that has taken up s: the one root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s.
+    #[inline(always)]
+    pub(crate) fn deflection<R: Real>(&self, x: R, taken_up: R) -> R {
+        let [rebound, compression] = self.lengths(x);
+        if !self.has_two_chambers {
+            return taken_up * rebound.inverse();
+        }
+        let product = rebound * compression;
+        let (mean, half) = ((rebound + compression) * 0.5, (rebound - compression) * 0.5);
+        let all = taken_up + half * self.changes;
+        let root = (all * all + product * (self.changes * self.changes)).sqrt();
+        (all * mean - half * root) * product.inverse()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn deflection_undoes_what_is_taken_up_and_its_slopes_are_those_of_differences() {
+        let base = OilCompressibility { compliance: [1e-7, 3e-8], shortening: 12.0, ..OilCompressibility::OFF };
+        for has_two_chambers in [false, true] {
+            let oil = OilCompressibility { has_two_chambers, changes: 1.5e-6, ..base };
+            for x in [-0.09, -0.04, 0.0, 0.03, 0.08] {
+                let mut last = f64::NEG_INFINITY;
+                for q in [-3e-4, -2e-6, -1e-7, 0.0, 4e-8, 1e-6, 5e-4] {
+                    let s = oil.taken_up(x, q);
+                    assert!(s > last, "{s} after {last}");
+                    last = s;
+                    assert!((oil.deflection(x, s) - q).abs() <= 1e-12 * (q.abs() + 1e-6), "{q} at {x}");
+                    let by_x = (oil.taken_up(x + 1e-6, q) - oil.taken_up(x - 1e-6, q)) / 2e-6;
+                    assert!((oil.taken_up_by_place(x, q) - by_x).abs() <= 1e-8, "{q} at {x}");
+                }
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::dual::{Dual, Real};
 use crate::elements::{Elements, Motion};
 use crate::input::Input;
 use crate::paths::bypass;
-use crate::paths::hydraulic::{Around, column_force, flow, length};
+use crate::paths::hydraulic::{Around, column_force, flow, taken_up_by_place};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{Residual, oil_velocity};
 use crate::paths::{STATES, place};
@@ -28,7 +28,8 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
     let flow = flow(e, curve, standing, w, around, states);
     let mut rates = [R::constant(0.0); STATES];
     // The oil column, where there is one, holds the force; the valves then answer with their velocity.
-    let primary = if e.has_column() { column_force(e, states[place::COLUMN]) } else { flow.force };
+    let (primary, deflection) =
+        if e.has_column() { column_force(e, around.x, states[place::COLUMN]) } else { (flow.force, R::constant(0.0)) };
     let through = w + bypass::flow(e, primary, around.x, states);
     let mut displaced = through;
     if e.has_cavitation() {
@@ -37,7 +38,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
         displaced = displaced + oils * e.cavitation.sign;
     }
     let residual = if e.has_column() {
-        rates[place::COLUMN] = (u - displaced) * length(e, around.x, primary).inverse();
+        rates[place::COLUMN] = u - displaced + around.v * taken_up_by_place(e, around.x, deflection);
         flow.force - primary
     } else {
         displaced - u
@@ -241,7 +242,7 @@ pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; 
         }
     }
     if e.has_column() {
-        states[place::COLUMN] = crate::paths::hydraulic::deflection(e, force);
+        states[place::COLUMN] = crate::paths::hydraulic::taken_up(e, x, force);
     }
     (states, force)
 }

@@ -237,22 +237,6 @@ fn column(e: &Elements, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
-/// ℓ, the length of the oil column.
-#[inline(always)]
-pub fn length<R: Real>(e: &Elements, x: R, force: R) -> R {
-    if e.has_length() { e.oil_compressibility.length(x, force) } else { R::constant(1.0) }
-}
-
-/// As [`length`] in a stage, with its slopes over F_h and the displacement.
-#[inline(always)]
-pub(crate) fn length_in_stage<const ON: u32>(e: &Elements, x: f64, force: f64) -> [f64; 3] {
-    if !acts::<ON>(e, LENGTH) {
-        return [1.0, 0.0, 0.0];
-    }
-    let length = e.oil_compressibility.length(Dual::<2>::along(x, 1), Dual::along(force, 0));
-    [length.value, length.slope(0), length.slope(1)]
-}
-
 /// q(F_h).
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Elements, force: R) -> R {
@@ -260,20 +244,67 @@ pub fn deflection<R: Real>(e: &Elements, force: R) -> R {
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
-/// As [`deflection`] in a stage, with its slope.
-#[inline(always)]
-pub(crate) fn deflection_in_stage<const ON: u32>(e: &Elements, force: f64) -> [f64; 2] {
-    let (air, compliance) = column(e, force);
-    if !acts::<ON>(e, AIR) {
-        return [force * compliance, compliance];
-    }
-    let q = air.deflection(compliance, Dual::<1>::along(force, 0));
-    [q.value, q.slope(0)]
+/// What the oil column has taken up of the piston's stroke under a force: its state.
+pub(crate) fn taken_up(e: &Elements, x: f64, force: f64) -> f64 {
+    let q = deflection(e, force);
+    if e.has_length() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// F_h = φ_o(q).
+/// F_h = φ_o(q) of a column that has taken up so much, and q.
 #[inline(always)]
-pub fn column_force<R: Real>(e: &Elements, deflection: R) -> R {
-    let (air, compliance) = column(e, deflection.value());
-    air.force(R::constant(1.0 / compliance), deflection).0
+pub fn column_force<R: Real>(e: &Elements, x: R, taken_up: R) -> (R, R) {
+    let q = if e.has_length() { e.oil_compressibility.deflection(x, taken_up) } else { taken_up };
+    let (air, compliance) = column(e, q.value());
+    (air.force(R::constant(1.0 / compliance), q).0, q)
+}
+
+/// What the column takes up by being moved with its pressure held.
+#[inline(always)]
+pub fn taken_up_by_place<R: Real>(e: &Elements, x: R, deflection: R) -> R {
+    if e.has_length() { e.oil_compressibility.taken_up_by_place(x, deflection) } else { R::constant(0.0) }
+}
+
+/// The oil column after an implicit stage.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Column {
+    /// Its state, and the slopes of that over F_h and the displacement.
+    pub taken_up: f64,
+    pub by_force: f64,
+    pub by_x: f64,
+    /// What it adds to u − w, times g, and the slopes of that over F_h, displacement and velocity of the driven end.
+    pub change: f64,
+    pub change_by: [f64; 3],
+}
+
+impl Column {
+    /// None.
+    pub const NONE: Column = Column { taken_up: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 3] };
+
+    /// Under a force, from what it is `known` to have taken up. The stage is that of ds/dt = u − w + v ∂s/∂x, whose last term
+    /// is taken as s(x) − s(x − g v): s(x − g v) − S = g (u − w) then rises with the force wherever the damper stands.
+    #[inline(always)]
+    pub fn stage<const ON: u32>(e: &Elements, force: f64, [x, v]: [f64; 2], known: f64, g: f64) -> Column {
+        let (air, compliance) = column(e, force);
+        let [q, per_force] = if acts::<ON>(e, AIR) {
+            let q = air.deflection(compliance, Dual::<1>::along(force, 0));
+            [q.value, q.slope(0)]
+        } else {
+            [force * compliance, compliance]
+        };
+        if !acts::<ON>(e, LENGTH) {
+            let (change, change_by) = (q - known, [per_force, 0.0, 0.0]);
+            return Column { taken_up: q, by_force: per_force, by_x: 0.0, change, change_by };
+        }
+        let q = Dual::<2>::along(q, 0);
+        let after = e.oil_compressibility.taken_up(Dual::along(x, 1), q);
+        let before = e.oil_compressibility.taken_up(Dual::along(x - g * v, 1), q);
+        let before_by_x = before.slope(1);
+        Column {
+            taken_up: after.value,
+            by_force: after.slope(0) * per_force,
+            by_x: after.slope(1),
+            change: before.value - known,
+            change_by: [before.slope(0) * per_force, before_by_x, -g * before_by_x],
+        }
+    }
 }

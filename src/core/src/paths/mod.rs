@@ -39,7 +39,7 @@ pub mod place {
     pub const BUSHING: usize = 2;
     /// Of the one that does so slowly, y.
     pub const SLOW_BUSHING: usize = 3;
-    /// Deflection of the oil column, q.
+    /// What the oil column has taken up of the piston's stroke, s: its deflection q where its length does not matter.
     pub const COLUMN: usize = 4;
     /// The void that cavitation left, e.
     pub const VOID: usize = 5;

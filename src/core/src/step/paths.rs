@@ -3,11 +3,11 @@
 //! Every stage is one scalar equation in the velocity w of the oil at the valves:
 //!
 //! ```text
-//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + ℓ (q − Q)/g + σ (e − E)/g
+//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + (s(x − g v, q) − S)/g + σ (e − E)/g
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, Q, E. It is solved to rounding (see [`crate::paths::solve`]), so its slopes are
+//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its slopes are
 //! those of the implicit function. The temperature is so slow that a stage damps with its known part.
 
 mod stage;

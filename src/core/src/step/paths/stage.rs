@@ -8,7 +8,7 @@ use crate::paths::acting::{
     BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL, acts,
 };
 use crate::paths::bypass::Past;
-use crate::paths::hydraulic::{Factors, Moves, Valves, deflection_in_stage, length_in_stage};
+use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Residual, oil_velocity};
 use crate::paths::{STATES, place};
@@ -103,10 +103,7 @@ pub struct Derivative {
 struct Look {
     residual: Residual,
     valves: Valves,
-    /// q and its slope over F_h.
-    column: [f64; 2],
-    /// ℓ and its slopes over F_h and displacement.
-    length: [f64; 3],
+    column: Column,
     /// What flows past the valves.
     past: Past,
     /// e, its slopes over F_h, velocity of the driven end and E, and those of what the oil makes of it.
@@ -204,7 +201,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             states[place::SLOW_BUSHING] = at.relaxed.at[1];
         }
         if acts::<ON>(e, COLUMN) {
-            states[place::COLUMN] = at.column[0];
+            states[place::COLUMN] = at.column.taken_up;
         }
         if acts::<ON>(e, CAVITATION) {
             states[place::VOID] = at.void;
@@ -248,10 +245,11 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
         let void_held = void_by_v * seed.v + void_by_void * known[place::VOID];
         if acts::<ON>(e, COLUMN) {
-            u_held -= at.length[0] * per_g * known[place::COLUMN];
+            u_held -= per_g * known[place::COLUMN];
         }
         if acts::<ON>(e, LENGTH) {
-            u_held += at.length[2] * per_g * (at.column[0] - self.known[place::COLUMN]) * seed.x;
+            let [_, by_x, by_v] = at.column.change_by;
+            u_held += per_g * (by_x * seed.x + by_v * seed.v);
         }
         if acts::<ON>(e, GROOVE | PASSAGE) {
             u_held += at.past.flow_by[1] * seed.x + at.past.flow_by[2] * known[place::SELECTIVE];
@@ -283,7 +281,10 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let u = u_held + moves.w + at.u_by_force * (primary - held);
         let mut states = [0.0; STATES];
         if acts::<ON>(e, COLUMN) {
-            states[place::COLUMN] = at.column[1] * primary;
+            states[place::COLUMN] = at.column.by_force * primary;
+        }
+        if acts::<ON>(e, LENGTH) {
+            states[place::COLUMN] += at.column.by_x * seed.x;
         }
         if acts::<ON>(e, CAVITATION) {
             states[place::VOID] = void_held + void_by_force * primary;
@@ -390,7 +391,7 @@ impl Look {
         self.valves.force += force;
         self.valves.valve += valve;
         self.valves.selective += selective;
-        self.column[0] += self.column[1] * force;
+        self.column.taken_up += self.column.by_force * force;
         self.past.flow += self.past.flow_by[0] * force;
         self.past.state += self.past.state_by[0] * force;
         self.void += self.void_by[0] * force;
@@ -417,13 +418,11 @@ impl Look {
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
-        let (mut column, mut length) = ([0.0; 2], [1.0, 0.0, 0.0]);
+        let mut column = Column::NONE;
         if acts::<ON>(e, COLUMN) {
-            column = deflection_in_stage::<ON>(e, valves.force);
-            length = length_in_stage::<ON>(e, path.x, valves.force);
-            let change = (column[0] - known[place::COLUMN]) * per_g;
-            u += length[0] * change;
-            u_by_force += length[0] * column[1] * per_g + length[1] * change;
+            column = Column::stage::<ON>(e, valves.force, [path.x, path.v], known[place::COLUMN], g);
+            u += column.change * per_g;
+            u_by_force += column.change_by[0] * per_g;
         }
         let mut past = Past::NONE;
         if acts::<ON>(e, GROOVE | PASSAGE) {
@@ -483,7 +482,6 @@ impl Look {
             residual,
             valves,
             column,
-            length,
             past,
             void,
             void_by,
