@@ -3,7 +3,7 @@
 use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
-use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_diagnosis::{Diagnosis, MovedBy, Options, Verdict, choose_held_out, diagnose};
 use dashpot_identification::model_file;
 use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign};
@@ -126,7 +126,6 @@ fn a_mass_between_load_cell_and_damper_is_named() {
     names("moving_mass", &[("moving_mass", 2.0)]);
 }
 
-/// The force channel read `delay` later than it was, in steady motion.
 #[test]
 fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     let mut worn = base();
@@ -151,10 +150,15 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     for point in points.iter().filter(|c| c.velocity_m_s > Some(0.2)) {
         assert!((point.value / point.reference - 0.8).abs() < 0.03, "{point:?}");
     }
+    let moved: Vec<_> = found.curve_moved.iter().map(|m| (m.by, m.side)).collect();
+    assert_eq!(moved, [(MovedBy::Share, "rebound")], "{:?}", found.curve_moved);
+    assert!((found.curve_moved[0].value + 0.2).abs() < 0.02, "{:?}", found.curve_moved);
     let same = against(&base());
     assert_eq!(same.verdict, Verdict::NothingMissing, "{}", told(&same));
+    assert!(same.curve_moved.is_empty(), "{:?}", same.curve_moved);
 }
 
+/// The force channel read `delay` later than it was, in steady motion.
 fn late(record: &Record, delay: f64) -> Record {
     let (first, period) = (record.time[0], record.cycles.len() as f64 / record.frequency);
     let dt = record.time[1] - first;

@@ -47,7 +47,7 @@ mod unbent;
 mod untestable;
 mod vocabulary;
 
-pub use changes::Change;
+pub use changes::{Change, CurveMoved, MovedBy};
 pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_held_out;
 pub use outcome::*;
@@ -55,6 +55,7 @@ pub use phrases::{templates, texts};
 pub use tree::Branch;
 
 use answer::{explained, judge, rivals};
+use changes::Changes;
 use dashpot_core::Params;
 use dashpot_core::number;
 use dashpot_estimation::deviations::deviations;
@@ -303,7 +304,8 @@ impl Answer<'_> {
             next_tests: self.next_tests(&judged),
             could_not_test,
             shifts: self.shifts(),
-            changed,
+            changed: changed.numbers,
+            curve_moved: changed.curve,
             notes: judged.notes.iter().chain(&about_the_reference).cloned().collect(),
             about_the_reference,
             tests: Vec::new(),
@@ -478,8 +480,8 @@ impl Answer<'_> {
     }
 
     /// What is another on the reference damper.
-    fn changed(&self) -> Vec<Change> {
-        let Some(Against { base: (reference, there), .. }) = &self.reference else { return Vec::new() };
+    fn changed(&self) -> Changes {
+        let Some(Against { base: (reference, there), .. }) = &self.reference else { return Changes::default() };
         let (last, end) = &self.found.found.last;
         changes::changes((reference, there), (last, end), self.fitted)
     }
@@ -542,13 +544,13 @@ impl Answer<'_> {
 const TOLD: usize = 3;
 
 /// No effect is missing, but what there is has other numbers than on the reference: that is the answer then.
-fn changed_instead(nothing: Sentence, changed: &[Change]) -> (Verdict, Sentence) {
+fn changed_instead(nothing: Sentence, changed: &Changes) -> (Verdict, Sentence) {
     let material = changes::told(changed);
     if material.is_empty() {
         return (Verdict::NothingMissing, nothing);
     }
     let more = material.len().saturating_sub(TOLD);
-    let told = material.iter().take(TOLD).map(|change| change.sentence()).collect();
+    let told = material.into_iter().take(TOLD).collect();
     let summary = Sentence::from(phrases::CHANGED)
         .with_list("numbers", told, phrases::COMMA)
         .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))

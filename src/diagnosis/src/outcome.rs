@@ -1,6 +1,6 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
-use super::changes::Change;
+use super::changes::{Change, CurveMoved};
 use super::tree::Branch;
 use dashpot_core::Params;
 use dashpot_records::sentence::Sentence;
@@ -62,6 +62,8 @@ pub struct Diagnosis {
     pub shifts: Vec<Shift>,
     /// Against a reference: numbers of the model that are others on this damper.
     pub changed: Vec<Change>,
+    /// Against a reference: how the FV curve moved as a whole, where all of its points moved alike.
+    pub curve_moved: Vec<CurveMoved>,
     /// Remarks.
     pub notes: Vec<Sentence>,
     /// The remark among them that says what a name without a reference may stand for, or how the reference was compared with.

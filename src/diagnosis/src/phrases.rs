@@ -31,8 +31,12 @@ dashpot_records::phrases! {
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
     CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
     OTHER_NUMBER: "{name} {reference} -> {value} {unit}";
-    OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N";
-    OTHER_COMPRESSION: "compression force at {velocity} m/s {reference} -> {value} N";
+    OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N{everywhere}";
+    OTHER_COMPRESSION: "compression force at {velocity} m/s {reference} -> {value} N{everywhere}";
+    MORE_EVERYWHERE: " ({percent} % more at every speed)";
+    LESS_EVERYWHERE: " ({percent} % less at every speed)";
+    MORE_DRY_FORCE: "{force} N more force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as more dry friction makes";
+    LESS_DRY_FORCE: "{force} N less force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as less dry friction makes";
     MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {names}";
     NOT_CONFIRMED: "; no test was left out to confirm it";

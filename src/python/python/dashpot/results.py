@@ -452,6 +452,21 @@ class Change(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class CurveMoved(Result):
+    """How all points of the FV curve moved that the tests reach, where they moved alike."""
+
+    #: ``dry_force`` (N against the motion) or ``share`` (of the force on the reference damper).
+    by: str
+    #: ``rebound``, ``compression`` or ``both``.
+    side: str
+    #: Mean over the points; ``low`` and ``high`` are the least and the most of them.
+    value: float
+    low: float
+    high: float
+    speed_m_s: tuple[float, float]
+
+
+@dataclass(frozen=True, repr=False)
 class TestOutcome(Result):
     """One test before and after."""
 
@@ -502,6 +517,7 @@ class Diagnosis(Result):
     could_not_test: tuple[CouldNotTest, ...]
     shifts: tuple[Shift, ...]
     changed: tuple[Change, ...]
+    curve_moved: tuple[CurveMoved, ...]
     notes: tuple[str, ...]
     tests: tuple[TestOutcome, ...]
     rounds: tuple[tuple[Tried, ...], ...]

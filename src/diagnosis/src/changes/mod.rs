@@ -1,5 +1,9 @@
 //! Against a reference: which numbers of the model, and where its FV curve, are others than on the reference damper.
 
+mod pattern;
+
+pub use pattern::{CurveMoved, MovedBy};
+
 use super::decisions::MATERIAL;
 use super::phrases;
 use super::search::physical;
@@ -12,6 +16,7 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::{CurveName, Unknown};
 use dashpot_records::Sentence;
 use nalgebra::{DMatrix, DVector};
+use pattern::Point;
 use serde::Serialize;
 use std::cell::LazyCell;
 
@@ -55,8 +60,8 @@ impl Change {
         }
     }
 
-    /// In words.
-    pub(super) fn sentence(&self) -> Sentence {
+    /// In words, with how its side of the FV curve moved as a whole.
+    fn sentence(&self, curve: &[CurveMoved]) -> Sentence {
         // Four digits that count.
         let of = |value: f64| match value {
             0.0 => "0".to_owned(),
@@ -66,6 +71,11 @@ impl Change {
             Some(v) if v > 0.0 => Sentence::from(phrases::OTHER_REBOUND).with("velocity", format!("{v:.3}")),
             Some(v) => Sentence::from(phrases::OTHER_COMPRESSION).with("velocity", format!("{:.3}", -v)),
             None => Sentence::from(phrases::OTHER_NUMBER).with("name", self.parameter).with("unit", self.unit),
+        };
+        let everywhere = curve.iter().find(|moved| self.velocity_m_s.is_some_and(|v| moved.is_of(v)));
+        let said = match self.velocity_m_s {
+            Some(_) => said.with_any("everywhere", everywhere.map(CurveMoved::sentence)),
+            None => said,
         };
         said.with("reference", of(self.reference)).with("value", of(self.value))
     }
@@ -129,9 +139,18 @@ fn curve_at(params: &Params, velocity: f64) -> f64 {
 /// Which numbers are meant.
 type Which<'a> = dyn Fn(&Free) -> bool + 'a;
 
+/// What is another on this damper than on the reference.
+#[derive(Debug, Default)]
+pub(super) struct Changes {
+    /// Numbers, and points of the FV curve.
+    pub numbers: Vec<Change>,
+    /// How the curve moved as a whole.
+    pub curve: Vec<CurveMoved>,
+}
+
 /// Numbers and points of the FV curve that differ from the reference damper's by more than both leave open.
-pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refit), tests: &[Test]) -> Vec<Change> {
-    let (Some(there), Some(here)) = (Fitted::new(reference), Fitted::new(own)) else { return Vec::new() };
+pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refit), tests: &[Test]) -> Changes {
+    let (Some(there), Some(here)) = (Fitted::new(reference), Fitted::new(own)) else { return Changes::default() };
     // Only where there is a change to weigh.
     let forces = LazyCell::new(|| here.hypothesis.forces(tests, here.theta));
     // Most that the force of a test moves in rebound or in compression, as a share of its largest there, where these numbers are as on the
@@ -170,28 +189,35 @@ pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refi
             force_share: moved(&|free| *free == n.free),
         })
     });
-    numbers.chain(of_the_curve(&there, &here, tests, &moved)).collect()
+    let sides = points_of_the_curve(&there, &here, tests);
+    let curve = pattern::of(&sides);
+    Changes { numbers: numbers.chain(of_the_curve(&here, &sides, &moved)).collect(), curve }
 }
 
-/// Points of the FV curve as far as the tests reach.
-fn of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test], moved: &dyn Fn(&Which) -> f64) -> Vec<Change> {
+/// Points of the FV curve as far as the tests reach, in rebound and in compression; none where the curve is not free.
+fn points_of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test]) -> [Vec<Point>; 2] {
     let params = here.params();
     if !params.is_on(element!("fv_curve")) || !here.hypothesis.numbers.iter().any(|n| is_of_curve(&n.free)) {
-        return Vec::new();
+        return [Vec::new(), Vec::new()];
     }
+    [1.0, -1.0].map(|side| {
+        let reach = tests.iter().flat_map(|t| t.inputs()).fold(0.0f64, |most, input| most.max(side * input.velocity));
+        let reached = params.list(list!("fv_velocity")).iter().filter(|v| (1e-9..=reach).contains(&(side * **v)));
+        let point = |v: &f64| {
+            let ((before, of_there), (after, of_here)) = (there.curve(*v), here.curve(*v));
+            Point { velocity: *v, before, after, deviation: of_there.hypot(of_here) }
+        };
+        reached.map(point).collect()
+    })
+}
+
+/// Those of them that moved.
+fn of_the_curve(here: &Fitted, sides: &[Vec<Point>; 2], moved: &dyn Fn(&Which) -> f64) -> Vec<Change> {
+    let params = here.params();
     let velocities = params.list(list!("fv_velocity"));
     let mut found = Vec::new();
-    for side in [1.0, -1.0] {
-        let reach = tests.iter().flat_map(|t| t.inputs()).fold(0.0f64, |most, input| most.max(side * input.velocity));
-        let points = velocities.iter().filter(|v| (1e-9..=reach).contains(&(side * **v)));
-        let changed: Vec<(f64, [f64; 2], f64)> = points
-            .map(|v| {
-                let ((before, of_there), (after, of_here)) = (there.curve(*v), here.curve(*v));
-                (*v, [before, after], of_there.hypot(of_here))
-            })
-            .filter(|(_, [before, after], deviation)| (after - before).abs() > CHANGED * deviation)
-            .collect();
-        if changed.is_empty() {
+    for (side, points) in [1.0, -1.0].into_iter().zip(sides) {
+        if !points.iter().any(Point::has_moved) {
             continue;
         }
         let of_side = |free: &Free| match free {
@@ -201,13 +227,13 @@ fn of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test], moved: &dyn Fn(&W
             _ => false,
         };
         let force_share = moved(&of_side);
-        found.extend(changed.into_iter().map(|(velocity, [reference, value], deviation)| Change {
+        found.extend(points.iter().filter(|p| p.has_moved()).map(|p| Change {
             parameter: list!("fv_force").name(),
-            velocity_m_s: Some(velocity),
-            reference,
-            value,
-            low: value - 1.96 * deviation,
-            high: value + 1.96 * deviation,
+            velocity_m_s: Some(p.velocity),
+            reference: p.before,
+            value: p.after,
+            low: p.after - 1.96 * p.deviation,
+            high: p.after + 1.96 * p.deviation,
             unit: "N",
             force_share,
         }));
@@ -215,16 +241,33 @@ fn of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test], moved: &dyn Fn(&W
     found
 }
 
-/// Those that stand in the answer, what moves the force most first; of a side of the FV curve the point at which it moved most.
-pub(super) fn told(changed: &[Change]) -> Vec<&Change> {
-    let side = |change: &Change| change.velocity_m_s.map(f64::signum);
-    let moved = |change: &Change| (change.value - change.reference).abs();
-    let is_most = |change: &&Change| {
-        side(change).is_none() || changed.iter().all(|c| side(c) != side(change) || moved(c) <= moved(change))
+/// Those that stand in the answer, what moves the force most first; of a side of the FV curve the point at which it moved most, of a curve that moved
+/// by one force against the motion that alone.
+fn in_the_answer(changes: &Changes) -> Vec<&Change> {
+    let dry = changes.curve.iter().any(|moved| moved.by == MovedBy::DryForce);
+    let side = |change: &Change| change.velocity_m_s.map(|v| if dry { 1.0 } else { v.signum() });
+    // Of a curve that moved by one force alike either of both sides may stand for both: that which moves the force more.
+    let moved = |change: &Change| if dry { change.force_share } else { (change.value - change.reference).abs() };
+    let material: Vec<&Change> = changes.numbers.iter().filter(|change| change.is_material()).collect();
+    let is_most = |(place, change): &(usize, &&Change)| {
+        side(change).is_none()
+            || material.iter().enumerate().all(|(other, c)| {
+                side(c) != side(change) || moved(c) < moved(change) || moved(c) == moved(change) && other >= *place
+            })
     };
-    let mut told: Vec<&Change> = changed.iter().filter(|change| change.is_material()).filter(is_most).collect();
+    let mut told: Vec<&Change> = material.iter().enumerate().filter(is_most).map(|(_, change)| *change).collect();
     told.sort_by(|a, b| b.force_share.total_cmp(&a.force_share));
     told
+}
+
+/// The same in words.
+pub(super) fn told(changes: &Changes) -> Vec<Sentence> {
+    let dry = changes.curve.iter().find(|moved| moved.by == MovedBy::DryForce);
+    let sentence = |change: &Change| match dry.filter(|_| change.velocity_m_s.is_some()) {
+        Some(moved) => moved.sentence(),
+        None => change.sentence(&changes.curve),
+    };
+    in_the_answer(changes).into_iter().map(sentence).collect()
 }
 
 #[cfg(test)]
@@ -245,10 +288,29 @@ mod tests {
             of(-500.0, -480.0, 0.04, Some(-0.5)),
             of(180.0, 12.85, 0.6, None),
         ];
-        let said: Vec<String> = told(&all).iter().map(|change| change.sentence().to_string()).collect();
-        assert_eq!(said, ["gas_force 180.0 -> 12.85 N", "rebound force at 1.050 m/s 1600 -> 1300 N"]);
-        assert_eq!(of(179.219_4, 0.012_852_4, 1.0, None).sentence().to_string(), "gas_force 179.2 -> 0.01285 N");
-        assert_eq!(of(627.627, 0.0, 1.0, None).sentence().to_string(), "gas_force 627.6 -> 0 N");
+        let said = |by: &[(MovedBy, &'static str, f64)]| {
+            let curve = by.iter().map(|(by, side, value)| {
+                let (by, side, value) = (*by, *side, *value);
+                CurveMoved { by, side, value, low: value, high: value, speed_m_s: [0.003, 1.05] }
+            });
+            let changes = Changes { numbers: all.to_vec(), curve: curve.collect() };
+            told(&changes).iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        assert_eq!(said(&[]), ["gas_force 180.0 -> 12.85 N", "rebound force at 1.050 m/s 1600 -> 1300 N"]);
+        assert_eq!(
+            said(&[(MovedBy::Share, "rebound", -0.2), (MovedBy::Share, "compression", -0.04)]),
+            ["gas_force 180.0 -> 12.85 N", "rebound force at 1.050 m/s 1600 -> 1300 N (20 % less at every speed)"]
+        );
+        assert_eq!(
+            said(&[(MovedBy::DryForce, "both", 25.2)]),
+            [
+                "gas_force 180.0 -> 12.85 N",
+                "25 N more force against the motion at every speed from 0.003 to 1.05 m/s, in rebound and compression alike, as more dry friction makes"
+            ]
+        );
+        let alone = |reference, value| of(reference, value, 1.0, None).sentence(&[]).to_string();
+        assert_eq!(alone(179.219_4, 0.012_852_4), "gas_force 179.2 -> 0.01285 N");
+        assert_eq!(alone(627.627, 0.0), "gas_force 627.6 -> 0 N");
     }
 
     #[test]
