@@ -4,6 +4,7 @@ use super::clock::{DAY, written};
 use super::phrases;
 use super::record::{Note, Record};
 use super::sentence::Sentence;
+use std::cmp::Ordering;
 
 /// Longest campaign, s, whose files bear the time of day alone: beyond half a day it is not sure which of two came first.
 const WITHOUT_DATE: f64 = 0.5 * DAY;
@@ -30,11 +31,20 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     if dated > 0 && dated < records.len() || last - first > if dated > 0 { WITH_DATE } else { WITHOUT_DATE } {
         return notes.push(not(phrases::TOO_FAR_APART.into()));
     }
-    if !apart(spans) {
+    // A file that bears whole seconds began up to one later.
+    let is_whole = records.iter().all(|record| record.begins.is_some_and(|s| s.fract() == 0.0));
+    let later = if is_whole { 1.0 } else { 0.0 };
+    if !apart(spans.iter().map(|(from, to)| (from + later, *to)).collect()) {
         return notes.push(not(phrases::CLOCKS_OVERLAP.into()));
     }
-    for record in records {
-        record.clock_s = record.begins.unwrap_or(first) - first;
+    let mut in_order: Vec<&mut Record> = records.iter_mut().collect();
+    in_order.sort_by(|a, b| a.begins.partial_cmp(&b.begins).unwrap_or(Ordering::Equal));
+    let mut end = f64::NEG_INFINITY;
+    for record in in_order {
+        let begins = record.begins.unwrap_or(first) - first;
+        let [from, to] = [record.time.first(), record.time.last()].map(|t| t.copied().unwrap_or(0.0));
+        record.clock_s = begins.max(end - from);
+        end = record.clock_s + to;
     }
     let text = Sentence::from(phrases::ONE_CLOCK).with("first", written(first)).with("last", written(last));
     notes.push(Note { kind: "clock", text });
@@ -64,6 +74,14 @@ mod tests {
         let (records, said) = of(&[Some(morning + 600.0), Some(morning), Some(morning + 60.0)]);
         assert_eq!(records.iter().map(|r| r.span().unwrap().0).collect::<Vec<_>>(), [600.0, 0.0, 60.0]);
         assert!(said.contains("2026-11-25 10:00:00") && said.contains("2026-11-25 10:10:10"), "{said}");
+        // Within the second that a file bears: the next test begins where this one ends.
+        let (records, said) = of(&[Some(morning + 9.0), Some(morning)]);
+        assert_eq!(
+            records.iter().map(|r| r.span().unwrap()).collect::<Vec<_>>(),
+            [(10.0, 20.0), (0.0, 10.0)],
+            "{said}"
+        );
+        assert!(of(&[Some(morning + 8.0), Some(morning)]).1.contains("overlap"));
         let (records, said) = of(&[Some(36_000.0), Some(36_060.0)]);
         assert_eq!(records[1].clock_s, 59.5);
         assert!(said.contains(" 10:00:00") && !said.contains("1970"), "{said}");

@@ -3,7 +3,7 @@
 use std::io::Read as _;
 use std::path::Path;
 
-use calamine::{Data, DataRef, Reader, Xlsx, open_workbook};
+use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx, open_workbook};
 
 use super::beside::Beside;
 use super::channel::Channel;
@@ -143,8 +143,8 @@ struct Sheet<'a> {
     options: &'a Options,
     first_line: Option<String>,
     beside: Beside,
-    /// Rows looked at for a header.
-    searched: usize,
+    /// Rows looked at for a header, as text: they may say when the test began.
+    above: Vec<String>,
     header: Option<(u32, Vec<String>)>,
     units: Option<Vec<String>>,
     rows: Option<Rows>,
@@ -157,7 +157,7 @@ impl<'a> Sheet<'a> {
             name,
             options,
             first_line: None,
-            searched: 0,
+            above: Vec::new(),
             header: None,
             units: None,
             rows: None,
@@ -172,8 +172,8 @@ impl<'a> Sheet<'a> {
         }
         let text = || row.iter().map(ToString::to_string).collect::<Vec<String>>();
         let Some((header_index, header)) = &self.header else {
-            if self.searched < HEADER_WITHIN {
-                self.searched += 1;
+            if self.above.len() < HEADER_WITHIN {
+                self.above.push(row.iter().map(with_its_date).collect::<Vec<_>>().join(" "));
                 let cells = text();
                 if cells.iter().any(|c| !c.is_empty()) {
                     self.first_line.get_or_insert_with(|| cells.join(", "));
@@ -204,7 +204,9 @@ impl<'a> Sheet<'a> {
             let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
             let units = self.units.as_deref();
             let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
-            self.rows = Some(Rows::new(self.at.clone(), self.name.clone(), layout));
+            let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout);
+            rows.begins = clock::begins(self.above.iter().map(String::as_str));
+            self.rows = Some(rows);
         }
         let Some(rows) = &mut self.rows else { return Ok(()) };
         let line = index as usize + 1;
@@ -272,12 +274,37 @@ fn is_figure(cell: Option<&Data>) -> bool {
     }
 }
 
-/// A time of day, s, of a cell that holds a date or a time, or the text of one.
+/// The time, s, of a cell that holds a date or a time, or the text of one: with a date since 1970, else since midnight.
 fn clock_of(cell: &Data) -> Option<f64> {
     match cell {
-        Data::DateTime(date) => Some(date.as_f64() * 86_400.0),
+        Data::DateTime(date) => Some(day_of(date).unwrap_or(0.0) + within_day(date)),
         Data::DateTimeIso(text) | Data::String(text) => clock::seconds(text),
         _ => None,
+    }
+}
+
+/// The day of a cell that holds one, s since 1970, whether the workbook counts from 1900 or from 1904.
+fn day_of(date: &ExcelDateTime) -> Option<f64> {
+    let (year, month, day, ..) = date.to_ymd_hms_milli();
+    let has_day = date.is_datetime() && date.as_f64() >= 1.0;
+    has_day.then(|| clock::seconds(&format!("{year:04}-{month:02}-{day:02} 00:00")))?
+}
+
+/// What a cell holds beside its day, s; of a duration or a time of day all.
+fn within_day(date: &ExcelDateTime) -> f64 {
+    let days = date.as_f64();
+    clock::DAY * if day_of(date).is_some() { days - days.floor() } else { days }
+}
+
+/// A cell as text; a date as date, a time of day as such.
+fn with_its_date(cell: &Data) -> String {
+    let Data::DateTime(date) = cell else { return cell.to_string() };
+    // Spreadsheets keep times as shares of a day, which no second is exactly.
+    let time = (within_day(date) * 1e3).round() / 1e3;
+    let text = clock::written(day_of(date).unwrap_or(0.0) + time);
+    match text.split_once(' ') {
+        Some((day, _)) if time == 0.0 => day.to_owned(),
+        _ => text,
     }
 }
 
@@ -457,6 +484,35 @@ mod tests {
         let broken: Vec<&[&str]> = rows.iter().chain(&rows[2..4]).copied().collect();
         let error = read_bytes(&workbook(&[("one", &broken)])).unwrap_err().to_string();
         assert!(error.contains("line 5") && error.contains("'Max' is no number"), "{error}");
+    }
+
+    #[test]
+    fn dates_of_cells_are_days_and_times_of_the_calendar() {
+        use calamine::ExcelDateTimeType::{DateTime, TimeDelta};
+        let cell = |days: f64, kind, from_1904| Data::DateTime(ExcelDateTime::new(days, kind, from_1904));
+        let morning = clock::seconds("2026-11-25 10:03:22").unwrap();
+        let share = (10.0 * 3600.0 + 3.0 * 60.0 + 22.0) / 86_400.0;
+        for (days, from_1904) in [(46_351.0, false), (44_889.0, true)] {
+            let both = cell(days + share, DateTime, from_1904);
+            assert!((clock_of(&both).unwrap() - morning).abs() < 1e-4);
+            assert_eq!(with_its_date(&both), "2026-11-25 10:03:22");
+            assert_eq!(with_its_date(&cell(days, DateTime, from_1904)), "2026-11-25");
+        }
+        assert_eq!(with_its_date(&cell(share, DateTime, false)), "10:03:22");
+        assert!((clock_of(&cell(1.5, TimeDelta, false)).unwrap() - 1.5 * 86_400.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_rows_above_the_table_say_when_the_test_began() {
+        let rows: &[&[&str]] = &[
+            &["Prüfung", "2026-11-25"],
+            &["Uhrzeit", "10:03:22"],
+            &["time_s", "x_mm", "F_N"],
+            &["0", "1", "10"],
+            &["1", "2", "20"],
+        ];
+        let test = read_bytes(&workbook(&[("one", rows)])).unwrap().remove(0);
+        assert_eq!(test.begins, clock::seconds("2026-11-25 10:03:22"));
     }
 
     #[test]
