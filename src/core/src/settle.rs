@@ -18,6 +18,12 @@ impl Model {
     /// A missing displacement is 0.
     pub fn settled(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
+        self.settled_from(&State { displacement: x, ..State::ZERO }, input)
+    }
+
+    /// The same of a damper that has moved: what a contact keeps at rest stays. A missing displacement is that of `from`.
+    pub fn settled_from(&self, from: &State, input: &Input) -> State {
+        let x = input.displacement.unwrap_or(from.displacement);
         let v = input.velocity;
         let e = &self.elements;
         let motion = |x: f64| Motion {
@@ -52,8 +58,8 @@ impl Model {
         }
         let mut memory = [0.0; 8];
         e.each_memory(|place, element| {
-            if let Some(z) = memory.get_mut(place) {
-                *z = element.settled(&motion(x));
+            if let Some((z, before)) = memory.get_mut(place).zip(from.memory.get(place)) {
+                *z = element.held(from.displacement, *before, &motion(x));
             }
         });
         let mut state = State { memory, ..State::ZERO };
@@ -63,7 +69,13 @@ impl Model {
 
     /// The static force at `input`, with its slopes: the state settled there, evaluated.
     pub fn static_output(&self, input: &Input) -> Output {
-        let state = self.settled(input);
+        self.static_output_from(&self.settled(input), input)
+    }
+
+    /// The same of a damper that has moved. At rest the slope over velocity is that of what answers a velocity at once: a contact
+    /// that keeps its bend turns over with travel.
+    pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
+        let state = self.settled_from(from, input);
         let mut output = crate::evaluate::force(self, &state, input);
         let at = Motion {
             displacement: state.mass_displacement,
@@ -72,11 +84,22 @@ impl Model {
             temperature: input.temperature,
         };
         let e = &self.elements;
+        let outer = Motion { displacement: state.displacement, ..at };
         if e.has_paths() {
             // Slopes of what has settled, the elements with memory beside the damper included.
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
-                crate::evaluate::force(self, &self.settled(&input), &input).force
+                let mut settled = self.settled_from(from, &input);
+                if x == state.displacement {
+                    e.each_memory(|place, element| {
+                        if element.keeps(&outer)
+                            && let Some((z, kept)) = settled.memory.get_mut(place).zip(state.memory.get(place))
+                        {
+                            *z = *kept;
+                        }
+                    });
+                }
+                crate::evaluate::force(self, &settled, &input).force
             };
             let (x, v) = (state.displacement, input.velocity);
             output.force_by_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);
@@ -92,10 +115,12 @@ impl Model {
             output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
         }
         // A private state that is drawn to where it settles follows the input there.
-        let outer = Motion { displacement: state.displacement, ..at };
         e.each_memory(|place, element| {
             let recall = element.recall(&outer, state.memory.get(place).copied().unwrap_or(0.0));
-            if recall.rate_by_memory < 0.0 {
+            if element.keeps(&outer) {
+                // A travel in either direction, in the mean.
+                output.force_by_displacement += recall.by_memory * recall.rate_by_v;
+            } else if recall.rate_by_memory < 0.0 {
                 let follows = -recall.by_memory / recall.rate_by_memory;
                 output.force_by_displacement += follows * recall.rate_by_x;
                 output.force_by_velocity += follows * recall.rate_by_v;

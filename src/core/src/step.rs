@@ -955,7 +955,7 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
 fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
-        *output = model.static_output(&Input { displacement: Some(x), ..*to });
+        *output = model.static_output_from(state, &Input { displacement: Some(x), ..*to });
         return;
     }
     if model.elements.has_paths() {

@@ -2,10 +2,12 @@
 
 mod common;
 use common::*;
+use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, step, step_batch};
 use dashpot_core::{Input, Model, Output, State};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 /// All bits of a state and an output.
 fn bits(state: &State, output: &Output) -> Vec<u64> {
@@ -56,7 +58,7 @@ proptest! {
         let from = model.settled(&Input::motion(0.3 * x, 0.0));
         let (state, output) = step(&model, &from, &Input::motion(x, v), 0.0);
         prop_assert_eq!(state, from);
-        let settled = model.settled(&Input::motion(x, v));
+        let settled = model.settled_from(&from, &Input::motion(x, v));
         let wanted = dashpot_core::evaluate(&model, &settled, &Input::motion(x, v)).0.force;
         prop_assert!((output.force - wanted).abs() <= 1e-9 * (1.0 + wanted.abs()));
     }
@@ -76,6 +78,40 @@ proptest! {
             let (state, output) = step(&model, &from[i], &inputs[i], 1e-3);
             prop_assert_eq!(bits(&states[i], &outputs[i]), bits(&state, &output));
         }
+    }
+}
+
+/// A host that pauses with steps of no time must not see the friction vanish, nor a slope that no motion has.
+#[test]
+fn a_pause_keeps_the_friction_of_a_bent_contact() {
+    for elements in [&["presliding_friction"][..], &["presliding_friction", "oil_compressibility"]] {
+        let mut p = params(&[("presliding_force", 40.0), ("presliding_length", 3e-4)]);
+        for element in elements {
+            p.enable(Element::find(element).unwrap(), true);
+        }
+        let model = Model::new(&p).unwrap();
+        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        // Ten millimetres with smooth ends, then held.
+        let motion = |t: f64| {
+            let share = (t / 0.2).min(1.0);
+            (5e-3 * (1.0 - (PI * share).cos()), if share < 1.0 { 5e-3 * PI / 0.2 * (PI * share).sin() } else { 0.0 })
+        };
+        let mut held = 0.0;
+        for k in 1..=2000 {
+            let (x, v) = motion(f64::from(k) * 1e-3);
+            let (next, output) = step(&model, &state, &Input::motion(x, v), 1e-3);
+            (state, held) = (next, output.force);
+        }
+        let here = Input::motion(state.displacement, 0.0);
+        let (same, output) = step(&model, &state, &here, 0.0);
+        assert_eq!(same, state);
+        assert!((output.force - held).abs() < 1e-3 && output.friction_force > 39.0, "{elements:?}: {held} {output:?}");
+        // Slopes: of the contact's stiffness in the mean of both directions, and of the FV curve at rest.
+        let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
+        let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
+        assert!((output.force_by_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
+        let by_v = model.elements().fv_curve.at(0.0).slope;
+        assert!((output.force_by_velocity - by_v).abs() < 1e-2 * by_v, "{elements:?}: {by_v} {output:?}");
     }
 }
 

@@ -223,6 +223,16 @@ pub trait Memory {
     /// The state after the motion has been held long enough.
     fn settled(&self, at: &Motion) -> f64;
 
+    /// The same of one that was `z` where the driven end stood at `from`: another where it keeps at rest what brought it there.
+    fn held(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
+        self.settled(at)
+    }
+
+    /// Whether it does: then it follows the displacement alone, and no velocity that is held for an instant.
+    fn keeps(&self, _at: &Motion) -> bool {
+        false
+    }
+
     /// The state after the motion along a path, in closed form, with its slopes over displacement and velocity at the end (0
     /// where no `slopes` are asked for). `None` where there is no such form: the step then integrates the rate.
     fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<(f64, [f64; 2])> {

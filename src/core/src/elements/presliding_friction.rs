@@ -230,12 +230,25 @@ impl Memory for PreslidingFriction {
         Some((after.value * self.length, after.slopes.map(|s| s * self.length)))
     }
 
-    /// At rest every bend stays; the unbent one is taken.
+    /// At rest every bend stays; before any motion there is none.
     fn settled(&self, at: &Motion) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
         }
         let share = at.velocity.abs() / libm::sqrt(at.velocity * at.velocity + self.creep_squared);
         (self.length * power(share, 1.0 / (1.0 + self.power))).copysign(at.velocity)
+    }
+
+    /// At rest the bend is what the way there left.
+    fn held(&self, from: f64, z: f64, at: &Motion) -> f64 {
+        if !self.keeps(at) {
+            return self.settled(at);
+        }
+        let moved = (at.displacement - from) * self.per_length;
+        if moved == 0.0 { z } else { self.length * self.bends(z * self.per_length, moved.signum(), moved.abs()) }
+    }
+
+    fn keeps(&self, at: &Motion) -> bool {
+        at.velocity == 0.0
     }
 }
