@@ -33,7 +33,7 @@
 // be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
 // sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
 //
-// Sizes. A state is 96 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
+// Sizes. A state is 112 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
 // caller's stack (dashpot_model_init() 13 KB, a step 8 KB); keep models and parameter sets off a small stack. A list has at
 // most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
 //
@@ -333,7 +333,8 @@ int32_t dashpot_model_states(const dashpot_model *model);
 int32_t dashpot_model_state_name(const dashpot_model *model, uint32_t state, dashpot_state_name *name);
 
 // Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
-// to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
+// to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
+// switched on and off: the states stay valid.
 int32_t dashpot_model_init(dashpot_model *model, const dashpot_params *params);
 
 
@@ -394,9 +395,10 @@ static inline dashpot_input dashpot_input_motion(double displacement, double vel
 // State
 // ==============================================================================================================
 
-// All that a damper remembers, friction hysteresis included, is in its state: twelve numbers that the host owns. To
+// All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
 // try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
-// repeats the first to the last bit. A state belongs to the model it was made for.
+// repeats the first to the last bit. A state may be used with another model, as when a model is prepared anew while it
+// runs: what an element remembers goes with it, and an element that was off before begins settled.
 
 // State of one damper.
 typedef struct dashpot_state {
@@ -408,8 +410,13 @@ typedef struct dashpot_state {
   double mass_displacement;
   // Velocity of the internal mass, m/s.
   double mass_velocity;
-  // Private states of the elements.
+  // Private states of the elements that are on.
   double memory[8];
+  // Which states these are. The library's: leave what it wrote, or 0, which stands for those of the model that the
+  // state is given to.
+  double layout;
+  // 0.
+  double reserved;
 } dashpot_state;
 
 // Answer at one instant.
@@ -455,8 +462,8 @@ int32_t dashpot_state_init_motion(const dashpot_model *model,
 // the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
 // it was reached with, so the two cannot contradict each other.
 //
-// dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held. The
-// state stays as it is.
+// dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
+// that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
 
 // The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
 // the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
@@ -498,6 +505,11 @@ int32_t dashpot_step_batch(uint32_t count,
 // them in a structure is 0 and stays 0. Without series_compliance the internal mass moves with the driven end: its two
 // rates are 0. A host that gives no displacement integrates that too (rate->displacement is the velocity).
 // state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
+//
+// The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` tells for
+// a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps; an explicit one
+// (Euler, Runge-Kutta) needs microseconds, and above that may give a wrong force with status 0. dashpot_step() is stable at
+// every step.
 
 // All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
 typedef struct dashpot_partials {

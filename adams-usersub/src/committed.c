@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 1 };
+enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 2 };
 
 /* A trial is solved in steps no longer than this, s: a long step of the solver then costs accuracy of the motion
  * between its ends, not of the damper. */

@@ -117,7 +117,8 @@ pub unsafe extern "C" fn dashpot_model_state_name(
 }
 
 /// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
-/// to blame. A model that runs may be prepared anew between two steps, for example by a slider: the states stay valid.
+/// to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
+/// switched on and off: the states stay valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *const dashpot_params) -> i32 {
     status((|| {

@@ -1,8 +1,9 @@
 //! State
 //!
-//! All that a damper remembers, friction hysteresis included, is in its state: twelve numbers that the host owns. To
+//! All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
 //! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
-//! repeats the first to the last bit. A state belongs to the model it was made for.
+//! repeats the first to the last bit. A state may be used with another model, as when a model is prepared anew while it
+//! runs: what an element remembers goes with it, and an element that was off before begins settled.
 
 use core::mem::{align_of, offset_of, size_of};
 
@@ -24,8 +25,13 @@ pub struct dashpot_state {
     pub mass_displacement: f64,
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
-    /// Private states of the elements.
+    /// Private states of the elements that are on.
     pub memory: [f64; 8],
+    /// Which states these are. The library's: leave what it wrote, or 0, which stands for those of the model that the
+    /// state is given to.
+    pub layout: f64,
+    /// 0.
+    pub reserved: f64,
 }
 
 /// Answer at one instant.
@@ -61,6 +67,8 @@ const _: () = {
     assert!(offset_of!(dashpot_state, mass_displacement) == offset_of!(State, mass_displacement));
     assert!(offset_of!(dashpot_state, mass_velocity) == offset_of!(State, mass_velocity));
     assert!(offset_of!(dashpot_state, memory) == offset_of!(State, memory));
+    assert!(offset_of!(dashpot_state, layout) == offset_of!(State, layout));
+    assert!(offset_of!(dashpot_state, reserved) == offset_of!(State, reserved));
     assert!(size_of::<dashpot_output>() == size_of::<Output>() && align_of::<dashpot_output>() == align_of::<Output>());
     assert!(offset_of!(dashpot_output, force) == offset_of!(Output, force));
     assert!(offset_of!(dashpot_output, force_by_displacement) == offset_of!(Output, force_by_displacement));
@@ -86,8 +94,8 @@ const LARGEST: f64 = 1e60;
 pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> {
     present(state)?;
     // In pairs, which processors add at once.
-    // SAFETY: the caller's promise; a state is twelve numbers, which pairs of them lay out alike.
-    let pairs = unsafe { &*state.cast::<[[f64; 2]; 6]>() };
+    // SAFETY: the caller's promise; a state is fourteen numbers, which pairs of them lay out alike.
+    let pairs = unsafe { &*state.cast::<[[f64; 2]; 7]>() };
     let sum = pairs.iter().fold([0.0; 2], |sum, pair| [sum[0] + pair[0].abs(), sum[1] + pair[1].abs()]);
     // False for NaN.
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Refused(DASHPOT_BAD_STATE)) }
@@ -105,7 +113,7 @@ pub(crate) fn computed(numbers: bool) -> Result<(), Refused> {
 /// As [`finite`].
 #[inline(always)]
 pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refused> {
-    // SAFETY: the caller's promise; any twelve numbers are a state.
+    // SAFETY: the caller's promise; any fourteen numbers are a state.
     unsafe {
         finite(state)?;
         Ok(*state.cast::<State>())

@@ -4,8 +4,8 @@
 //! the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
 //! it was reached with, so the two cannot contradict each other.
 //!
-//! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held. The
-//! state stays as it is.
+//! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
+//! that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
 
 use dashpot_core::step::{force_in_place, step_in_place};
 use dashpot_core::{Input, Model, Output, State};

@@ -56,6 +56,9 @@ fn displacement(state: &State, input: &Input) -> f64 {
 
 /// Force at a state, with the slopes over the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
+    if !model.has_laid_out(state) {
+        return force(model, &model.laid_out(state), input);
+    }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
@@ -117,6 +120,9 @@ fn memories(model: &Model, state: &State, outer: &Motion, output: &mut Output) {
 
 /// Force and state rates at a state. `rate.velocity` is 0: it is no state but the last input.
 pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
+    if !model.has_laid_out(state) {
+        return evaluate(model, &model.laid_out(state), input);
+    }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let mut rate = State { displacement: v, ..State::ZERO };
@@ -140,6 +146,9 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
 
 /// All partials at a state.
 pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
+    if !model.has_laid_out(state) {
+        return partials(model, &model.laid_out(state), input);
+    }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let output = force(model, state, input);

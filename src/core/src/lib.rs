@@ -31,6 +31,7 @@ pub mod elements;
 pub mod evaluate;
 pub mod fault;
 pub mod input;
+mod layout;
 pub mod math;
 pub mod model;
 pub mod model_file;

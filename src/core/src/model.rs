@@ -22,11 +22,13 @@ const MEMORY_UNITS: [(Element, &str); 3] =
 pub struct Model {
     pub(crate) elements: Elements,
     pub(crate) integration: Integration,
+    /// Which private states its states hold.
+    pub(crate) layout: f64,
 }
 
 impl Model {
     /// No damper: what [`Model::set`] begins with.
-    pub const OFF: Model = Model { elements: Elements::OFF, integration: Integration::OFF };
+    pub const OFF: Model = Model { elements: Elements::OFF, integration: Integration::OFF, layout: 0.0 };
 
     /// Checks the parameters and prepares all that does not change in a run.
     ///
@@ -65,6 +67,7 @@ impl Model {
         self.elements.set(params);
         self.elements.join();
         self.integration = Integration::prepare(params, &self.elements);
+        self.layout = crate::layout::of(&self.elements);
         Ok(())
     }
 

@@ -18,11 +18,18 @@ impl Model {
     /// A missing displacement is 0.
     pub fn settled(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
-        self.settled_from(&State { displacement: x, ..State::ZERO }, input)
+        self.settled_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
     }
 
     /// The same of a damper that has moved: what a contact keeps at rest stays. A missing displacement is that of `from`.
     pub fn settled_from(&self, from: &State, input: &Input) -> State {
+        let laid_out;
+        let from = if self.has_laid_out(from) {
+            from
+        } else {
+            laid_out = self.laid_out(from);
+            &laid_out
+        };
         let x = input.displacement.unwrap_or(from.displacement);
         let v = input.velocity;
         let e = &self.elements;
@@ -62,7 +69,7 @@ impl Model {
                 *z = element.held(from.displacement, *before, &motion(x));
             }
         });
-        let mut state = State { memory, ..State::ZERO };
+        let mut state = State { memory, layout: self.layout, ..State::ZERO };
         e.slots().write(&states, &mut state);
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }

@@ -17,14 +17,25 @@ pub struct State {
     pub mass_velocity: f64,
     /// Private states of the elements.
     pub memory: [f64; 8],
+    /// Which states these are: see [`crate::layout`]; 0 where nobody wrote it.
+    pub layout: f64,
+    /// 0. Fourteen numbers are seven pairs, which processors read at once.
+    pub reserved: f64,
 }
 
 const _: () = assert!(MAX_MEMORY == 8);
 
 impl State {
     /// All zero.
-    pub const ZERO: State =
-        State { displacement: 0.0, velocity: 0.0, mass_displacement: 0.0, mass_velocity: 0.0, memory: [0.0; 8] };
+    pub const ZERO: State = State {
+        displacement: 0.0,
+        velocity: 0.0,
+        mass_displacement: 0.0,
+        mass_velocity: 0.0,
+        memory: [0.0; 8],
+        layout: 0.0,
+        reserved: 0.0,
+    };
 
     /// Whether every number is finite.
     #[inline(always)]

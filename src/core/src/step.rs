@@ -926,6 +926,9 @@ pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> 
 /// A step; without `slopes` those of the answer are left to chance.
 #[inline(always)]
 fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+    if !model.has_laid_out(state) {
+        return move_on_laid_out(model, state, *to, dt, output, slopes);
+    }
     if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass() {
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
@@ -934,6 +937,18 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, slopes)
+}
+
+/// A step from a state of other elements, which is laid out anew first; where there is no answer it stays as it was.
+#[cold]
+#[inline(never)]
+fn move_on_laid_out(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+    let mut reached = model.laid_out(state);
+    let done = step_of_any_kind(model, &mut reached, to, dt, output, slopes);
+    if done {
+        *state = reached;
+    }
+    done
 }
 
 /// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;

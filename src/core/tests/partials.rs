@@ -140,7 +140,7 @@ proptest! {
             if near(u, &knees, 0.003) || near(v, &knees, 0.003) || near(e, &[0.0], 1e-5) {
                 continue;
             }
-            let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, memory: [0.0; 8] };
+            let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, ..State::ZERO };
             // A memory of millimetres, of shares or of forces: whatever it is, its slopes are exact.
             state.memory = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
             let paths = model.elements().has_paths();

@@ -4,7 +4,7 @@ mod common;
 use common::*;
 use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, step, step_batch};
-use dashpot_core::{Input, Model, Output, State};
+use dashpot_core::{Input, Model, Output, State, element};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -81,6 +81,50 @@ proptest! {
     }
 }
 
+/// A slider that switches an element must not hand its state to another: 0.3 mm of a contact were taken for newtons, and made 24 MN.
+#[test]
+fn a_state_outlives_a_switch_of_elements() {
+    for switched in WITH_STATES {
+        let mut p = params(&[("fade_source", 1.0)]);
+        p.enable(Element::find(switched).unwrap(), true);
+        // As many others as there is room for.
+        for element in WITH_STATES {
+            let on = p.is_on(Element::find(element).unwrap());
+            p.enable(Element::find(element).unwrap(), true);
+            if Model::new(&p).is_err() {
+                p.enable(Element::find(element).unwrap(), on);
+            }
+        }
+        let with = Model::new(&p).unwrap();
+        p.enable(Element::find(switched).unwrap(), false);
+        let Ok(without) = Model::new(&p) else { continue };
+        let named = |model: &Model, state: &State| {
+            let name = |k: usize| model.state_name(k).unwrap().0;
+            (2..model.states()).map(|k| (name(k), state.memory[k - 2])).collect::<Vec<_>>()
+        };
+        let motion = sine(0.01, 4.0);
+        let mut state = with.settled(&Input::motion(-0.01, 0.0));
+        for k in 1..=70 {
+            let (x, v) = motion(f64::from(k) * 1e-3);
+            state = step(&with, &state, &Input::motion(x, v), 1e-3).0;
+        }
+        let before = named(&with, &state);
+        let there = without.laid_out(&state);
+        for (name, value) in named(&without, &there) {
+            assert!(before.contains(&(name, value)), "{switched}: {name} {value} of {before:?}");
+        }
+        let back = with.laid_out(&there);
+        let kept = named(&with, &back).iter().zip(&before).filter(|(a, b)| a == b).count();
+        assert!(kept >= named(&without, &there).len(), "{switched}: {before:?} {back:?}");
+        // And a run goes on as one would: no force that neither damper makes.
+        let (x, v) = motion(0.071);
+        let to = Input::motion(x, v);
+        let (with_it, without_it) = (step(&with, &state, &to, 1e-3).1.force, step(&without, &state, &to, 1e-3).1.force);
+        assert!((with_it - without_it).abs() < 3e3, "{switched} off: {with_it} {without_it}");
+        assert_eq!(dashpot_core::evaluate(&without, &state, &to), dashpot_core::evaluate(&without, &there, &to));
+    }
+}
+
 /// A host that pauses with steps of no time must not see the friction vanish, nor a slope that no motion has.
 #[test]
 fn a_pause_keeps_the_friction_of_a_bent_contact() {
@@ -89,6 +133,7 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         for element in elements {
             p.enable(Element::find(element).unwrap(), true);
         }
+        p.enable(element!("stribeck_friction"), false);
         let model = Model::new(&p).unwrap();
         let mut state = model.settled(&Input::motion(0.0, 0.0));
         // Ten millimetres with smooth ends, then held.

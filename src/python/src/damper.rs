@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 /// Numbers of a state.
-const NUMBERS: usize = 12;
+const NUMBERS: usize = 14;
 /// Shortest and longest step, s; those of the C interface.
 const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
 /// Largest inputs; those of the C interface.
@@ -229,7 +229,7 @@ impl Dampers {
         Ok(())
     }
 
-    /// All states, one row of twelve numbers a damper; a copy.
+    /// All states, one row of fourteen numbers a damper; a copy.
     #[getter]
     fn get_state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let array = PyArray2::zeros(py, [self.states.len(), NUMBERS], false);

@@ -33,7 +33,7 @@ def test_any_array_of_real_numbers_is_a_channel() -> None:
     assert damper().simulate(T.astype(np.float32), X.astype(np.float32)).force == pytest.approx(np.array(expected), rel=0.05, abs=20)
     many = dashpot.Damper(damper(), np.zeros(3))
     for velocity in ([0, 1, 0], np.array([0, 1, 0], dtype=np.int8), wide[:3, 0] + [0, 1, 0]):
-        many.state = np.zeros((3, 12))
+        many.state = np.zeros((3, 14))
         forces = many.step(velocity, 1e-3)
         assert forces[1] > forces[0] == forces[2]  # type: ignore[index]
 

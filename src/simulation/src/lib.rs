@@ -9,6 +9,7 @@
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`chatter`] | whether a damper chatters in a host that holds its force over a step |
+//! | [`stiffness`] | how fast a damper's states move by themselves |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
@@ -16,6 +17,7 @@ pub mod chatter;
 pub mod comparison;
 pub mod imposed_motion;
 pub mod prediction;
+pub mod stiffness;
 pub mod vehicle;
 pub mod warm_starts;
 pub mod whole_records;

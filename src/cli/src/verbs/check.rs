@@ -5,13 +5,15 @@ use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
 use dashpot_simulation::chatter::GROWS;
+use dashpot_simulation::stiffness;
 use serde_json::json;
 use std::path::PathBuf;
 
 /// See whether a damper chatters in a host that holds its force over a step
 ///
 /// Real-time hosts compute the force once a step and hold it: a damper that is too steep for the mass that it moves then swings from step to
-/// step. Told are the gain c·h/m, the element that makes it and the longest step that is quiet; --for-step writes a damper that does not.
+/// step. Told are the gain c·h/m, the element that makes it and the longest step that is quiet; --for-step writes a damper that does not. Told is too how fast the
+/// damper's states are for a host that integrates them itself (model exchange).
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml"
@@ -40,7 +42,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
     let file = model_file::read(&args.model)?;
     let ready = args.host.ready(&file.params)?;
-    for line in ready.told() {
+    let model = model_file::prepared(&ready.params)?;
+    for line in ready.told().into_iter().chain(stiffness::remark(&model)) {
         dashpot_output::say(on_stdout, &line)?;
     }
     if let Some(path) = out {
@@ -50,7 +53,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         dashpot_output::write(path, model_file::plain(&ready.params, &ready.told()))?;
     }
     if let Some(path) = json {
-        let chatter = &ready.chatter;
+        let (chatter, rate) = (&ready.chatter, stiffness::fastest_rate(&model));
         let value = json!({
             "host_step_s": ready.host.step,
             "wheel_mass_kg": ready.host.mass,
@@ -60,11 +63,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             "velocity_m_s": chatter.velocity,
             "damping_n_s_m": chatter.by_velocity,
             "stiffness_n_m": chatter.by_displacement,
+            "place_m": chatter.situation.place,
+            "side_force_n": chatter.situation.side_force,
+            "temperature_c": chatter.situation.temperature,
             "quiet_step_s": chatter.quiet_step,
             "element": chatter.element.map(|e| e.0.name()),
             "gain_without_it": chatter.element.map(|e| e.1),
-            "replaced": ready.softened.as_ref().map(|s| s.replaced.name()),
+            "softened": ready.softened.iter().flat_map(|s| &s.softer).map(|s| s.element().name()).collect::<Vec<_>>(),
             "rms_error_n": ready.softened.as_ref().map(|s| s.rms_error),
+            "fastest_rate_1_s": rate,
+            "explicit_step_s": stiffness::explicit_step(rate),
             "largest_error_n": ready.softened.as_ref().map(|s| s.largest_error),
         });
         dashpot_output::json(path, &value)?;

@@ -563,6 +563,17 @@ macro_rules! elements {
                 })*
             }
 
+            /// Which of them are on, as bits in their order.
+            pub(crate) fn memory_bits(&self) -> u64 {
+                let (mut bits, mut next) = (0, 1);
+                $(if self.has(Place::$memory) {
+                    bits |= next;
+                }
+                next <<= 1;)*
+                let _ = next;
+                bits
+            }
+
             /// Number of private states.
             pub fn memories(&self) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;

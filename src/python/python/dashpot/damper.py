@@ -103,7 +103,7 @@ class Damper:
 
     @property
     def state(self) -> npt.NDArray[np.float64]:
-        """All states, a row of twelve numbers a damper: a copy, which may be kept and put back."""
+        """All states, a row of fourteen numbers a damper: a copy, which may be kept and put back."""
         return self._native.state
 
     @state.setter

@@ -1,0 +1,115 @@
+//! How fast the states of a damper move by themselves: what a host meets whose own solver integrates them.
+//!
+//! `dashpot_step` is stable at every step. A host that integrates the states itself (`dashpot_evaluate`, an FMU in model exchange) with an explicit
+//! method is so only while the step times the fastest rate lies inside the method's region, and beyond it may well answer a wrong force without an error.
+
+use dashpot_core::evaluate::partials;
+use dashpot_core::{Input, Model};
+use nalgebra::DMatrix;
+
+/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis (Hairer & Wanner, *Solving Ordinary
+/// Differential Equations II*, IV.2).
+const RUNGE_KUTTA: f64 = 2.785;
+/// Rate, 1/s, from which a host's usual step, 1 ms, is too long for that method.
+pub const STIFF: f64 = RUNGE_KUTTA / 1e-3;
+/// Velocities at which a damper is looked at, m/s, in both directions: from standstill, where FV curves are steepest, to a pothole.
+const SPEEDS: [f64; 7] = [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.5];
+
+/// The largest size of an eigenvalue of the states' rates over the states, 1/s; 0 where the damper has no state that moves.
+pub fn fastest_rate(model: &Model) -> f64 {
+    let count = model.states();
+    let mut fastest = 0.0f64;
+    for velocity in SPEEDS.iter().flat_map(|speed| [*speed, -speed]) {
+        let input = Input::motion(0.0, velocity);
+        let all = partials(model, &model.settled(&input), &input).rate_by_state;
+        let matrix = DMatrix::from_fn(count, count, |i, j| {
+            all.get(i).and_then(|row| row.get(j)).copied().filter(|slope| slope.is_finite()).unwrap_or(0.0)
+        });
+        let sizes = matrix.complex_eigenvalues();
+        fastest = sizes.iter().map(|value| value.norm()).fold(fastest, f64::max);
+    }
+    fastest
+}
+
+/// The longest step of the classical Runge–Kutta method at that rate, s.
+pub fn explicit_step(rate: f64) -> f64 {
+    RUNGE_KUTTA / rate.max(1e-9)
+}
+
+/// What a host must know that integrates the states itself, in a sentence; nothing where a step of 1 ms does.
+pub fn remark(model: &Model) -> Option<String> {
+    let rate = fastest_rate(model);
+    (rate > STIFF).then(|| {
+        format!(
+            "A solver that integrates the damper's states itself (model exchange, dashpot_evaluate) meets a rate of {rate:.1e} 1/s: an explicit one (Euler, Runge-Kutta) \
+             needs steps below {:.0} microseconds, and above them may give a wrong force without an error. Take an implicit solver (CVODE, DASSL, Radau), or \
+             dashpot_step and co-simulation, which are stable at every step.",
+            1e6 * explicit_step(rate)
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::{Params, State, element, evaluate, number};
+
+    fn model(stiffness: f64, mass: f64) -> Model {
+        let mut params = Params::new();
+        params.set(number!("series_stiffness"), stiffness).unwrap();
+        params.set(number!("internal_mass"), mass).unwrap();
+        Model::new(&params).unwrap()
+    }
+
+    #[test]
+    fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
+        // An overdamped mass: its fast rate is the slope of the FV curve over the mass, at most.
+        let model = model(3e6, 0.05);
+        let slope = model.elements().fv_curve.at(0.0).slope;
+        let rate = fastest_rate(&model);
+        assert!(rate > 0.5 * slope / 0.05, "{rate} {slope}");
+        assert!(remark(&model).unwrap().contains("model exchange"));
+        let mut params = Params::new();
+        params.enable(element!("series_compliance"), false);
+        assert_eq!(remark(&Model::new(&params).unwrap()), None);
+    }
+
+    #[test]
+    fn runge_kutta_holds_below_the_step_that_is_told_and_not_far_above_it() {
+        let model = model(3e6, 0.05);
+        let told = explicit_step(fastest_rate(&model));
+        let largest = |dt: f64| {
+            let motion = |t: f64| Input::motion(0.002 * (60.0 * t).sin(), 0.12 * (60.0 * t).cos());
+            let mut state = model.settled(&motion(0.0));
+            let mut most = 0.0f64;
+            for k in 0..(0.05 / dt) as usize {
+                let t = k as f64 * dt;
+                let rate = |s: &State, t: f64| evaluate(&model, s, &motion(t)).1;
+                let moved = |by: &State, h: f64| State {
+                    mass_displacement: state.mass_displacement + h * by.mass_displacement,
+                    mass_velocity: state.mass_velocity + h * by.mass_velocity,
+                    ..state
+                };
+                let a = rate(&state, t);
+                let b = rate(&moved(&a, 0.5 * dt), t + 0.5 * dt);
+                let c = rate(&moved(&b, 0.5 * dt), t + 0.5 * dt);
+                let d = rate(&moved(&c, dt), t + dt);
+                let mean = |of: fn(&State) -> f64| (of(&a) + 2.0 * of(&b) + 2.0 * of(&c) + of(&d)) / 6.0;
+                let by = State {
+                    mass_displacement: mean(|s| s.mass_displacement),
+                    mass_velocity: mean(|s| s.mass_velocity),
+                    ..State::ZERO
+                };
+                state = moved(&by, dt);
+                if !state.is_finite() {
+                    return f64::INFINITY;
+                }
+                most = most.max(state.mass_velocity.abs());
+            }
+            most
+        };
+        // The driven end moves at 0.12 m/s.
+        assert!(largest(0.9 * told) < 0.2, "{}", largest(0.9 * told));
+        assert!(largest(3.0 * told) > 0.4, "{}", largest(3.0 * told));
+    }
+}
