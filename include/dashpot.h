@@ -220,6 +220,9 @@ const char *dashpot_version(void);
 // The model has no state with this number.
 #define DASHPOT_NO_SUCH_STATE -35
 
+// Model file: it was cut off; it ends before the [...] that its first comment announces.
+#define DASHPOT_FILE_CUT_OFF -36
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);

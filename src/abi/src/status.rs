@@ -90,12 +90,14 @@ pub const DASHPOT_TOO_STEEP: i32 = -33;
 pub const DASHPOT_NOT_COMPUTABLE: i32 = -34;
 /// The model has no state with this number.
 pub const DASHPOT_NO_SUCH_STATE: i32 = -35;
+/// Model file: it was cut off; it ends before the [...] that its first comment announces.
+pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 39] = [
+static TEXTS: [(i32, [u8; LENGTH]); 40] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -153,6 +155,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 39] = [
     (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
     (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
+    (DASHPOT_FILE_CUT_OFF, padded(Problem::CutOff.text())),
     (DASHPOT_NO_SUCH_STATE, padded("the model has no state with this number")),
     (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
 ];
@@ -210,6 +213,7 @@ impl From<Problem> for Refused {
             Problem::NoElements => DASHPOT_FILE_NO_ELEMENTS,
             Problem::UnknownElement => DASHPOT_FILE_UNKNOWN_ELEMENT,
             Problem::TooLong => DASHPOT_FILE_TOO_LONG,
+            Problem::CutOff => DASHPOT_FILE_CUT_OFF,
             Problem::Parameter(fault) => return fault.reason.into(),
         })
     }

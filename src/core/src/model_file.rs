@@ -11,7 +11,8 @@
 //!
 //! A value is a number, a word in quotes, or a list, which may run over several lines. Parameters that the file does
 //! not name keep their defaults. Reading ends at the first `[table]`: what follows is for people and tools, not for
-//! the damper.
+//! the damper. A file whose comment announces such a table (`# The lines up to [end] are the damper`), as all do that dashpot
+//! writes, and that ends before it was cut off: the parameters that are lost would silently take their defaults.
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
@@ -48,6 +49,8 @@ pub enum Problem {
     UnknownElement,
     /// A list has more numbers than any parameter takes.
     TooLong,
+    /// The file ends before the table that its comment announces.
+    CutOff,
     /// The parameter table refuses the value.
     Parameter(Fault),
 }
@@ -63,6 +66,9 @@ impl Problem {
             Problem::NoElements => "the file must name its elements, such as elements = [\"fv_curve\"]",
             Problem::UnknownElement => "elements names something that is no element of this version of dashpot",
             Problem::TooLong => "the list has more numbers than any parameter takes",
+            Problem::CutOff => {
+                "the file was cut off: it ends before the [...] that its first comment announces; copy it again, or delete that comment"
+            }
             Problem::Parameter(fault) => fault.reason.text(),
         }
     }
@@ -70,6 +76,9 @@ impl Problem {
 
 /// A name that is none of the table's.
 const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
+
+/// How a comment announces the table that follows the damper.
+pub const ANNOUNCES: &str = "# The lines up to [";
 
 /// Most numbers in one list.
 const LONGEST: usize = 64;
@@ -83,7 +92,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     read.disable_all();
     let mut seen = [false; COUNT];
     let (mut has_format, mut has_elements) = (false, false);
-    let mut reader = Reader { rest: text, line: 1 };
+    let mut reader = Reader { rest: text, line: 1, announced: false };
     // Some editors begin a file with a byte-order mark.
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
         reader.rest = tail;
@@ -93,6 +102,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
         let line = reader.line;
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
         match reader.peek() {
+            None if reader.announced => return Err(at(Problem::CutOff)),
             None | Some(b'[') => break,
             Some(_) => {}
         }
@@ -161,6 +171,8 @@ enum Value<'a> {
 struct Reader<'a> {
     rest: &'a [u8],
     line: u32,
+    /// Whether a comment announced a table.
+    announced: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -229,6 +241,7 @@ impl<'a> Reader<'a> {
                 b' ' | b'\t' | b'\r' => self.advance(),
                 b'\n' if lines => self.advance(),
                 b'#' => {
+                    self.announced |= self.rest.starts_with(ANNOUNCES.as_bytes());
                     while self.peek().is_some_and(|c| c != b'\n') {
                         self.advance();
                     }
@@ -305,6 +318,21 @@ mod tests {
         assert_eq!(params.list(list!("fv_velocity")), [-1.0, 0.0, 1.0]);
         assert_eq!(params.list(list!("fv_force")), [-1000.0, 0.0, 2000.0]);
         assert_eq!(params.number(number!("series_stiffness")), Params::new().number(number!("series_stiffness")));
+    }
+
+    #[test]
+    fn a_file_that_was_cut_off_before_what_it_announces_is_refused() {
+        let whole = "# One damper.\n# The lines up to [end] are the damper.\n\nformat = 1\nelements = [\"gas_preload\"]\n\
+                     gas_force = 151.93 # N\n\n[end]\n";
+        let end = whole.find("[end]\n").unwrap();
+        assert!(read(whole.as_bytes(), &mut Params::new()).is_ok());
+        // From where its parameters begin: each cut of the first value would be a damper too.
+        for cut in whole.find("format").unwrap()..whole.len() {
+            let refused = read(&whole.as_bytes()[..cut], &mut Params::new()).is_err();
+            assert_eq!(refused, cut <= whole.rfind('[').unwrap(), "{cut} of {end}: {:?}", &whole[..cut]);
+        }
+        let cut = read(&whole.as_bytes()[..whole.find("1.93").unwrap()], &mut Params::new()).unwrap_err();
+        assert!(cut.problem == Problem::CutOff && cut.line == 6, "{cut:?}");
     }
 
     #[test]

@@ -337,7 +337,10 @@ pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
 
 /// A model file of a damper that no fit stands behind any more, with remarks at its head.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
-    let mut out = String::from("# A damper for dashpot. SI units; extension (rebound) and tension positive.\n");
+    let mut out = String::from(
+        "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\
+         # The lines up to [end] are the damper.\n",
+    );
     for line in remarks.iter().flat_map(|remark| remark.lines()) {
         let _ = writeln!(out, "# {line}");
     }
@@ -345,7 +348,7 @@ pub fn plain(params: &Params, remarks: &[String]) -> String {
     out + &flat(params, |row| {
         let p = row.parameter;
         if p.unit == "-" { p.meaning.to_owned() } else { format!("{}; {}", p.unit, p.meaning) }
-    })
+    }) + "\n[end]\n"
 }
 
 /// A model file for a fit.

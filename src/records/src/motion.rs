@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::campaign::read_file;
 use super::channel::Channel;
+use super::consistency;
 use super::error::RecordError;
 use super::options::{Options, Positive};
 use super::profile::{self, Profile};
@@ -30,7 +31,8 @@ pub struct MotionRecord {
 /// file counts extension positive, unless a profile beside it says otherwise. A force column is left unread.
 ///
 /// # Errors
-/// [`RecordError`] where the file cannot be read, lacks a value, holds several tests, or its time does not increase.
+/// [`RecordError`] where the file cannot be read, lacks a value, holds several tests, its time does not increase, or its velocity
+/// is that of another motion than its displacement.
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
         return Err(RecordError::NotFound { file: file.into() });
@@ -46,6 +48,12 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
         return Err(RecordError::SeveralMotions { file: file.into(), first: other.name.clone(), second: samples.name });
     }
     check(&samples)?;
+    if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
+        && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
+        && let Some(cause) = consistency::contradiction(&agreement)
+    {
+        return Err(RecordError::Contradiction { at: samples.at, cause });
+    }
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
     // A profile says how the files beside it count; without one they count extension positive.
     if let Some(profile) = profile {
@@ -100,6 +108,21 @@ mod tests {
         let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };
         let motion = read("time [s],velocity\n0,5\n1,6\n", &options).unwrap();
         assert_eq!(motion.velocity.unwrap(), [0.005, 0.006]);
+    }
+
+    #[test]
+    fn a_velocity_of_another_sign_or_unit_than_the_displacement_is_refused() {
+        let rows = |scale: f64| {
+            let row = |k: i32| {
+                let phase = 0.1 * f64::from(k);
+                format!("{},{},{}\n", 0.01 * f64::from(k), 0.01 * phase.sin(), scale * 0.1 * phase.cos())
+            };
+            (0..200).map(row).collect::<String>()
+        };
+        let message = |scale| read(&format!("time_s,x_m,v_m_s\n{}", rows(scale)), &Options::default()).unwrap_err();
+        assert!(message(-1.0).contains("opposite signs") && message(-1.0).contains("road.csv"), "{}", message(-1.0));
+        assert!(message(1000.0).contains("mm"), "{}", message(1000.0));
+        assert!(read(&format!("time_s,x_m,v_m_s\n{}", rows(1.0)), &Options::default()).is_ok());
     }
 
     #[test]

@@ -196,15 +196,16 @@ impl Tuned {
             };
             format!("{unit}{}{changed}", p.meaning)
         });
-        let head = "# A damper tuned by hand in dashpot. SI units; extension (rebound) and tension positive.\n\
-                    # The lines up to [identification] are the damper; what follows is for people and tools.\n\n";
-        let mut text = format!("{head}{flat}");
         // What the fit knew stays: which tests it saw, its plain curve, its intervals, which are those of the identified numbers.
-        if let Some(tables) = self.text.as_ref().and_then(|t| t.find("\n[identification]").map(|at| t[at..].to_owned()))
-        {
-            text += &tables;
-        }
-        text
+        let tables = self.text.as_ref().and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
+        let (announced, tables) = match tables {
+            Some(tables) => ("[identification] are the damper; what follows is for people and tools", tables),
+            None => ("[end] are the damper", "\n[end]\n"),
+        };
+        format!(
+            "# A damper tuned by hand in dashpot. SI units; extension (rebound) and tension positive.\n\
+             # The lines up to {announced}.\n\n{flat}{tables}"
+        )
     }
 
     /// Remembers that the values were written to a file.

@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     drop(progress);
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
-    if let Some(remark) = beyond(&model, &answers) {
+    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
@@ -69,6 +69,25 @@ fn csv(answers: &[Answer]) -> String {
         let _ = writeln!(out, "{:?},{:?},{:?},{:?}", a.time, a.displacement, a.velocity, a.force);
     }
     out
+}
+
+/// Steps longer than this, s, hide fast motion: what the C interface warns of too (`DASHPOT_LONG_STEP`).
+const LONG_STEP: f64 = 0.01;
+
+/// A remark where rows are so far apart that the motion between them is a guess.
+fn coarse(answers: &[Answer]) -> Option<String> {
+    let steps = answers.windows(2).map(|rows| rows[1].time - rows[0].time);
+    let long = steps.clone().filter(|step| *step > LONG_STEP * (1.0 + 1e-9)).count();
+    let longest = steps.fold(0.0, f64::max);
+    (long > 0).then(|| {
+        format!(
+            "{long} of {} steps are longer than {:.0} ms (the longest {:.3} s); the cubic between their ends stands for the motion, and what is faster is lost. \
+             Give --step 0.001, or a motion that is sampled more densely",
+            answers.len() - 1,
+            1e3 * LONG_STEP,
+            longest
+        )
+    })
 }
 
 /// A remark where the motion is faster than the FV curve reaches.
