@@ -98,7 +98,8 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
     let named: f64 = odds.effects.values().sum();
     if named >= NAMED {
         let names: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
-        let place = way.last().map(|branch| {
+        // What no path is known for has none to tell.
+        let place = way.last().filter(|branch| !branch.name.is_empty()).map(|branch| {
             Sentence::from(phrases::IN_PATH)
                 .with_word("path", &branch.name)
                 .with("percent", percent(branch.probability))

@@ -220,8 +220,17 @@ pub fn diagnose(
         calibration::confidence(of(SUSPECTED), of(SURE), reference.is_some())
     });
     let confidence = confidence.collect();
-    let answer =
-        Answer { records, fitted: &fitted, left: &left, found: &found, situation: &situation, confidence, reference };
+    let warmer = warmer(records, &options.reference);
+    let answer = Answer {
+        warmer,
+        records,
+        fitted: &fitted,
+        left: &left,
+        found: &found,
+        situation: &situation,
+        confidence,
+        reference,
+    };
     let diagnosis = answer.diagnosis();
     progress(1.0, phrases::DONE);
     Ok(diagnosis)
@@ -229,6 +238,8 @@ pub fn diagnose(
 
 /// What the answer is made from.
 struct Answer<'a> {
+    /// That the reference was not as warm, where that is so.
+    warmer: Option<Sentence>,
     records: &'a [&'a Record],
     fitted: &'a [Test],
     left: &'a [Test],
@@ -286,7 +297,7 @@ impl Answer<'_> {
             Verdict::NothingMissing => {
                 changed_instead(self.with_limits(judged.summary.clone(), &could_not_test), &changed)
             }
-            other => (other, judged.summary.clone()),
+            other => (other, changed_besides(judged.summary.clone(), &changed)),
         };
         let about_the_reference = self.about_the_reference();
         let mut diagnosis = Diagnosis {
@@ -306,7 +317,7 @@ impl Answer<'_> {
             shifts: self.shifts(),
             changed: changed.numbers,
             curve_moved: changed.curve,
-            notes: judged.notes.iter().chain(&about_the_reference).cloned().collect(),
+            notes: judged.notes.iter().chain(&about_the_reference).chain(&self.warmer).cloned().collect(),
             about_the_reference,
             tests: Vec::new(),
             rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),
@@ -545,17 +556,59 @@ const TOLD: usize = 3;
 
 /// No effect is missing, but what there is has other numbers than on the reference: that is the answer then.
 fn changed_instead(nothing: Sentence, changed: &Changes) -> (Verdict, Sentence) {
-    let material = changes::told(changed);
-    if material.is_empty() {
-        return (Verdict::NothingMissing, nothing);
+    match with_the_numbers(phrases::CHANGED, changed) {
+        Some(summary) => (Verdict::Changed, summary.with_said("besides", nothing)),
+        None => (Verdict::NothingMissing, nothing),
     }
+}
+
+/// The same beside another answer: gas or a valve may be worn while something has no name.
+fn changed_besides(answer: Sentence, changed: &Changes) -> Sentence {
+    match with_the_numbers(phrases::BESIDES_CHANGED, changed) {
+        Some(summary) => summary.with_said("answer", answer),
+        None => answer,
+    }
+}
+
+/// A sentence about the numbers that stand in the answer; nothing where none does.
+fn with_the_numbers(said: Template, changed: &Changes) -> Option<Sentence> {
+    let material = changes::told(changed);
     let more = material.len().saturating_sub(TOLD);
-    let told = material.into_iter().take(TOLD).collect();
-    let summary = Sentence::from(phrases::CHANGED)
-        .with_list("numbers", told, phrases::COMMA)
-        .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))
-        .with_said("besides", nothing);
-    (Verdict::Changed, summary)
+    let told: Vec<Sentence> = material.into_iter().take(TOLD).collect();
+    (!told.is_empty()).then(|| {
+        Sentence::from(said)
+            .with_list("numbers", told, phrases::COMMA)
+            .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))
+    })
+}
+
+/// Difference of the mean temperatures of a test, K, from which it is told: gas force differs by 3 % then, as much as valves of one series do.
+const WARMER: f64 = 8.0;
+
+/// How warm a record was in the mean, °C, where it says so.
+fn mean_temperature(record: &Record) -> Option<f64> {
+    let known: Vec<f64> = record.temperature.as_ref()?.iter().copied().filter(|t| t.is_finite()).collect();
+    (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
+}
+
+/// That tests of a damper were warmer or colder than those of the same name on the reference.
+fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
+    let pair = |record: &Record| {
+        let there = reference.iter().find(|other| other.name == record.name)?;
+        Some((record.name.clone(), mean_temperature(record)?, mean_temperature(there)?))
+    };
+    let apart = |(_, here, there): &(String, f64, f64)| (here - there).abs();
+    let furthest = records.iter().copied().filter_map(pair).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+    let (test, here, there) = &furthest;
+    let sense = if here > there { phrases::WARMER_SENSE } else { phrases::COLDER_SENSE };
+    (apart(&furthest) > WARMER).then(|| {
+        Sentence::from(phrases::WARMER)
+            .with("kelvin", format!("{:.0}", apart(&furthest)))
+            .with_said("sense", sense)
+            .with("test", test)
+            .with("here", format!("{here:.0}"))
+            .with("there", format!("{there:.0}"))
+    })
 }
 
 /// Probability, each test counted as one sample, from which a name needs no further test.

@@ -29,6 +29,10 @@ dashpot_records::phrases! {
     TEST_AND_TIMES: "{test} ({times} times)";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
+    BESIDES_CHANGED: "{answer}; besides, other than on the reference damper: {numbers}{more}";
+    WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature";
+    WARMER_SENSE: "warmer";
+    COLDER_SENSE: "colder";
     CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
     OTHER_NUMBER: "{name} {reference} -> {value} {unit}";
     OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N{everywhere}";

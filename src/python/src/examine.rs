@@ -74,7 +74,8 @@ pub fn diagnose<'py>(
         let say = |done: f64, text: Template| progress.say(done, text.english());
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
-        let over_whole_records = OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &records)?;
+        let over_whole_records =
+            OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &found.measured, &records)?;
         let as_the_fit_saw = note.as_ref().map(|n| &n.text);
         let json = serde_json::to_string(&DiagnosisJson {
             found: &found,

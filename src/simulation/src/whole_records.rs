@@ -9,7 +9,7 @@ use crate::warm_starts::WarmStarts;
 use dashpot_core::Params;
 use dashpot_identification::model_file::{NoModel, prepared};
 use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
-use dashpot_identification::{Fit, off};
+use dashpot_identification::{Fit, Measured, off};
 use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
 use dashpot_records::taken_out::taken_out;
@@ -62,12 +62,13 @@ pub struct OfDiagnosis {
     pub as_it_came: Deviation,
     /// The same model, refitted.
     pub refitted: Deviation,
-    /// With the findings that belong to the damper; what is of the rig is in no model.
+    /// With the findings that belong to the damper, over the records without what the diagnosis found the measurement to be off by: as a
+    /// validation of the improved model's file has them.
     pub improved: Deviation,
 }
 
 impl OfDiagnosis {
-    /// Of the model as it came, refitted and improved.
+    /// Of the model as it came, refitted and improved; the latter without what was `measured`.
     ///
     /// # Errors
     /// As [`deviation`].
@@ -75,9 +76,13 @@ impl OfDiagnosis {
         as_it_came: &Params,
         refitted: &Params,
         improved: &Params,
+        measured: &[Measured],
         records: &[&Record],
     ) -> Result<OfDiagnosis, WholeRecordsError> {
         let of = |params: &Params| deviation(params, records);
-        Ok(OfDiagnosis { as_it_came: of(as_it_came)?, refitted: of(refitted)?, improved: of(improved)? })
+        let off = off(measured);
+        let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
+        let improved = deviation(improved, &right.iter().collect::<Vec<_>>())?;
+        Ok(OfDiagnosis { as_it_came: of(as_it_came)?, refitted: of(refitted)?, improved })
     }
 }

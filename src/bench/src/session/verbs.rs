@@ -51,8 +51,8 @@ impl Session {
             let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, &|done, text| report(done, Some(text)))
                 .map_err(|e| e.sentence())?;
-            let over_whole_records =
-                OfDiagnosis::of(&params, &found.base, &found.improved, &records).map_err(Sentence::as_it_is)?;
+            let over_whole_records = OfDiagnosis::of(&params, &found.base, &found.improved, &found.measured, &records)
+                .map_err(Sentence::as_it_is)?;
             Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records, reference }))
         });
     }

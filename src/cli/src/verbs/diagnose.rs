@@ -122,7 +122,7 @@ pub fn examine(
     let progress = Progress::new("diagnosing");
     let found =
         diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text.english()))?;
-    let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &records)?;
+    let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &found.measured, &records)?;
     let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     let unusable = campaign.unusable.clone();
     Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw, unusable })

@@ -25,7 +25,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
         let all: Vec<String> = found
             .corrections
             .iter()
-            .map(|(name, value)| format!("{name} {}", with_unit(*value, unit_of(name))))
+            .map(|(name, value)| format!("{name} {}", with_unit(*value, unit_of(found, name))))
             .collect();
         blocks.push(Block::Warning(fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
@@ -51,13 +51,10 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     Some(Section::new("findings", title, blocks))
 }
 
-/// Unit of what the rig added.
-pub fn unit_of(effect: &str) -> &'static str {
-    match effect {
-        "channel_delay" => "s",
-        "force_drift" => "N/s",
-        _ => "N",
-    }
+/// Unit of what the rig added: that of the number that was found.
+fn unit_of(found: &Diagnosis, effect: &str) -> &'static str {
+    let finding = found.findings.iter().find(|finding| finding.effect == effect);
+    finding.and_then(|finding| finding.parameters.values().next()).map_or("N", |value| value.unit)
 }
 
 fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {

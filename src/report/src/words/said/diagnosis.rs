@@ -103,6 +103,20 @@ pub const ALL: &[Said] = &[
         "没有这些记录能够显示的缺失效应（把握 {percent}）：模型偏差为{times}{not_seen}{not_confirmed}",
     ],
     [
+        "{answer}; besides, other than on the reference damper: {numbers}{more}",
+        "{answer}; außerdem anders als am Referenzdämpfer: {numbers}{more}",
+        "{answer} ; en outre, autre que sur l’amortisseur de référence : {numbers}{more}",
+        "{answer}；此外，与参考减振器不同：{numbers}{more}",
+    ],
+    [
+        "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature",
+        "Versuche waren bis zu {kelvin} K {sense} als am Referenzdämpfer ({test}: {here} und {there} °C im Mittel): die Gaskraft wächst um 0,34 % je Kelvin, und warmes Öl dämpft weniger, sodass ein Teil des Unterschieds von der Temperatur kommen kann, vor allem eine Drift des Kraftnullpunkts; vergleichen Sie Messreihen gleicher Temperatur",
+        "des essais étaient jusqu’à {kelvin} K plus {sense} que sur la référence ({test} : {here} et {there} °C en moyenne) : la force du gaz croît de 0,34 % par kelvin et l’huile chaude amortit moins, une partie de l’écart peut donc venir de la température, surtout une dérive du zéro de force ; comparez des campagnes de même température",
+        "试验温度比参考{sense}，最多 {kelvin} K（{test}：平均 {here} 与 {there} °C）：气体力每开尔文增大 0.34 %，热油阻尼较小，因此部分差异可能来自温度，尤其是力零点漂移；请比较温度相近的试验",
+    ],
+    ["warmer", "wärmer", "chaud", "高"],
+    ["colder", "kälter", "froid", "低"],
+    [
         "other than on the reference damper: {numbers}{more}; {besides}",
         "anders als am Referenzdämpfer: {numbers}{more}; {besides}",
         "autre que sur l’amortisseur de référence : {numbers}{more} ; {besides}",
