@@ -483,6 +483,7 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
         notes.push(of_number(phrases::AT_BOUND, estimate));
     }
     estimates.extend(left_out);
+    notes.extend(choices.iter().filter_map(|choice| choice.open.clone()));
     Found { params, estimates, choices, measured, notes, misfit }
 }
 

@@ -85,6 +85,21 @@ impl OfTheRig {
         ways
     }
 
+    /// Whether it ended at a mass below nothing.
+    pub fn has_less_than_no_mass(self) -> bool {
+        self.mass.is_some_and(|mass| mass.start < 0.0)
+    }
+
+    /// The delay at which it ended, s.
+    pub fn delay_found(self) -> f64 {
+        self.delay.map_or(0.0, |delay| delay.start)
+    }
+
+    /// Whether a late force channel is all that is looked for.
+    pub fn is_delay_alone(self) -> bool {
+        self.delay.is_some() && self.all().count() == 1
+    }
+
     fn all(self) -> impl Iterator<Item = (Artefact, Sought)> {
         LOOKED_FOR
             .into_iter()

@@ -431,6 +431,9 @@ pub struct Choice {
     pub scores: Vec<Score>,
     /// Why, in words.
     pub why: Sentence,
+    /// What it leaves open that moves the model's numbers.
+    #[serde(skip)]
+    pub open: Option<Sentence>,
 }
 
 impl Choice {
@@ -448,9 +451,9 @@ impl Choice {
 pub struct Score {
     /// Variant.
     pub name: &'static str,
-    /// Root mean square over the left-out tests of rms error per allowed error.
+    /// Geometric mean over the left-out tests of rms error per allowed error.
     pub held_out: f64,
-    /// Difference of the mean square from the best variant's that chance explains (one standard error).
+    /// Difference of its logarithm from the best variant's that chance explains (one standard error).
     pub tie_within: f64,
 }
 
@@ -494,15 +497,25 @@ pub enum Keep {
     First,
 }
 
+/// Error of a test, in units of what its noise and floor allow, below which smaller is not nearer.
+const LEAST: f64 = 1e-3;
+
 /// How much likelier than the records as they are a fault of the measurement must be, as the logarithm of the odds: nine to one. Each
 /// test counts as one independent sample, since the error of a model's form is alike all through a test.
 const BELIEVED: f64 = 2.2;
+/// What a mass of less than nothing on the load cell costs, in the same units: only a rig that takes inertia off by itself can have taken too much,
+/// and a late force channel leaves the same trace.
+const LESS_THAN_NO_MASS: f64 = BELIEVED;
 
 /// Chooses among ways to fit.
 ///
 /// Every candidate is fitted to all tests and then judged on each test as predicted from all others. [`Keep::Simplest`]: the simplest
-/// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984,
-/// 3.4.3), each unknown costing [`WORTH`] of the error.
+/// within one standard error of the best is kept (Breiman et al., *Classification and Regression Trees*, 1984, 3.4.3), each unknown costing
+/// [`WORTH`] of the error; it has to be so in the mean of the squares and in that of the logarithms. What a model's form cannot give differs from test
+/// to test by orders of magnitude and is alike all through one. Squares alone let the tests decide that every candidate misses, and as chance between
+/// them is as large, nothing is then worth its numbers, not even friction that brings every slow test nearer by ten times; logarithms alone
+/// overlook what matters in two tests of twenty, as a stop does. [`Keep::First`] goes by the logarithms, which are the likelihood where each test
+/// has an error of its own size.
 pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], keep: Keep) -> Chosen {
     struct Judged {
         params: Params,
@@ -539,33 +552,50 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
         .collect();
     let n = segments.len() as f64;
     let places = 0..candidates.len();
-    let mean = |k: usize| judged[k].errors.iter().sum::<f64>() / n;
-    let rms = |k: usize| mean(k).sqrt();
     let fewest = judged.iter().map(|j| j.unknowns).min().unwrap_or(0);
-    let priced = |k: usize| match keep {
-        Keep::Simplest => rms(k) * (1.0 + WORTH * (judged[k].unknowns - fewest) as f64),
-        Keep::First => n * rms(k).ln() + 0.5 * judged[k].unknowns as f64 * n.ln() + judged[k].unusual,
-    };
-    let best = places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
-    let tie = |k: usize| {
-        let d: Vec<f64> = judged[k].errors.iter().zip(&judged[best].errors).map(|(a, b)| a - b).collect();
+    let price = |k: usize| WORTH * (judged[k].unknowns - fewest) as f64;
+    let mean = |of: &dyn Fn(&f64) -> f64, k: usize| judged[k].errors.iter().map(of).sum::<f64>() / n;
+    // Two views of a test's error: its square, in which the worst tests count, and its logarithm, in which each counts by the factor.
+    let square = |square: &f64| *square;
+    let logarithm = |square: &f64| 0.5 * square.max(LEAST * LEAST).ln();
+    let typical = |k: usize| mean(&logarithm, k).exp();
+    let best_by =
+        |priced: &dyn Fn(usize) -> f64| places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
+    let tie = |of: &dyn Fn(&f64) -> f64, best: usize, k: usize| {
+        let d: Vec<f64> = judged[k].errors.iter().zip(&judged[best].errors).map(|(a, b)| of(a) - of(b)).collect();
         let m = d.iter().sum::<f64>() / n;
         (d.iter().map(|x| (x - m).powi(2)).sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
     };
-    let kept = places
-        .clone()
-        .filter(|_| keep == Keep::Simplest)
-        .filter(|k| mean(*k) - mean(best) <= tie(*k))
-        .min_by(|a, b| {
-            // Among those that explain the records alike, one that every host can run.
+    let likelihood = |k: usize| {
+        let less_than_none = judged[k].rig.has_less_than_no_mass();
+        let unusual = judged[k].unusual + if less_than_none { LESS_THAN_NO_MASS } else { 0.0 };
+        n * mean(&logarithm, k) + 0.5 * judged[k].unknowns as f64 * n.ln() + unusual
+    };
+    // Among those that explain the records alike, one that every host can run.
+    let simplest = |among: &dyn Fn(usize) -> bool| {
+        places.clone().filter(|k| among(*k)).min_by(|a, b| {
             let friction = |k: usize| !candidates[k].structure.friction.runs_in_real_time;
             friction(*a)
                 .cmp(&friction(*b))
                 .then(judged[*a].unknowns.cmp(&judged[*b].unknowns))
-                .then(mean(*a).total_cmp(&mean(*b)))
+                .then(mean(&square, *a).total_cmp(&mean(&square, *b)))
         })
-        .unwrap_or(if keep == Keep::First && priced(0) - priced(best) < BELIEVED { 0 } else { best });
-    let error = |k: usize| format!("{:.2}", rms(k));
+    };
+    let (kept, best) = match keep {
+        Keep::First => {
+            let best = best_by(&likelihood);
+            (if likelihood(0) - likelihood(best) < BELIEVED { 0 } else { best }, best)
+        }
+        Keep::Simplest => {
+            let worst = best_by(&|k| mean(&square, k).sqrt() * (1.0 + price(k)));
+            let usual = best_by(&|k| mean(&logarithm, k) + price(k));
+            let ties = |of: &dyn Fn(&f64) -> f64, best, k| mean(of, k) - mean(of, best) <= tie(of, best, k);
+            let by_both = simplest(&|k| ties(&square, worst, k) && ties(&logarithm, usual, k));
+            let kept = by_both.or_else(|| simplest(&|k| ties(&square, worst, k))).unwrap_or(worst);
+            (kept, if kept == worst { worst } else { usual })
+        }
+    };
+    let error = |k: usize| format!("{:.2}", typical(k));
     let other = |k: usize| Sentence::from(phrases::OTHER).with_word("name", candidates[k].name).with("error", error(k));
     let others: Vec<Sentence> = places.clone().filter(|k| *k != kept).map(other).collect();
     let others =
@@ -579,7 +609,20 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     };
     let why =
         Sentence::from(phrases::WHY).with("error", error(kept)).with_any("others", others).with_said("reason", reason);
-    let scores = places.map(|k| Score { name: candidates[k].name, held_out: rms(k), tie_within: tie(k) }).collect();
-    let choice = Choice { of, chosen: candidates[kept].name, scores, why };
+    let scores = places
+        .map(|k| Score { name: candidates[k].name, held_out: typical(k), tie_within: tie(&logarithm, best, k) })
+        .collect();
+    // A late force channel that the records speak for, but not surely, leaves the series path open.
+    let late = (0..candidates.len()).find(|k| *k != 0 && judged[*k].rig.is_delay_alone());
+    let open = late.filter(|k| keep == Keep::First && kept == 0 && likelihood(0) > likelihood(*k)).map(|k| {
+        let stiffness = |k: usize| format!("{:.3e}", judged[k].params.number(number!("series_stiffness")));
+        Sentence::from(phrases::PERHAPS_LATE)
+            .with("odds", format!("{:.1}", (likelihood(0) - likelihood(k)).exp()))
+            .with("delay", format!("{:.2}", 1e3 * judged[k].rig.delay_found()))
+            .with("with", stiffness(k))
+            .with("without", stiffness(0))
+    });
+    let open = open.filter(|_| candidates[kept].structure.series);
+    let choice = Choice { of, chosen: candidates[kept].name, scores, why, open };
     Chosen { place: kept, choice, params: judged[kept].params, rig: judged[kept].rig }
 }
