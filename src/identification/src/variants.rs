@@ -506,6 +506,8 @@ const BELIEVED: f64 = 2.2;
 /// What a mass of less than nothing on the load cell costs, in the same units: only a rig that takes inertia off by itself can have taken too much,
 /// and a late force channel leaves the same trace.
 const LESS_THAN_NO_MASS: f64 = BELIEVED;
+/// From which a late force channel that is not believed is told, in the same units: three to one, below which it is noise.
+const TOLD: f64 = 1.1;
 
 /// Chooses among ways to fit.
 ///
@@ -614,7 +616,7 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
         .collect();
     // A late force channel that the records speak for, but not surely, leaves the series path open.
     let late = (0..candidates.len()).find(|k| *k != 0 && judged[*k].rig.is_delay_alone());
-    let open = late.filter(|k| keep == Keep::First && kept == 0 && likelihood(0) > likelihood(*k)).map(|k| {
+    let open = late.filter(|k| keep == Keep::First && kept == 0 && likelihood(0) - likelihood(*k) > TOLD).map(|k| {
         let stiffness = |k: usize| format!("{:.3e}", judged[k].params.number(number!("series_stiffness")));
         Sentence::from(phrases::PERHAPS_LATE)
             .with("odds", format!("{:.1}", (likelihood(0) - likelihood(k)).exp()))
