@@ -1,9 +1,10 @@
 //! `modelDescription.xml`, for FMI 2.0 and 3.0.
 
 use super::sources::Version;
+use super::units::Unit;
 use super::variables::{BETWEEN_POINTS, Kind, Variable};
 use dashpot_core::parameter::Shape;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// The identifier of model and binary.
@@ -72,38 +73,17 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A unit in SI exponents, where it is one that can be told; all others are told by name alone.
-fn base(unit: &str) -> Option<&'static str> {
-    Some(match unit {
-        "s" => "s=\"1\"",
-        "m" => "m=\"1\"",
-        "m/s" => "m=\"1\" s=\"-1\"",
-        "m/s^2" => "m=\"1\" s=\"-2\"",
-        "s/m" => "m=\"-1\" s=\"1\"",
-        "N" => "kg=\"1\" m=\"1\" s=\"-2\"",
-        "N/m" => "kg=\"1\" s=\"-2\"",
-        "N/m^2" => "kg=\"1\" m=\"-1\" s=\"-2\"",
-        "N/m^3" => "kg=\"1\" m=\"-2\" s=\"-2\"",
-        "N/m^4" => "kg=\"1\" m=\"-3\" s=\"-2\"",
-        "N s/m" => "kg=\"1\" s=\"-1\"",
-        "N s^2/m" => "kg=\"1\"",
-        "N s^2/m^2" => "kg=\"1\" m=\"-1\"",
-        "kg" => "kg=\"1\"",
-        "degC" => "K=\"1\" offset=\"273.15\"",
-        "1/K" => "K=\"-1\"",
-        "J/K" => "kg=\"1\" m=\"2\" s=\"-2\" K=\"-1\"",
-        "W/K" => "kg=\"1\" m=\"2\" s=\"-3\" K=\"-1\"",
-        _ => return None,
-    })
-}
-
 fn units(out: &mut String, variables: &[Variable]) {
-    let used: BTreeSet<&str> = variables.iter().map(|v| v.unit).filter(|u| *u != "-").collect();
+    let used: BTreeMap<&str, &Unit> =
+        variables.iter().map(|v| &v.unit).filter(|u| u.is_told()).map(|u| (u.name.as_str(), u)).collect();
     out.push_str("  <UnitDefinitions>\n");
-    for unit in used {
-        let name = escaped(unit);
-        let _ = match base(unit) {
-            Some(exponents) => writeln!(out, "    <Unit name=\"{name}\">\n      <BaseUnit {exponents}/>\n    </Unit>"),
+    for (name, unit) in used {
+        let name = escaped(name);
+        let factor = if unit.factor == 1.0 { String::new() } else { format!(" factor=\"{:?}\"", unit.factor) };
+        let _ = match unit.dimensions() {
+            Some(exponents) => {
+                writeln!(out, "    <Unit name=\"{name}\">\n      <BaseUnit {exponents}{factor}/>\n    </Unit>")
+            }
             None => writeln!(out, "    <Unit name=\"{name}\"/>"),
         };
     }
@@ -166,8 +146,8 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
         Kind::Choice | Kind::BetweenPoints => "Enumeration",
         _ => "Real",
     };
-    if v.unit != "-" && tag == "Real" {
-        let _ = write!(typed, " unit=\"{}\"", escaped(v.unit));
+    if v.unit.is_told() && tag == "Real" {
+        let _ = write!(typed, " unit=\"{}\"", escaped(&v.unit.name));
     }
     if let Some(p) = v.parameter {
         if tag == "Real" {

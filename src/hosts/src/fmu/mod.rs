@@ -5,6 +5,7 @@ mod description;
 mod kernel;
 mod page;
 mod sources;
+mod units;
 mod variables;
 mod veil;
 mod zip;

@@ -17,6 +17,11 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <p><b>Signs.</b> motion_scale and force_scale change from the host's signs, units and motion ratio to the damper's \
      (extension and tension positive, SI). Force times velocity, both as the damper counts them, must be positive on \
      average: if your vehicle swings up, one of the two signs is wrong.</p>\n\
+     <p><b>Units.</b> Displacement, velocity, force and its slopes are declared in the unit that the start values of motion_scale and \
+     force_scale stand for, such as mm at 0.001 and kN at 0.001; an importer that knows units converts from there. Where a scale stands \
+     for no unit, because a motion ratio is in it, none is declared and the meaning says the factor. Set a motion ratio in the \
+     importer, and the declared units stay right; a change of unit needs another export. Everything else is in SI (temperatures in \
+     degrees Celsius), states and side force too, whatever the scales.</p>\n\
      <p><b>Zero.</b> position_offset is the damper's extension, in m from the zero of the rig where it was measured, at the \
      importer's displacement 0.</p>\n\
      <p><b>Inputs between communication points</b> (inputs_between_points). <i>hold</i>: the values set before a step count at \
@@ -56,7 +61,7 @@ pub fn page(variables: &[Variable], remarks: &[String]) -> String {
     for v in variables.iter().filter(|v| !matches!(v.kind, Kind::State | Kind::Rate | Kind::Time | Kind::SpeedMargin)) {
         let start = v.start.map_or(String::new(), |s| s.to_string());
         let meaning = escaped(&v.meaning);
-        let _ = writeln!(out, "<tr><td>{}</td><td>{}</td><td>{start}</td><td>{meaning}</td></tr>", v.name, v.unit);
+        let _ = writeln!(out, "<tr><td>{}</td><td>{}</td><td>{start}</td><td>{meaning}</td></tr>", v.name, v.unit.name);
     }
     out.push_str("</table>\n</body></html>\n");
     out

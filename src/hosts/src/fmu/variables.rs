@@ -1,5 +1,6 @@
 //! The variables of a damper FMU, in the order of their value references.
 
+use super::units::{HostUnits, Unit};
 use dashpot_core::parameter::{self, Parameter, Shape};
 use dashpot_core::{Input, Model, Params, step};
 
@@ -76,8 +77,8 @@ pub struct Variable {
     pub parameter: Option<&'static Parameter>,
     /// Start value, where it has one.
     pub start: Option<f64>,
-    /// Unit; "-" for a pure number.
-    pub unit: &'static str,
+    /// Unit; "-" for a pure number, and where the host counts in none that has a name.
+    pub unit: Unit,
     /// One sentence.
     pub meaning: String,
     /// Of a state: what it is usually like.
@@ -113,7 +114,7 @@ pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
         name: "time".into(),
         parameter: None,
         start: None,
-        unit: "s",
+        unit: "s".into(),
         meaning: "time".into(),
         nominal: None,
     }];
@@ -128,7 +129,7 @@ pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
         name: "inputs_between_points".into(),
         parameter: None,
         start: Some(0.0),
-        unit: "-",
+        unit: "-".into(),
         meaning: "how inputs run between two instants at which the importer sets them: hold, extrapolate along the line through \
                   the last two, or automatic (held in co-simulation, extrapolated in model exchange)"
             .into(),
@@ -154,43 +155,60 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         |scale: f64, positive: &'static str, negative: &'static str| if scale > 0.0 { positive } else { negative };
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
-    let rows: [(Kind, String, Option<f64>, &'static str, String); 14] = [
+    let units = HostUnits::of(scales);
+    // Where no unit is declared, the factor stands in words.
+    let untold = |unit: &Unit, words: String| if unit.is_told() { String::new() } else { words };
+    let (m, n) = (scales.motion.abs(), scales.force.abs());
+    let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
+    let of_velocity = untold(&units.velocity(), format!("; 1 stands for {m:?} m/s of the damper"));
+    let of_force = untold(&units.force(), format!("; 1 N of the damper is {n:?} here"));
+    let of_slope = |si: &str| {
+        let factor = scales.force * scales.motion;
+        untold(&units.stiffness(), format!(", both as they are counted here; 1 {si} of the damper is {factor:?} here"))
+    };
+    let rows: [(Kind, String, Option<f64>, Unit, String); 14] = [
         (
             Kind::Displacement,
             in_out("displacement", "Damper_Jounce"),
             Some(scales.start),
-            "m",
-            format!("displacement of the damper, {motion}"),
+            units.displacement(),
+            format!("displacement of the damper, {motion}{of_displacement}"),
         ),
-        (Kind::Velocity, in_out("velocity", "Damper_Jounce_Rate"), Some(0.0), "m/s", format!("its velocity, {motion}")),
-        (Kind::SideForce, in_out("side_force", "Damper_Side_Force"), Some(0.0), "N", "side force on the rod".into()),
+        (
+            Kind::Velocity,
+            in_out("velocity", "Damper_Jounce_Rate"),
+            Some(0.0),
+            units.velocity(),
+            format!("its velocity, {motion}{of_velocity}"),
+        ),
+        (Kind::SideForce, in_out("side_force", "Damper_Side_Force"), Some(0.0), "N".into(), "side force on the rod".into()),
         (
             Kind::Temperature,
             in_out("temperature", "Damper_Temperature"),
             Some(20.0),
-            "degC",
+            "degC".into(),
             "temperature of the damper".into(),
         ),
-        (Kind::Force, in_out("force", "Damper_Force"), None, "N", format!("damper force, {force}")),
+        (Kind::Force, in_out("force", "Damper_Force"), None, units.force(), format!("damper force, {force}{of_force}")),
         (
             Kind::ForceByDisplacement,
             in_out("force_by_displacement", "Damper_Force_by_Jounce"),
             None,
-            "N/m",
-            "change of force per change of displacement".into(),
+            units.stiffness(),
+            format!("change of force per change of displacement{}", of_slope("N/m")),
         ),
         (
             Kind::ForceByVelocity,
             in_out("force_by_velocity", "Damper_Force_by_Jounce_Rate"),
             None,
-            "N s/m",
-            "change of force per change of velocity".into(),
+            units.damping(),
+            format!("change of force per change of velocity{}", of_slope("N s/m")),
         ),
         (
             Kind::Status,
             in_out("status", "Damper_Status"),
             None,
-            "-",
+            "-".into(),
             "0, warning bits of dashpot.h (1: faster than the identified curve), or 65536: input refused, force held"
                 .into(),
         ),
@@ -198,42 +216,44 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             Kind::MotionScale,
             inner("motion_scale"),
             Some(scales.motion),
-            "-",
-            "m of damper extension per unit of displacement: sign, unit and motion ratio".into(),
+            "-".into(),
+            "m of damper extension per unit of displacement: sign, unit and motion ratio; displacement and velocity are declared in the unit of its start value"
+                .into(),
         ),
         (
             Kind::ForceScale,
             inner("force_scale"),
             Some(scales.force),
-            "-",
-            "force per N of damper tension: sign, unit and motion ratio".into(),
+            "-".into(),
+            "force per N of damper tension: sign, unit and motion ratio; the force is declared in the unit of its start value"
+                .into(),
         ),
         (
             Kind::PositionOffset,
             inner("position_offset"),
             Some(scales.position_offset),
-            "m",
+            "m".into(),
             "extension of the damper, from the rig's zero, where the importer's displacement is 0".into(),
         ),
         (
             Kind::DisplacementGiven,
             inner("displacement_given"),
             Some(1.0),
-            "-",
+            "-".into(),
             "true: the displacement is an input; false: it is integrated from initial_position".into(),
         ),
         (
             Kind::InitialPosition,
             inner("initial_position"),
             Some(0.0),
-            "m",
+            "m".into(),
             "extension at the start, from the rig's zero, where the displacement is not given".into(),
         ),
         (
             Kind::SpeedMargin,
             inner("speed_margin"),
             None,
-            "m/s",
+            "m/s".into(),
             "how far the damper's velocity is from the end of the identified curve; negative outside; 1 where the curve has no end"
                 .into(),
         ),
@@ -311,7 +331,8 @@ fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
             (TRAVEL | DEFLECTION, true) | (MASS_VELOCITY, false) => "m/s",
             (MASS_VELOCITY, true) => "m/s^2",
             _ => "-",
-        },
+        }
+        .into(),
         meaning: if rate { format!("rate of {}", name(k)) } else { meaning(k) },
         nominal: (!rate).then(|| usual[k]),
     };
@@ -338,7 +359,7 @@ fn parameters(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
                 name: if list { format!("{name}[{}]", k + 1) } else { name },
                 parameter: Some(p),
                 start: Some(*value),
-                unit: p.unit,
+                unit: p.unit.into(),
                 meaning: p.meaning.to_owned(),
                 nominal: None,
             });

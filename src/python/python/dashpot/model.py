@@ -223,8 +223,9 @@ class Model:
         :param others: the rear damper of a vehicle, or R1, L2 and R2; this model is the front or L1.
         :param fmi: version, 2 or 3.
         :param four: four corners of this model alone.
-        :param motion_scale: extension in m per unit of the host's motion; 1 for one damper, -1 for a vehicle.
-        :param force_scale: the host's force per N of tension; 1 for one damper, -1 for a vehicle.
+        :param motion_scale: extension in m per unit of the host's motion, such as 0.001 for mm; 1 for one damper, -1 for a vehicle. The
+            FMU declares that unit, and none where a motion ratio is in the scale.
+        :param force_scale: the host's force per N of tension, such as 0.001 for kN; 1 for one damper, -1 for a vehicle. As for the motion.
         :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
         :param sources: whether the sources of kernel and FMU go inside.
         :param hide_parameters: no number of the damper is a variable of the FMU or can be read off its files; a veil and no lock, see

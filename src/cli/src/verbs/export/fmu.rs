@@ -35,10 +35,12 @@ pub struct Args {
     /// Four corners from a single model file
     #[arg(long)]
     four: bool,
-    /// Damper extension in m per unit of the host's motion [default: 1 for one damper, -1 for a vehicle]
+    /// Damper extension in m per unit of the host's motion, such as 0.001 for mm; the FMU declares that unit, and none where a motion ratio
+    /// is in it [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     motion_scale: Option<f64>,
-    /// The host's force per N of tension [default: 1 for one damper, -1 for a vehicle]
+    /// The host's force per N of tension, such as 0.001 for kN; the FMU declares that unit, and none where a motion ratio is in it
+    /// [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force_scale: Option<f64>,
     /// Damper extension from the rig's zero, in m, where the host's displacement is 0

@@ -1,0 +1,181 @@
+//! The units that an FMU declares: of its parameters and states those of the table, and of motion and force those that its host counts in.
+//!
+//! An importer that knows units converts by what is declared, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must say
+//! what the FMU takes after its scales; a metre declared where millimetres come in would be converted twice.
+
+use super::variables::Scales;
+
+/// A unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unit {
+    /// Its name; "-" for a pure number, and where the host counts in no unit that has a name.
+    pub name: String,
+    /// What one of it is in `si`.
+    pub factor: f64,
+    /// The unit of the same quantity in SI (degrees Celsius beside it), by which its dimensions are known.
+    pub si: &'static str,
+}
+
+impl From<&'static str> for Unit {
+    fn from(si: &'static str) -> Unit {
+        Unit { name: si.to_owned(), factor: 1.0, si }
+    }
+}
+
+impl Unit {
+    /// Whether an importer is told of it.
+    pub fn is_told(&self) -> bool {
+        self.name != "-"
+    }
+
+    /// Its dimensions in SI as attributes of FMI's `BaseUnit`, where they can be told; all other units are told by name alone.
+    pub fn dimensions(&self) -> Option<&'static str> {
+        Some(match self.si {
+            "s" => "s=\"1\"",
+            "m" => "m=\"1\"",
+            "m/s" => "m=\"1\" s=\"-1\"",
+            "m/s^2" => "m=\"1\" s=\"-2\"",
+            "s/m" => "m=\"-1\" s=\"1\"",
+            "N" => "kg=\"1\" m=\"1\" s=\"-2\"",
+            "N/m" => "kg=\"1\" s=\"-2\"",
+            "N/m^2" => "kg=\"1\" m=\"-1\" s=\"-2\"",
+            "N/m^3" => "kg=\"1\" m=\"-2\" s=\"-2\"",
+            "N/m^4" => "kg=\"1\" m=\"-3\" s=\"-2\"",
+            "N s/m" => "kg=\"1\" s=\"-1\"",
+            "N s^2/m" => "kg=\"1\"",
+            "N s^2/m^2" => "kg=\"1\" m=\"-1\"",
+            "kg" => "kg=\"1\"",
+            "degC" => "K=\"1\" offset=\"273.15\"",
+            "1/K" => "K=\"-1\"",
+            "J/K" => "kg=\"1\" m=\"2\" s=\"-2\" K=\"-1\"",
+            "W/K" => "kg=\"1\" m=\"2\" s=\"-3\" K=\"-1\"",
+            _ => return None,
+        })
+    }
+}
+
+/// Units of length by what one is in m: the prefixes of SI that lengths are given in, and the two that vehicles are drawn in elsewhere.
+const LENGTHS: [(&str, f64); 8] =
+    [("m", 1.0), ("dm", 0.1), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("km", 1e3), ("in", 0.0254), ("ft", 0.3048)];
+
+/// Units of force by what one is in N; the pound-force is 0.45359237 kg times 9.80665 m/s^2, both exact by definition.
+const FORCES: [(&str, f64); 8] = [
+    ("N", 1.0),
+    ("daN", 10.0),
+    ("kN", 1e3),
+    ("MN", 1e6),
+    ("mN", 1e-3),
+    ("uN", 1e-6),
+    ("lbf", 4.4482216152605),
+    ("kgf", 9.80665),
+];
+
+/// How far a scale may be from a unit to be taken for it: somebody types 0.22481 for the reciprocal of the pound-force, which is 5e-6 off.
+/// A wider one would take a motion ratio near 1 for none.
+const NEAR: f64 = 1e-5;
+
+fn named(units: &[(&'static str, f64)], size: f64) -> Option<(&'static str, f64)> {
+    units.iter().copied().find(|(_, factor)| (size / factor - 1.0).abs() < NEAR)
+}
+
+/// The units in which a host counts motion and force.
+pub struct HostUnits {
+    length: Option<(&'static str, f64)>,
+    force: Option<(&'static str, f64)>,
+}
+
+impl HostUnits {
+    /// Those that the scales stand for; a sign is no part of a unit. A scale with a motion ratio in it stands for none.
+    pub fn of(scales: Scales) -> HostUnits {
+        HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
+    }
+
+    /// Of the displacement.
+    pub fn displacement(&self) -> Unit {
+        self.length.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "m" })
+    }
+
+    /// Of the velocity.
+    pub fn velocity(&self) -> Unit {
+        self.length.map_or("-".into(), |(name, factor)| Unit { name: format!("{name}/s"), factor, si: "m/s" })
+    }
+
+    /// Of the force.
+    pub fn force(&self) -> Unit {
+        self.force.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "N" })
+    }
+
+    /// Of the force by displacement.
+    pub fn stiffness(&self) -> Unit {
+        self.slope("/", "N/m")
+    }
+
+    /// Of the force by velocity.
+    pub fn damping(&self) -> Unit {
+        self.slope(" s/", "N s/m")
+    }
+
+    fn slope(&self, between: &str, si: &'static str) -> Unit {
+        match (self.force, self.length) {
+            (Some((force, newtons)), Some((length, metres))) => {
+                Unit { name: format!("{force}{between}{length}"), factor: newtons / metres, si }
+            }
+            _ => "-".into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(motion: f64, force: f64) -> HostUnits {
+        HostUnits::of(Scales { motion, force, position_offset: 0.0, start: 0.0 })
+    }
+
+    #[test]
+    fn scales_stand_for_units_whatever_their_sign() {
+        for (motion, force, names, factors) in [
+            (1.0, 1.0, ["m", "m/s", "N", "N/m", "N s/m"], [1.0, 1.0, 1.0, 1.0, 1.0]),
+            (-0.001, -0.001, ["mm", "mm/s", "kN", "kN/mm", "kN s/mm"], [1e-3, 1e-3, 1e3, 1e6, 1e6]),
+            (0.01, 0.1, ["cm", "cm/s", "daN", "daN/cm", "daN s/cm"], [1e-2, 1e-2, 10.0, 1e3, 1e3]),
+            (0.001, 1.0, ["mm", "mm/s", "N", "N/mm", "N s/mm"], [1e-3, 1e-3, 1.0, 1e3, 1e3]),
+            (
+                -0.0254,
+                0.22481,
+                ["in", "in/s", "lbf", "lbf/in", "lbf s/in"],
+                [0.0254, 0.0254, 4.4482216152605, 4.4482216152605 / 0.0254, 4.4482216152605 / 0.0254],
+            ),
+        ] {
+            let units = of(motion, force);
+            let all = [units.displacement(), units.velocity(), units.force(), units.stiffness(), units.damping()];
+            assert_eq!(all.clone().map(|u| u.name), names);
+            assert_eq!(all.clone().map(|u| u.factor), factors, "{names:?}");
+            assert!(all.iter().all(|u| u.is_told() && u.dimensions().is_some()));
+        }
+    }
+
+    #[test]
+    fn a_scale_with_a_motion_ratio_in_it_stands_for_no_unit() {
+        let units = of(-0.85, -1.0);
+        assert_eq!(
+            [units.displacement(), units.velocity(), units.stiffness(), units.damping()],
+            [(); 4].map(|()| "-".into())
+        );
+        assert_eq!(units.force().name, "N");
+        let units = of(0.001, 0.7);
+        assert_eq!(
+            (units.displacement().name.as_str(), units.force().is_told(), units.damping().is_told()),
+            ("mm", false, false)
+        );
+    }
+
+    #[test]
+    fn no_two_units_lie_so_near_that_one_scale_stands_for_both() {
+        for units in [LENGTHS, FORCES] {
+            for (i, (name, factor)) in units.iter().enumerate() {
+                assert_eq!(named(&units, *factor).map(|u| u.0), Some(units[i].0), "{name}");
+            }
+        }
+    }
+}

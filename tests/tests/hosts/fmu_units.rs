@@ -1,0 +1,51 @@
+//! An importer that knows units converts by what the FMU declares: whatever the scales, it gets the damper in SI, or is told no unit.
+
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{root, succeed};
+use dashpot_tests::python::{has_python, python};
+use std::process::Command;
+
+/// Springs beside the curve, so that the force has a slope by the displacement.
+const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\ngas_stiffness = 700\n";
+
+/// Motion scale, force scale, and the units of displacement, velocity, force, stiffness and damping that have to be declared.
+const CASES: [(&str, &str, &str); 6] = [
+    ("0.001", "0.001", "mm,mm/s,kN,kN/mm,kN s/mm"),
+    ("-0.001", "-1", "mm,mm/s,N,N/mm,N s/mm"),
+    ("0.0254", "0.22480894309971", "in,in/s,lbf,lbf/in,lbf s/in"),
+    ("0.3048", "-1000", "ft,ft/s,mN,mN/ft,mN s/ft"),
+    ("-0.00085", "1", "-,-,N,-,-"),
+    ("1", "-0.7", "m,m/s,-,-,-"),
+];
+
+fn declares(fmi: &str, four: bool) {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    let export = |name: &str, scales: [&str; 2], more: &[&str]| {
+        exported(at, MODEL, fmi, four, &[&["--motion-scale", scales[0], "--force-scale", scales[1]], more].concat());
+        std::fs::rename(at.join("damper.fmu"), at.join(name)).expect("renamed");
+    };
+    export("si.fmu", ["1", "1"], &["--no-sources"]);
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_units.py")).arg("si.fmu");
+    for (i, (motion, force, units)) in CASES.iter().enumerate() {
+        // Each way in which a description comes about, once.
+        let more: &[&str] = match i {
+            0 => &["--from-source"],
+            1 => &["--hide-parameters", "--no-sources"],
+            _ => &["--no-sources"],
+        };
+        let name = format!("{i}.fmu");
+        export(&name, [motion, force], more);
+        host.args([name.as_str(), *units]);
+    }
+    // Signs are no other units, as CarMaker has them.
+    export("signs.fmu", ["1", "-1"], &["--no-sources"]);
+    host.args(["signs.fmu", "m,m/s,N,N/m,N s/m"]);
+    print!("{}", succeed(host.current_dir(at)));
+}
+
+dashpot_tests::each_fmu!(declares);
