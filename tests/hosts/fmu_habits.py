@@ -2,106 +2,32 @@
 
 What is done here, a stock importer was seen to do: QTronic's FMU SDK names a resources folder that is not there, others name none; some
 free the structure with their logger once the instance is made; many free an instance that was never terminated."""
-import ctypes
+import functools
 import math
 import shutil
 import sys
-from ctypes import CFUNCTYPE, POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p, memset, sizeof
-from pathlib import Path
+from ctypes import c_double
 
-from fmpy import extract, read_model_description, sharedLibraryExtension
+import fmu_bare
+from fmu_bare import ERROR, OK
 
-fmu = sys.argv[1]
-description = read_model_description(fmu)
-three = description.fmiVersion.startswith("3")
-folder = Path(extract(fmu))
-platform = "x86_64-linux" if three else "linux64"
-path = folder / "binaries" / platform / f"dashpot_damper{sharedLibraryExtension}"
-reference = {v.name: v.valueReference for v in description.modelVariables}
-OK, ERROR = 0, 3
-said = []
+fmu = fmu_bare.Fmu(sys.argv[1])
+description, folder, path, right, said, check = fmu.description, fmu.folder, fmu.library, fmu.resources, fmu.said, fmu.check
+Damper = functools.partial(fmu_bare.Damper, fmu)
 
 
-def check(condition, text):
-    if not condition:
-        sys.exit(f"{text}; said: {said}")
+def run(damper):
+    """The force after ten steps of an oscillation."""
+    check(damper.begin() == OK and damper.call("ExitInitializationMode") == OK, "begun")
+    for k in range(10):
+        damper.real("displacement", 0.001 * k)
+        damper.real("velocity", 0.1 * k)
+        check(damper.step(1e-3 * k, 1e-3) == OK, "a step")
+    return damper.real("force")
 
 
-if three:
-    Logger = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
-    log = Logger(lambda environment, status, category, message: said.append(message.decode()))
-else:
-    # The rest of the arguments stands behind the format, which is "%s".
-    Logger = CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p)
-    log = Logger(lambda environment, name, status, category, form, message: said.append(message.decode()))
-
-
-class Callbacks(Structure):
-    _fields_ = [("logger", Logger), ("allocate", c_void_p), ("free", c_void_p), ("finished", c_void_p), ("environment", c_void_p)]
-
-
-class Damper:
-    """One instance, by bare calls. The library is loaded from `where`; the importer names `resources`."""
-
-    def __init__(self, resources, where=path, exchange=False):
-        self.library = ctypes.CDLL(str(where))
-        name, token = b"damper", description.guid.encode()
-        if three:
-            kind = "ModelExchange" if exchange else "CoSimulation"
-            make = getattr(self.library, f"fmi3Instantiate{kind}")
-            make.restype = c_void_p
-            more = [] if exchange else [c_bool(False), c_bool(False), None, c_size_t(0)]
-            update = [] if exchange else [None]
-            self.instance = make(name, token, resources, c_bool(False), c_bool(False), *more, None, log, *update)
-        else:
-            make = self.library.fmi2Instantiate
-            make.restype = c_void_p
-            calls = Callbacks(logger=log)
-            self.instance = make(name, 0 if exchange else 1, token, resources, byref(calls), 0, 0)
-            memset(byref(calls), 0xAA, sizeof(calls))
-
-    def call(self, name, *arguments):
-        return getattr(self.library, ("fmi3" if three else "fmi2") + name)(c_void_p(self.instance), *arguments)
-
-    def begin(self, start=0.0):
-        if three:
-            return self.call("EnterInitializationMode", c_bool(False), c_double(0), c_double(start), c_bool(False), c_double(0))
-        status = self.call("SetupExperiment", 0, c_double(0), c_double(start), 0, c_double(0))
-        return status or self.call("EnterInitializationMode")
-
-    def real(self, name, value=None):
-        number, count = (c_uint * 1)(reference[name]), c_size_t(1)
-        room = (c_double * 1)(value or 0.0)
-        more = [count] if three else []
-        verb = ("Get" if value is None else "Set") + ("Float64" if three else "Real")
-        check(self.call(verb, number, count, room, *more) == OK, f"{verb} {name}")
-        return room[0]
-
-    def step(self, t, h):
-        if three:
-            flags, last = (c_bool * 3)(), c_double()
-            at = [byref(flags, i) for i in range(3)]
-            return self.call("DoStep", c_double(t), c_double(h), c_bool(True), *at, byref(last))
-        return self.call("DoStep", c_double(t), c_double(h), 1)
-
-    def run(self):
-        """The force after ten steps of an oscillation."""
-        check(self.begin() == OK and self.call("ExitInitializationMode") == OK, "begun")
-        for k in range(10):
-            self.real("displacement", 0.001 * k)
-            self.real("velocity", 0.1 * k)
-            check(self.step(1e-3 * k, 1e-3) == OK, "a step")
-        return self.real("force")
-
-    def free(self):
-        free = getattr(self.library, "fmi3FreeInstance" if three else "fmi2FreeInstance")
-        free.restype = None
-        free(c_void_p(self.instance))
-
-
-right = str(folder / "resources").encode() if three else (folder / "resources").as_uri().encode()
 damper = Damper(right)
-wanted = damper.run()
+wanted = run(damper)
 check(abs(wanted) > 100.0, f"a force: {wanted}")
 # Freed while it runs, and nothing freed at all.
 damper.free()
@@ -123,7 +49,7 @@ for exchange in (False, True):
 for resources in [None, b"", b"file:///", b"file:///nowhere/resources", b"file:///fmuTmp/resources/", b"/nowhere"]:
     damper = Damper(resources)
     check(damper.instance, f"resources {resources}")
-    check(damper.run() == wanted, f"resources {resources}: another force")
+    check(run(damper) == wanted, f"resources {resources}: another force")
     damper.free()
 
 # Where the library lies in no FMU, there is no model, and the reason is said.
@@ -142,7 +68,7 @@ check(damper.step(0.0, 1e-3) == ERROR and len(said) == 1, "a step before the ini
 # Begun twice, at a time that is none, reset again and again: every time as new.
 check(damper.begin(float("nan")) == ERROR, "a start that is no time")
 for _ in range(3):
-    check(damper.call("Reset") == OK and damper.run() == wanted, "after a reset")
+    check(damper.call("Reset") == OK and run(damper) == wanted, "after a reset")
     check(damper.begin() == ERROR, "begun while it runs")
     # A refusal has changed nothing.
     check(damper.real("force") == wanted, "refused, and the force is another")
@@ -163,11 +89,7 @@ damper.free()
 # with the states alone. The velocity there is that between the instants, by way of the rate of a state: v = -der(deflection) here.
 damper = Damper(right, exchange=True)
 check(damper.begin() == OK and damper.call("ExitInitializationMode") == OK, "model exchange")
-if three:
-    flags, time = (c_bool * 5)(), c_double()
-    check(damper.call("UpdateDiscreteStates", *[byref(flags, i) for i in range(5)], byref(time)) == OK, "discrete states")
-else:
-    check(damper.call("NewDiscreteStates", (c_double * 8)()) == OK, "discrete states")
+check(damper.discrete_states() == OK, "discrete states")
 check(damper.call("EnterContinuousTimeMode") == OK, "continuous time")
 AMPLITUDE, OMEGA, STEP = 0.03, 2 * math.pi * 5.6, 4e-3
 SCALE = damper.real("motion_scale")

@@ -65,6 +65,41 @@ static void find_range(struct part *part)
     }
 }
 
+/* The two neighbours of a list that are out of order, as " (fv_force[3] = 5000, fv_force[4] = 400)", where it is one whose numbers must rise: a
+ * host shows single numbers and not lists. */
+static void neighbours(struct instance *instance, int c, const char *name, int32_t status, char *text, size_t room)
+{
+    const struct contents *contents = instance->contents;
+    const double *value = instance_values(instance->data);
+    uint32_t i;
+
+    text[0] = 0;
+    if (status != DASHPOT_FALLS && status != DASHPOT_NOT_INCREASING)
+        return;
+    for (i = 0; i + 1 < contents->variables; i++) {
+        const struct variable *v = &contents->variable[i];
+
+        if (v->kind == PARAMETER && v->corner == c && v->index >= 0 && !strcmp(v->name, name) && v[1].index == v->index + 1 &&
+            (value[i + 1] < value[i] || (status == DASHPOT_NOT_INCREASING && value[i + 1] == value[i]))) {
+            snprintf(text, room, " (%s[%d] = %g, %s[%d] = %g)", name, v->index + 1, value[i], name, v->index + 2, value[i + 1]);
+            return;
+        }
+    }
+}
+
+/* What a host reads that has set numbers one by one which do not fit together: which parameter, what is wrong, and how to go on. */
+static int unfit(struct instance *instance, int c, const char *name, int32_t status)
+{
+    static const char *const corner[MOST_CORNERS] = {"L1.", "R1.", "L2.", "R2."};
+    char where[160];
+
+    neighbours(instance, c, name, status, where, sizeof where);
+    return instance_complain(instance,
+                             "%s%s %s%s. The parameters as they are set do not fit together, and nothing moves until they do; set numbers "
+                             "that fit and go on",
+                             instance->data->corners > 1 ? corner[c] : "", name, dashpot_status_text(status), where);
+}
+
 /* The models with the parameters as the host has set them. */
 static int prepare(struct instance *instance, int c, dashpot_params *params, dashpot_model *model)
 {
@@ -90,16 +125,17 @@ static int prepare(struct instance *instance, int c, dashpot_params *params, das
             status = dashpot_params_set_list(params, v->name, list, k);
         }
         if (status < 0)
-            return instance_complain(instance, "%s %s", v->name, dashpot_status_text(status));
+            return unfit(instance, c, v->name, status);
     }
     status = dashpot_params_check(params, &fault);
     if (status < 0)
-        return instance_complain(instance, "%s %s", fault.parameter, dashpot_status_text(status));
+        return unfit(instance, c, fault.parameter, status);
     status = dashpot_model_init(model, params);
-    return status < 0 ? instance_complain(instance, "%s", dashpot_status_text(status)) : 0;
+    return status < 0 ? unfit(instance, c, "", status) : 0;
 }
 
-/* Prepares the models with the parameters as set; leaves all as it was where they are refused. */
+/* Prepares the models with the parameters as set; leaves all as it was where they are refused. A host sets them one by one, so a set may be
+ * inconsistent in between: it is judged here, ahead of whatever would move by it, and again until it fits. */
 int instance_settle_parameters(struct instance *instance)
 {
     struct data *data = instance->data;
@@ -337,6 +373,12 @@ static double read(struct instance *instance, const struct variable *v, double s
     }
 }
 
+/* What read() answers otherwise than by the stored number. */
+static int is_calculated(enum kind kind)
+{
+    return (kind >= FORCE && kind <= STATUS) || kind == SPEED_MARGIN || kind == STATE || kind == RATE;
+}
+
 static const struct variable *variable(struct instance *instance, uint32_t reference, enum type type)
 {
     if (reference < instance->contents->variables && type_of(instance->contents->variable[reference].kind) == type)
@@ -349,7 +391,8 @@ int instance_get(struct instance *instance, uint32_t reference, enum type type, 
 {
     const struct variable *v = variable(instance, reference, type);
 
-    if (!v || instance_refresh(instance))
+    /* What is kept as the host has set it can be read back whatever the rest is. */
+    if (!v || (is_calculated(v->kind) && instance_refresh(instance)))
         return -1;
     *value = read(instance, v, instance_values(instance->data)[reference]);
     return 0;

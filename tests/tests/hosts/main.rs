@@ -17,6 +17,7 @@ mod fmu_habits;
 mod fmu_matrix;
 mod fmu_partials;
 mod fmu_solvers;
+mod fmu_tuned;
 mod fmu_units;
 mod mujoco;
 mod octave;

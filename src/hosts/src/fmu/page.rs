@@ -39,8 +39,13 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
 /// What is said of the parameters of the elements, and where there is none among the variables.
-const TUNABLE: &str = "<p>Number parameters are tunable: they act from the next step on. A set that does not fit together (such as a curve \
-     that falls) is refused with a message, and the old one stays.</p>\n";
+const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunable: they act from the next step on. A number outside its bounds is \
+     refused when it is set, and the old one stays. Numbers that must fit together, such as the points of a curve, which must not fall, may be set \
+     one after the other: each is kept as it is written and can be read back. The set is judged as a whole at the end of the initialization mode \
+     (and where an output is asked for in it), at the next step, and in model exchange at the end of event mode. Where it does not fit together, \
+     that call is an error, the log names the parameter and says what is wrong, and nothing has moved: set numbers that fit, and the same call \
+     succeeds. A reset or a saved state leads back to the numbers of its time. No step is made with half of a set. Importers may end a run at an \
+     error, so set what belongs together between two steps.</p>\n";
 const HIDDEN: &str = "<p>The identified numbers of this damper are not among its variables: it runs with those that it was exported with.</p>\n";
 
 /// What stands ahead of the rows of variables.
