@@ -67,6 +67,7 @@ fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
                 ("ROUTINE", Routine),
             ],
         ),
+        "DIFF" => (2, &[("IC", Numbers(1)), ("FUNCTION", Function)]),
         "REQUEST" => (2, &[("FUNCTION", Function), ("ROUTINE", Routine)]),
         "STRING" => (1, &[("STRING", Text)]),
         "SPLINE" => (2, &[("X", List), ("Y", List)]),
@@ -203,6 +204,10 @@ fn check(all: &Dataset, label: &str, name: &str, given: &[Argument], others: &[u
                     }
                 }
                 markers_of(value).iter().for_each(|id| exists("MARKER", *id));
+                for (at, _) in value.match_indices("DIF(") {
+                    let (id, _) = value[at + 4..].split_once(')').expect("a bracket");
+                    exists("DIFF", id.parse().expect("an equation"));
+                }
                 for (at, _) in value.match_indices("AKISPL(") {
                     let (inside, _) = value[at..].split_once(",0,").expect("z = 0");
                     let id = &value[at + inside.len() + 3..];

@@ -4,6 +4,7 @@ pub mod adams;
 pub mod bridge;
 pub mod cli;
 pub mod dataset;
+pub mod expression;
 pub mod fmu;
 pub mod header;
 pub mod hostile;

@@ -3,6 +3,8 @@
 use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
 use dashpot_tests::cli::{done, refused};
+use dashpot_tests::dataset::{self, Dataset, value, values};
+use dashpot_tests::expression::evaluate;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -363,31 +365,27 @@ fn between(points: &[(f64, f64)], at: f64) -> f64 {
     a.1 + (b.1 - a.1) * (at - a.0) / (b.0 - a.0)
 }
 
-fn spline(statement: &str) -> Vec<(f64, f64)> {
-    let numbers = |t: &str| -> Vec<f64> { t.split(',').filter_map(|n| n.trim().parse().ok()).collect() };
-    let (x, y) = statement.split_once("Y =").unwrap();
-    let x = numbers(x.split_once("X =").unwrap().1);
-    let points: Vec<(f64, f64)> = x.into_iter().zip(numbers(y)).collect();
-    assert!(points.len() > 100 && points.windows(2).all(|p| p[0].0 < p[1].0));
+fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
+    let given = &dataset[&("SPLINE".into(), id)];
+    let points: Vec<(f64, f64)> = values(given, "X").into_iter().zip(values(given, "Y")).collect();
+    assert!(points.len() > 100);
     points
 }
 
+/// The functions of the file are evaluated as they stand there, between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {
     let text = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \
                 \"viscous_friction\", \"gas_preload\"]\n";
+    const LENGTH: f64 = 400.0;
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("damper.toml"), text).unwrap();
     done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--length", "400"]);
-    let adm = statements(&std::fs::read_to_string(folder.path().join("run/native.adm")).unwrap());
-    let (primary, spring, friction) = (spline(&adm["SPLINE/1"]), spline(&adm["SPLINE/2"]), spline(&adm["SPLINE/3"]));
-    // -k*(DM(11,31)-200.0)-c*VR(11,31), N and mm.
-    let series = adm["SFORCE/1"].split("FUNCTION = -").nth(1).unwrap();
-    let k: f64 = series.split('*').next().unwrap().parse().unwrap();
-    let c: f64 = series.rsplit(")-").next().unwrap().split('*').next().unwrap().parse().unwrap();
-    let gas: f64 = adm["SFORCE/3"].rsplit('+').next().unwrap().trim().parse().unwrap();
-    let mass: f64 = adm["PART/3"].split("MASS = ").nth(1).unwrap().split(',').next().unwrap().trim().parse().unwrap();
-    assert!(adm["SFORCE/2"].contains("-AKISPL(VR(31,12),0,1)-AKISPL(DM(31,12)-200.0,0,2)"));
+    let adm = dataset::read(&std::fs::read_to_string(folder.path().join("run/native.adm")).unwrap(), false, &[11, 12]);
+    let splines = [1, 2, 3].map(|id| spline(&adm, id));
+    let function = |name: &str, id: u64| value(&adm[&(name.into(), id)], "FUNCTION");
+    let (place, speed, force) = (function("DIFF", 1), function("DIFF", 2), function("SFORCE", 1));
+    assert!([1, 2].iter().all(|id| values(&adm[&("DIFF".into(), *id)], "IC") == [0.0]));
 
     let mut params = dashpot_core::Params::new();
     dashpot_core::model_file::read(text.as_bytes(), &mut params).unwrap();
@@ -397,17 +395,26 @@ fn the_native_elements_agree_with_the_model() {
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
         let mut state = model.settled(&input(0.0));
-        let (mut x, mut v) = (1e3 * state.mass_displacement, 0.0);
-        let dt = 2e-6;
+        // Where the model rests, as Adams' statics find it.
+        let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0];
+        let dt = 1e-5;
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
         for i in 0..(1.5 / frequency / dt) as usize {
             let to = (i + 1) as f64 * dt;
-            let (xi, vi) = motion(to);
-            let series = k * (xi - x) + c * (vi - v);
-            // Half-implicit: the step is a thousandth of the mass's own period.
-            v += dt * 1e3 * (series - between(&primary, v) - between(&spring, x)) / mass;
-            x += dt * v;
-            let native = k * (xi - x) + c * (vi - v) + between(&friction, vi) - gas;
+            let (x, v) = motion(to);
+            let at = |text: &str, dif: [f64; 2]| {
+                evaluate(text, &|name, of| match (name, of) {
+                    ("DM", [11.0, 12.0]) => LENGTH + x,
+                    ("VR", [11.0, 12.0]) => v,
+                    ("DIF", [id]) => dif[*id as usize - 1],
+                    ("AKISPL", [at, 0.0, id]) => between(&splines[*id as usize - 1], *at),
+                    _ => panic!("{name}({of:?})"),
+                })
+            };
+            // Half-implicit: the step is a hundredth of the mass's own period.
+            dif[1] += dt * at(speed, dif);
+            dif[0] += dt * at(place, dif);
+            let native = -at(force, dif);
             let (next, output) = dashpot_core::step(&model, &state, &input(to), dt);
             state = next;
             worst = worst.max((native - output.force).abs());

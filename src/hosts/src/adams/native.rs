@@ -1,5 +1,9 @@
-//! The damper from Adams's own elements, without a routine: series spring and damper, mass, and splines for primary damper,
-//! parallel spring and friction.
+//! The damper from Adams's own elements, without a routine: splines for primary damper, parallel spring and friction, and two differential
+//! equations for the internal mass.
+//!
+//! The mass is no PART: a part has a place in the model, which a text that knows nothing of the model cannot give, and a joint to the tube that
+//! is violated wherever that place is wrong. By its equations it moves along the line between the damper's markers, as the kernel has it. Its
+//! place is told from the driven end, so that the initial value 0 holds at any length of the damper.
 
 use dashpot_core::{Input, Model, Params, State, evaluate::force};
 use dashpot_core::{element, number};
@@ -44,7 +48,6 @@ pub fn fragment(params: &Params, model: &Model, states: usize, length: f64) -> R
         .replace("{series_damping}", &format!("{:?}", 1e-3 * params.number(number!("series_damping"))))
         .replace("{mass}", &format!("{:?}", params.number(number!("internal_mass"))))
         .replace("{gas}", &format!("{:?}", -at(0.0, 0.0).gas_force))
-        .replace("{half}", &format!("{:?}", 0.5 * length))
         .replace("{length}", &format!("{length:?}")))
 }
 
