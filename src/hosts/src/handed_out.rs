@@ -117,15 +117,16 @@ pub struct RunFolder {
     pub no_native: Option<&'static str>,
 }
 
-/// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm; what must be known stands
-/// above everything else in README.txt.
+/// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm. In README.txt, what was
+/// `replaced` in the model stands above everything else; how it `chatters` in a program of fixed steps, at the end, for Adams does not.
 pub fn run_folder(
     params: &Params,
     model: &Model,
     text: &[u8],
     length: f64,
     libraries: Vec<(String, Vec<u8>)>,
-    remarks: &[String],
+    replaced: &[String],
+    chatters: &[String],
 ) -> RunFolder {
     let (texts, no_native) = folder::files(params, model, "damper.toml", length, &Matrix::default());
     let missing = if libraries.is_empty() {
@@ -136,7 +137,11 @@ pub fn run_folder(
     let mut files = vec![("damper.toml".to_owned(), text.to_vec())];
     for file in texts {
         let is_first = file.name == "README.txt";
-        let text = if is_first { missing.clone() + &folder::above(remarks, &file.text) } else { file.text };
+        let text = if is_first {
+            missing.clone() + &folder::above(replaced, &folder::below(&file.text, chatters))
+        } else {
+            file.text
+        };
         files.push((file.name.to_owned(), text.into_bytes()));
     }
     files.extend(libraries);

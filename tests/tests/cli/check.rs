@@ -63,7 +63,13 @@ fn exports_say_it_too_and_take_the_same_option() {
     let told = done(dir, &["export", "adams", "steep.toml", "-o", "soft", "--for-step", "0.001"]);
     assert!(told.contains("was replaced"), "{told}");
     assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
-    assert!(std::fs::read_to_string(dir.join("soft/README.txt")).unwrap().contains("was replaced"));
+    let readme = |folder: &str| std::fs::read_to_string(dir.join(folder).join("README.txt")).unwrap();
+    assert!(readme("soft").starts_with("coulomb_friction was replaced"));
+    // Adams takes the force with its slopes in steps of its own: what a fixed step does stands below, with whom it concerns.
+    let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
+    assert!(text.starts_with("A damper for Adams"), "{text}");
+    let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(flat.find(below).unwrap() < flat.find("At a host step of 1 ms").unwrap(), "{text}");
 }
 
 #[test]

@@ -65,6 +65,16 @@ impl Ready {
         lines
     }
 
+    /// What was replaced, in sentences.
+    pub fn replaced(&self) -> Vec<String> {
+        self.softened.iter().map(Softened::told).collect()
+    }
+
+    /// Chatter, where there is some.
+    pub fn chatters(&self) -> Vec<String> {
+        self.chatter.remark(self.host).into_iter().collect()
+    }
+
     /// What must be known beside an export: what was replaced, and chatter where there is some.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {

@@ -53,6 +53,19 @@ pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
+/// What is said of chatter, below the text of README.txt, with whom it concerns: Adams solves for the force with the slopes that the routines
+/// hand over, in steps of its own choice, so it does not chatter; a program that takes the force once a step may.
+pub fn below(text: &str, chatters: &[String]) -> String {
+    if chatters.is_empty() {
+        return text.to_owned();
+    }
+    let concerns = "If this model or Adams itself is coupled to a program that takes the force once a fixed step and holds it (co-simulation, real \
+                    time), read this; a run of Adams alone is not concerned, because its solver takes the force with its slopes and chooses \
+                    its steps.";
+    let told = chatters.iter().map(|chatter| format!("{}\n", wrapped(chatter))).collect::<String>();
+    format!("{text}\n{}\n{told}", wrapped(concerns))
+}
+
 /// Broken into lines that a plain text file has.
 fn wrapped(text: &str) -> String {
     /// Longest line of README.txt.

@@ -35,7 +35,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;
-    let notes = ready.notes();
     let libraries = libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),
@@ -47,7 +46,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
     let missing = libraries.is_empty();
-    let folder = handed_out::run_folder(&params, &model, &text, args.length, libraries, &notes);
+    let folder =
+        handed_out::run_folder(&params, &model, &text, args.length, libraries, &ready.replaced(), &ready.chatters());
     folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
     if let Some(reason) = folder.no_native {
         dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
@@ -56,9 +56,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let how = handed_out::no_adams_library();
         dashpot_output::say(None, &format!("note: the library is not in the folder. {how}"))?;
     }
-    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
-    for note in &notes {
+    for note in &ready.replaced() {
         dashpot_output::say(None, &format!("note: {note}"))?;
+    }
+    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
+    for note in &ready.chatters() {
+        dashpot_output::say(
+            None,
+            &format!(
+                "note, if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned): {note}"
+            ),
+        )?;
     }
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
 }
