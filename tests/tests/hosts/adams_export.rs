@@ -330,6 +330,19 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     assert!(words.contains("nested"), "{words}");
 }
 
+/// Adams counts in mm: a length in m is not taken for one, and either unit may be said.
+#[test]
+fn a_length_says_its_unit_or_is_one_that_a_damper_has() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("damper.toml"), MODEL).unwrap();
+    let export = ["export", "adams", "damper.toml", "-o", "run", "--library", library().to_str().unwrap(), "--length"];
+    let words = refused(folder.path(), &[&export[..], &["0.4125"]].concat());
+    assert!(words.contains("0.4125 mm long") && words.contains("0.4125m"), "{words}");
+    done(folder.path(), &[&export[..], &["0.4125m"]].concat());
+    let adm = std::fs::read_to_string(folder.path().join("run/damper.adm")).unwrap();
+    assert!(adm.contains("USER(7, 412.5)"), "{adm}");
+}
+
 #[test]
 fn a_property_file_that_is_none_is_refused_with_its_line() {
     let folder = tempfile::tempdir().unwrap();

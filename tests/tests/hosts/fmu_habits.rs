@@ -47,7 +47,8 @@ fn it_is_a_damper_of_carmaker() {
         print!("{}", succeed(host.current_dir(at)));
 
         let export = ["export", "fmu", "model.toml", "-o", "other.fmu", "--carmaker"];
-        assert!(refused(at, &[&export[..], &["412.5"]].concat()).contains("length of the damper in m"));
+        let words = refused(at, &[&export[..], &["412.5"]].concat());
+        assert!(words.contains("412.5 m long") && words.contains("412.5mm"), "{words}");
         assert!(refused(at, &[&export[..], &["0.4", "--four"]].concat()).contains("--four"));
         let two = ["export", "fmu", "model.toml", "model.toml", "-o", "other.fmu", "--carmaker", "0.4"];
         assert!(refused(at, &two).contains("one model"));

@@ -10,7 +10,7 @@ use dashpot_identification::model_file::prepared;
 use std::fmt::Write as _;
 
 /// Longest damper, m: above that a length is in mm.
-const LONGEST: f64 = 1.0;
+const LONGEST: f64 = 3.0;
 
 impl Scales {
     /// Those of CarMaker, which hands over the length of the damper, its velocity positive in extension, and takes a force that is positive where

@@ -1,7 +1,8 @@
 //! `dashpot export adams`: a run folder for Adams.
 
+use super::damper_length::in_millimetres;
 use crate::verbs::host_step::HostArgs;
-use anyhow::{Context as _, bail};
+use anyhow::Context as _;
 use dashpot_hosts::handed_out;
 use dashpot_identification::model_file;
 use dashpot_report::replace_file;
@@ -17,8 +18,8 @@ pub struct Args {
     /// Folder to write to; made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Distance of the damper's markers at zero displacement, mm
-    #[arg(long, value_name = "MM", default_value_t = 400.0)]
+    /// Distance of the damper's markers at zero displacement, in mm, or with its unit: 412.5, 412.5mm, 0.4125m
+    #[arg(long, value_name = "MM", default_value = "400", value_parser = in_millimetres, allow_negative_numbers = true)]
     length: f64,
     /// The library to hand out; if not given, those that this command holds (Linux and Windows), or the one beside it
     #[arg(long, value_name = "FILE")]
@@ -29,9 +30,6 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    if !(args.length > 0.0 && args.length < 1e5) {
-        bail!("--length {} cannot be; give the distance of the damper's markers in mm", args.length);
-    }
     let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;

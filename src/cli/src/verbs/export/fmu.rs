@@ -1,6 +1,7 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
 use super::super::host_step::HostArgs;
+use super::damper_length::in_metres;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
@@ -47,8 +48,8 @@ pub struct Args {
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
     /// For IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the .pluginfo file by which it takes it. LENGTH is that of
-    /// the damper, in m, at which the displacement in the records was 0
-    #[arg(long, value_name = "LENGTH", conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
+    /// the damper at which the displacement in the records was 0, in m, or with its unit: 0.4125, 0.4125m, 412.5mm
+    #[arg(long, value_name = "LENGTH", value_parser = in_metres, allow_negative_numbers = true, conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
     carmaker: Option<f64>,
     /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
     #[arg(long)]

@@ -2,6 +2,7 @@
 
 mod adams;
 mod adm;
+mod damper_length;
 mod dpr;
 mod fmu;
 
