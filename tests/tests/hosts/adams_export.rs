@@ -323,6 +323,17 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     let new = statements(&std::fs::read_to_string(folder.path().join("new.adm")).unwrap());
     assert!(new["SFORCE/1"].contains("USER(1, 400") && new["STRING/1"].contains("front.toml"), "{new:?}");
     assert!(new["SFORCE/2"].contains("USER(2, 388") && new["STRING/2"].contains("damper.toml"), "{new:?}");
+    // The solver looks for the model files where it runs; what is not there is said.
+    assert!(said.contains("no model file front.toml") && said.contains("no model file damper.toml"), "{said}");
+    std::fs::write(folder.path().join("front.toml"), MODEL).unwrap();
+    std::fs::write(folder.path().join("damper.toml"), "gas_force = 3\n").unwrap();
+    let said = done(folder.path(), &with(&both));
+    assert!(!said.contains("front.toml") && said.contains("will refuse the model file: damper.toml"), "{said}");
+    // A decimal comma would be a length of 412 and a model file called 5.
+    for comma in ["SFORCE/1=412,5,front.toml", "SFORCE/1=412,5"] {
+        let words = refused(folder.path(), &with(&["--damper", comma]));
+        assert!(words.contains("decimal comma; write 412.5"), "{words}");
+    }
     // 28,000 brackets are no reason to fall over.
     let deep = format!("Car\n{}{spline}", sforce(1, &format!("*{}1{}", "(".repeat(28_000), ")".repeat(28_000))));
     std::fs::write(folder.path().join("car.adm"), deep).unwrap();

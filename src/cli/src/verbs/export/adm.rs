@@ -2,7 +2,8 @@
 
 use anyhow::Context as _;
 use dashpot_hosts::adams::patch::{self, Damper};
-use std::path::PathBuf;
+use dashpot_identification::model_file;
+use std::path::{Path, PathBuf};
 
 /// Replace dampers in a compiled Adams Car model by the model, leaving every other byte alone
 #[derive(clap::Args)]
@@ -31,6 +32,13 @@ pub struct Args {
 fn damper(text: &str) -> Result<Damper, String> {
     let (name, length) = text.split_once('=').ok_or("say NAME=LENGTH")?;
     let (length, model_file) = length.split_once(',').unwrap_or((length, ""));
+    // 412,5 would be taken for 412 and a model file called 5.
+    let next = model_file.split(',').next().unwrap_or_default().trim();
+    if !next.is_empty() && next.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(format!(
+            "\"{length},{next}\" looks like a decimal comma; write {length}.{next} (a model file that is called {next} is given as ./{next})"
+        ));
+    }
     let length: f64 = length.trim().parse().map_err(|_| format!("the length \"{length}\" is no number"))?;
     if name.is_empty() || !(length > 0.0 && length.is_finite()) {
         return Err("a name and a length above 0 are needed".into());
@@ -58,5 +66,23 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             args.output.display()
         ),
     )?;
-    patched.notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
+    let mut notes = patched.notes;
+    let mut named: Vec<&str> = dampers.iter().map(|damper| damper.model_file.as_str()).collect();
+    named.sort_unstable();
+    named.dedup();
+    notes.extend(named.into_iter().filter_map(|path| not_there(path, &args.output)));
+    notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
+}
+
+/// What is to be said of a model file that does not lie where the solver, which runs beside its model as a rule, would find it, or that is none.
+/// It may be brought there later, so that is no error.
+fn not_there(path: &str, output: &Path) -> Option<String> {
+    let beside = output.parent().map(|folder| folder.join(path));
+    let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {
+        return Some(format!(
+            "there is no model file {path}, neither beside the new model nor here. The solver looks for it in the folder where it runs: put it \
+             there, or name another one"
+        ));
+    };
+    model_file::read(&found).err().map(|error| format!("the solver will refuse the model file: {error}"))
 }
