@@ -83,12 +83,8 @@ fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Fit(args) => verbs::fit::run(&args),
-        // The only verb with a verdict: 1 says that the damper does not keep its limits.
-        Verb::Validate(args) => match verbs::validate::run(&args) {
-            Ok(verbs::validate::Verdict::Failed) => return ExitCode::FAILURE,
-            other => other.map(|_| ()),
-        },
-        Verb::Check(args) => verbs::check::run(&args),
+        Verb::Validate(args) => return judged(verbs::validate::run(&args)),
+        Verb::Check(args) => return judged(verbs::check::run(&args)),
         Verb::Diagnose(args) => verbs::diagnose::run(&args),
         Verb::Simulate(args) => verbs::simulate::run(&args),
         Verb::Matrix(args) => verbs::matrix::run(&args),
@@ -104,6 +100,14 @@ fn main() -> ExitCode {
         Verb::Man(args) => verbs::man::run(&args, command()),
     };
     ended(done)
+}
+
+/// What the shell is told of a damper: 1 where it does not keep its limits, or chatters.
+fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
+    match found {
+        Ok(verbs::Verdict::Failed) => ExitCode::FAILURE,
+        other => ended(other.map(|_| ())),
+    }
 }
 
 /// What the shell is told.

@@ -1,6 +1,6 @@
 //! `dashpot check` and what exports say of chatter: the words, the figures, the damper made ready.
 
-use dashpot_tests::cli::{done, json, number, refused};
+use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
 /// A damper with friction that turns over within a millimetre per second.
@@ -51,6 +51,21 @@ fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it()
     assert!(text.contains("presliding_friction") && text.contains("# coulomb_friction was replaced"), "{text}");
     let again = done(dir, &["check", "ready.toml"]);
     assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
+}
+
+/// A script goes by the exit code, and by that of the damper that was made ready where one was asked for.
+#[test]
+fn a_script_is_told_by_the_exit_code() {
+    let folder = steep();
+    let dir = folder.path();
+    let code = |args: &[&str]| run(dir, &[&["check", "steep.toml"], args].concat()).code;
+    assert_eq!(code(&[]), Some(0), "without the option it only tells");
+    assert_eq!(code(&["--strict"]), Some(1));
+    assert_eq!(code(&["--strict", "--json", "found.json"]), Some(1));
+    assert_eq!(json(&dir.join("found.json"))["chatters"], true);
+    assert_eq!(code(&["--strict", "--host-step", "0.00001"]), Some(0));
+    assert_eq!(code(&["--strict", "--for-step", "0.001"]), Some(0));
+    assert_eq!(code(&["--strict", "--host-step", "0"]), Some(2), "not judged is not passed");
 }
 
 #[test]

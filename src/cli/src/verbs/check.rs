@@ -1,5 +1,6 @@
 //! `dashpot check`: whether a damper chatters in a host, which element makes it, and what to do.
 
+use super::Verdict;
 use super::host_step::HostArgs;
 use anyhow::bail;
 use dashpot_identification::model_file;
@@ -16,7 +17,9 @@ use std::path::PathBuf;
 /// damper's states are for a host that integrates them itself (model exchange).
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml"
+    after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \
+                  --strict with 0 where the damper does not chatter, and with 1 where it does (gain 1 or more). 2 says that it could not be \
+                  judged."
 )]
 pub struct Args {
     /// Model file
@@ -27,13 +30,16 @@ pub struct Args {
     /// Where to write the damper made ready by --for-step
     #[arg(short, long, value_name = "MODEL", requires = "for_step")]
     output: Option<PathBuf>,
+    /// End with 1 where the damper chatters (gain 1 or more), for scripts; with --for-step, where it still does
+    #[arg(long)]
+    strict: bool,
     /// Figures as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
 }
 
 /// Runs the verb.
-pub fn run(args: &Args) -> anyhow::Result<()> {
+pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let (json, out) = (args.json.as_deref(), args.output.as_deref());
     let on_stdout = [out, json].into_iter().flatten().find(|p| dashpot_output::is_stdout(p));
     if out.is_some_and(dashpot_output::is_stdout) && json.is_some_and(dashpot_output::is_stdout) {
@@ -77,5 +83,5 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         });
         dashpot_output::json(path, &value)?;
     }
-    Ok(())
+    Ok(if args.strict && ready.chatter.rings() { Verdict::Failed } else { Verdict::Passed })
 }

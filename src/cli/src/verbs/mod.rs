@@ -20,3 +20,6 @@ pub mod open;
 pub mod rig;
 pub mod simulate;
 pub mod validate;
+mod verdict;
+
+pub use verdict::Verdict;

@@ -1,5 +1,6 @@
 //! `dashpot validate`: a model against records, beside the FV curve.
 
+use super::Verdict;
 use super::data::{DataArgs, name_of};
 use crate::page::PageArgs;
 use crate::progress::Progress;
@@ -59,15 +60,6 @@ pub struct Args {
     certificate: Option<PathBuf>,
     #[command(flatten)]
     page: PageArgs,
-}
-
-/// What `--limits` say of the damper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// It keeps them, or none were given.
-    Passed,
-    /// It does not, or they could not all be tested.
-    Failed,
 }
 
 /// Runs the verb.
