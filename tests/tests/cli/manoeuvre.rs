@@ -44,6 +44,17 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
     std::fs::write(at.join("car.toml"), "wheels = 3\n").expect("a vehicle");
     let told = refused(at, &["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"]);
     assert!(told.contains("car.toml") && told.contains("line 1") && told.contains("\"wheels\""), "{told}");
+    // A vehicle that no damper makes unstable: its own numbers are named, with the step that does.
+    std::fs::write(at.join("car.toml"), "tyre = 1e9\n").expect("a vehicle");
+    let stiff = ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"];
+    let told = refused(at, &stiff);
+    assert!(
+        told.contains("unsprung_mass 40 kg on tyre 1000000000 N/m") && told.contains("whatever the damper does"),
+        "{told}"
+    );
+    let step = told.split("take steps of ").nth(1).and_then(|t| t.split(" ms").next()).expect("a step");
+    let step = format!("{}", 1e-3 * step.parse::<f64>().expect("a number"));
+    done(at, &[&stiff[..], &["--step", &step]].concat());
     assert!(refused(at, &["manoeuvre", "bump", "model.toml", "--step", "0.1"]).contains("0.0001 to 0.005"));
     assert!(refused(at, &["manoeuvre", "loop", "model.toml"]).contains("step-steer"));
 }

@@ -6,7 +6,9 @@
 mod car;
 mod manoeuvre;
 mod run;
+mod too_fast;
 
 pub use car::{Body, Car, CarError, CarValue};
 pub use manoeuvre::{Manoeuvre, Road};
 pub use run::{CORNERS, Corner, Dampers, Quiet, Run, SLOW, Sample, VehicleError, run, run_with, without_chatter};
+pub use too_fast::{Blame, TooFast};

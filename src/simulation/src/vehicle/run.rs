@@ -1,5 +1,6 @@
 //! A manoeuvre driven from beginning to end at a fixed step.
 
+use super::too_fast::{SHORTEST_STEP, TooFast, too_fast};
 use super::{Body, Car, Manoeuvre, Road};
 use crate::chatter::RINGS;
 use dashpot_core::{Input, Model, State, step};
@@ -53,11 +54,9 @@ pub enum VehicleError {
     /// The step is no step of a real-time simulator.
     #[error("a vehicle is stepped by 0.0001 to 0.005 s, not {0}")]
     Step(f64),
-    /// The exchange of force and motion swung up.
-    #[error(
-        "the vehicle left the road after {0:.3} s: the exchange of damper force and motion is unstable at this step"
-    )]
-    Unstable(f64),
+    /// The vehicle swung up: when, s, and what is to blame.
+    #[error("the vehicle left the road after {0:.3} s: {1}")]
+    Unstable(f64, TooFast),
 }
 
 /// Four dampers as a simulator meets them: motion in at each of its steps, force out. Extension and tension positive.
@@ -112,7 +111,7 @@ pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Res
 /// # Errors
 /// Where the step is out of range, or the run unstable.
 pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
-    if !(1e-4..=5e-3).contains(&dt) {
+    if !(SHORTEST_STEP..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
     }
     told_every(1, car, manoeuvre, dampers, dt)
@@ -141,7 +140,9 @@ fn told_every(
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
         let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
         if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-            return Err(VehicleError::Unstable(time));
+            // The slope in motion: that of friction is steeper, but its force is bounded.
+            let slope = coupling_moving * car.unsprung_mass / dt;
+            return Err(VehicleError::Unstable(time, too_fast(car, slope, dt)));
         }
         let answers = dampers.step(dt, motion);
         force = answers.map(|[force, _]| force);
