@@ -1,12 +1,14 @@
 //! What the command and the window hand out alike: names, remarks and files around a model on its way to a host.
 
 use crate::adams::folder;
-use crate::adams::property::{self, Curve, Form, Properties};
+use crate::adams::property::{self, Form, Properties};
+use crate::plain_curve::{PlainCurve, Source};
 use crate::{fmu, runtimes};
 use anyhow::{Context as _, bail};
 use dashpot_core::parameter::Element;
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, number};
+use dashpot_identification::model_file::ModelFile;
 use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
@@ -36,7 +38,7 @@ pub struct PropertyFile {
     pub remarks: Vec<String>,
 }
 
-/// The property file of a model by the name of the file to write.
+/// The property file of a model by the name of the file to write; `own` asks for the model's own curve where the file has a plain one too.
 ///
 /// `named` is what the model is called (left out where it is no ASCII, which these files are), `text` the model file; `chatters` says of
 /// the curve alone, which is all that the file holds, whether it chatters.
@@ -44,27 +46,31 @@ pub struct PropertyFile {
 /// # Errors
 /// Where the model has no curve.
 pub fn property_file(
-    params: &Params,
-    model: &Model,
+    file: &ModelFile,
+    own: bool,
     path: &Path,
     (named, text): (&str, &[u8]),
     chatters: &dyn Fn(&Params) -> Vec<String>,
 ) -> anyhow::Result<PropertyFile> {
-    if !params.is_on(element!("fv_curve")) {
+    let Some(plain) = PlainCurve::of(file, own)? else {
         bail!("the element fv_curve is off, so there is no curve to export");
-    }
+    };
     let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
     let held = |element| element == element!("fv_curve") || (xml && element == element!("gas_preload"));
-    let on = Element::all().filter(|element| params.is_on(*element));
+    let on = Element::all().filter(|element| file.params.is_on(*element));
     let left_out: Vec<&str> = on.filter(|element| !held(*element)).map(Element::name).collect();
     let mut remarks = Vec::new();
+    if plain.source == Source::Fitted || !left_out.is_empty() {
+        remarks.push(plain.told().to_owned());
+    }
     if !left_out.is_empty() {
         remarks.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
     }
-    let mut alone = *params;
-    alone.disable_all();
-    alone.enable(element!("fv_curve"), true);
-    remarks.extend(chatters(&alone));
+    let mut alone = plain.params;
+    alone.enable(element!("gas_preload"), false);
+    // Adams Car takes the force with its slope; other programs read these files too.
+    let held = "In a program that takes the force once a fixed step and holds it:";
+    remarks.extend(chatters(&alone).into_iter().map(|chatter| format!("{held} {chatter}")));
     let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };
     let mut notes = vec![format!(
         "Written by dashpot {} from {named} (check sum {:08x}). Rebound and tension are positive.",
@@ -72,9 +78,9 @@ pub fn property_file(
         fmu::check_sum(text)
     )];
     notes.extend(remarks.iter().cloned());
-    let gas_force =
-        if xml && params.is_on(element!("gas_preload")) { params.number(number!("gas_force")) } else { 0.0 };
-    let curve = Curve::of(params, model);
+    let has_gas = xml && plain.params.is_on(element!("gas_preload"));
+    let gas_force = if has_gas { plain.params.number(number!("gas_force")) } else { 0.0 };
+    let curve = plain.curve()?;
     let points = curve.velocities.len();
     let properties = Properties { curve, straight: false, gas_force, notes };
     let text = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });

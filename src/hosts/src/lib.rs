@@ -5,4 +5,5 @@
 pub mod adams;
 pub mod fmu;
 pub mod handed_out;
+pub mod plain_curve;
 pub mod runtimes;

@@ -194,6 +194,28 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
 }
 
 impl ModelFile {
+    /// Whether the damper is another than the one that the fit left: a number lies outside the interval that the file tells of it, or an element
+    /// that one was identified of is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
+    pub fn was_changed(&self) -> bool {
+        let lies = |value: &f64, ends: &[f64; 2]| {
+            // An interval without ends says nothing; one of a fixed point has two that are alike.
+            let room = 1e-9 * value.abs();
+            ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(value)
+        };
+        parameter::table().filter_map(|row| Some((self.identification.intervals.get(row.parameter.name)?, row))).any(
+            |(interval, row)| {
+                let values = self.params.get(&row);
+                row.element().is_some_and(|element| !self.params.is_on(element))
+                    || match interval {
+                        Interval::Number(ends) => !values.iter().all(|value| lies(value, ends)),
+                        Interval::List(all) => {
+                            values.len() != all.len() || !values.iter().zip(all).all(|(value, ends)| lies(value, ends))
+                        }
+                    }
+            },
+        )
+    }
+
     /// The plain FV curve that the fit left beside the model; the model's own curve and gas force where it left none.
     pub fn plain(&self) -> Params {
         if let Some(Ok(params)) = self.identification.fv_only.as_ref().map(FvOnly::params) {

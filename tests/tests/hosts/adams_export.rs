@@ -207,6 +207,43 @@ fn what_a_property_file_leaves_out_is_said() {
     assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
 }
 
+/// What a fit leaves beside a model: the plain curve of the same tests, which has the friction in it that stands beside the model's own curve.
+const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
+                   gas_force = 150.0\n";
+
+/// A host that gets nothing but a curve gets the best one, is told whose it is, and may have the model's own.
+#[test]
+fn a_property_file_holds_the_plain_curve_of_the_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    std::fs::write(folder.path().join("damper.toml"), format!("{MODEL}{FIT}")).unwrap();
+    for name in ["a.dpr", "a.xml"] {
+        let said = done(folder.path(), &["export", "dpr", "damper.toml", "-o", name]);
+        for text in [&said, &at(name)] {
+            assert!(
+                text.contains("plain FV curve fitted to the same tests") && text.contains("stribeck_friction"),
+                "{text}"
+            );
+        }
+        assert!(said.contains("5 points in"), "{said}");
+        assert!(at(name).lines().any(|line| line.trim() == "10.0 50.4"), "{}", at(name));
+        let said = done(folder.path(), &["export", "dpr", "damper.toml", "-o", name, "--model-curve"]);
+        assert!(said.contains("own fv_curve, as asked for") && !at(name).contains("50.4"), "{said}");
+    }
+    done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.xml"]);
+    assert!(at("a.xml").contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"150.0\""), "{}", at("a.xml"));
+
+    // A file that was tuned by hand keeps the tables of its fit, and its plain curve is that of another damper.
+    let intervals = "\n[identification.intervals]\ngas_force = [100.0, 120.0]\n";
+    std::fs::write(folder.path().join("tuned.toml"), format!("{MODEL}{intervals}{FIT}")).unwrap();
+    let said = done(folder.path(), &["export", "dpr", "tuned.toml", "-o", "b.dpr"]);
+    assert!(said.contains("were changed after its fit") && !at("b.dpr").contains("50.4"), "{said}");
+
+    // What runs the rest of the model beside the curve keeps the model's own.
+    done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--library", library().to_str().unwrap()]);
+    assert_eq!(at("run/damper.toml"), format!("{MODEL}{FIT}"));
+}
+
 /// A damper that was identified anew goes into the same property file; the vendor's own file, which begins alike, stays.
 #[test]
 fn a_property_file_replaces_its_own_older_version_alone() {

@@ -57,6 +57,18 @@ fn it_is_a_damper_of_carmaker() {
         assert!(plug_info("damper.pluginfo").contains("Susp.Damper.SubstModel.Damper:\n\t-"));
         done(at, &["export", "fmu", "model.toml", "-o", "hidden.fmu", "--carmaker", "0.4", "--hide-parameters"]);
         assert!(!plug_info("hidden.pluginfo").contains("SubstModel.Damper"));
+        // CarMaker runs the FMU in motion; its equilibrium is looked for with a curve alone, the best one that the file has.
+        assert!(plug_info("damper.pluginfo").contains("the model file has no plain FV curve of a fit"));
+        let fit = "[identification.fv_only]\nvelocity = [-1.0, 0.0, 0.01, 1.0]\nforce = [-640.0, 0.0, 50.4, 1340.0]\ngas_force = 150.0\n";
+        std::fs::write(at.join("fitted.toml"), format!("{MODEL}{fit}")).expect("a model file");
+        let fitted = ["export", "fmu", "fitted.toml", "-o", "fitted.fmu", "--carmaker", "412.5mm"];
+        let said = done(at, &fitted);
+        assert!(
+            said.contains("fitted to the same tests") && plug_info("fitted.pluginfo").contains("\n\t0.01 50.4\n"),
+            "{said}"
+        );
+        done(at, &[&fitted[..], &["--model-curve"]].concat());
+        assert!(!plug_info("fitted.pluginfo").contains("50.4"));
         // Every file of CarMaker begins alike; one that somebody wrote by hand stays.
         std::fs::write(at.join("other.pluginfo"), "#INFOFILE1.1 - Do not remove this line!\nFMU.Name = other\n")
             .expect("a file");

@@ -4,6 +4,7 @@ use crate::session::outputs::write;
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
 use dashpot_hosts::{fmu, handed_out, runtimes};
+use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_simulation::chatter;
 use std::path::Path;
@@ -59,7 +60,7 @@ impl Export {
             Host::Fmu3 => self.fmu(path, fmu::Version::Three, false),
             Host::Vehicle => self.fmu(path, fmu::Version::Two, true),
             Host::Adams => self.adams(path, &model),
-            Host::Property => self.property(path, &model),
+            Host::Property => self.property(path),
         }
     }
 
@@ -86,10 +87,16 @@ impl Export {
         Ok(remarks)
     }
 
-    fn property(&self, path: &Path, model: &Model) -> anyhow::Result<Vec<String>> {
+    /// As a model file: with what the fit left beside the values, where the text has it.
+    fn file(&self) -> ModelFile {
+        let read = model_file::of_text(&self.text, Path::new(&self.name));
+        ModelFile { params: self.params, identification: read.map(|file| file.identification).unwrap_or_default() }
+    }
+
+    fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::USUAL);
         let of = (self.name.as_str(), self.text.as_bytes());
-        let made = handed_out::property_file(&self.params, model, path, of, &chatters)?;
+        let made = handed_out::property_file(&self.file(), false, path, of, &chatters)?;
         dashpot_output::check([path])?;
         dashpot_output::replace_file(path, made.text.as_bytes())
             .with_context(|| format!("cannot write {}", path.display()))?;

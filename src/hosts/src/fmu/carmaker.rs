@@ -2,11 +2,8 @@
 //! CarMaker goes to which variable. Its form is that of the vendor's templates; see `vi-crt-bridge/FACTS.md`.
 
 use super::Scales;
-use crate::adams::property::Curve;
+use crate::plain_curve::PlainCurve;
 use anyhow::bail;
-use dashpot_core::Params;
-use dashpot_core::element;
-use dashpot_identification::model_file::prepared;
 use std::fmt::Write as _;
 
 /// Longest damper, m: above that a length is in mm.
@@ -26,11 +23,11 @@ impl Scales {
     }
 }
 
-/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with its curve, where `shown`.
+/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with a curve, where one may be shown.
 ///
 /// # Errors
 /// Where the model is none, or a line break in the name would begin another key.
-pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: &str) -> anyhow::Result<String> {
+pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &str) -> anyhow::Result<String> {
     if name.chars().any(char::is_control) {
         bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
     }
@@ -55,13 +52,14 @@ pub fn plug_info(name: &str, guid: &str, params: &Params, shown: bool, written: 
          FMUIn.velocity.Rel = vel\n\n\
          IFVar.Force.Link = FMUVar\n\
          IFVar.Force.Rel = force\n\n\
-         # What CarMaker takes for the damper where it looks for its equilibrium: no spring, and the model's curve where it stands here.\n\
+         # What CarMaker takes for the damper where it looks for its equilibrium: no spring, and the curve where one stands here.\n\
          Susp.Damper.SubstModel.Spring.l0 = 0.0\n\
          Susp.Damper.SubstModel.Spring:\n\t0.0 0.0\n\t1.0 0.0\n",
         env!("CARGO_PKG_VERSION")
     );
-    if shown && params.is_on(element!("fv_curve")) {
-        let curve = Curve::of(params, &prepared(params)?);
+    if let Some(plain) = shown {
+        let curve = plain.curve()?;
+        let _ = writeln!(out, "# {}", plain.told());
         out += "Susp.Damper.SubstModel.Damper:\n";
         for (v, f) in curve.velocities.iter().zip(&curve.forces) {
             let _ = writeln!(out, "\t{v:?} {f:?}");
@@ -83,9 +81,8 @@ mod tests {
         // At the start the damper is where the rig's zero was.
         assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
 
-        let params = Params::new();
-        assert!(plug_info("a\nFMU.Name = b", "{1}", &params, true, "x").is_err());
-        let text = plug_info("front", "{1}", &params, true, "from a\nFMU.Name = b").unwrap();
+        assert!(plug_info("a\nFMU.Name = b", "{1}", None, "x").is_err());
+        let text = plug_info("front", "{1}", None, "from a\nFMU.Name = b").unwrap();
         assert_eq!(text.lines().filter(|line| line.starts_with("FMU.Name")).count(), 1, "{text}");
     }
 }

@@ -4,17 +4,19 @@ use anyhow::Context as _;
 use dashpot_core::Params;
 use dashpot_hosts::handed_out::property_file;
 use dashpot_identification::model_file;
-use dashpot_identification::model_file::prepared;
 use dashpot_simulation::chatter::{Host, remarks};
 use std::path::PathBuf;
 
-/// Write the FV curve of a model as an Adams Car damper property file
+/// Write the FV curve of a damper as an Adams Car damper property file
 ///
-/// A property file holds the curve alone; friction, springs and series stiffness need the routines of `dashpot export adams`.
-/// A file name that ends in .xml gets the XML form, which holds the gas preload too. What is left out stands in the file as a
-/// comment and is said.
+/// A property file holds a curve alone; hysteresis, springs and series stiffness need the routines of `dashpot export adams`. So it gets the
+/// plain FV curve that `dashpot fit` has fitted to the same tests and left in the model file (fv_only), the best that a curve can do: friction is
+/// in it. A model file without one, or whose numbers were changed since, gives the model's own curve, without friction. A file name that ends in
+/// .xml gets the XML form, which holds the gas preload too. Whose curve it is and what is left out stands in the file as a comment and is said.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot export dpr damper.toml -o damper.dpr")]
+#[command(
+    after_help = "Examples:\n  dashpot export dpr damper.toml -o damper.dpr\n  dashpot export dpr damper.toml -o valves.dpr --model-curve"
+)]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
@@ -22,20 +24,21 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.dpr")]
     output: PathBuf,
+    /// The model's own curve, which is that of its valves without friction, also where the file has the plain curve of a fit
+    #[arg(long)]
+    model_curve: bool,
 }
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
     let file = model_file::read(&args.model)?;
-    let model = prepared(&file.params)?;
     let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let text = std::fs::read(&args.model)?;
     let chatters = |curve: &Params| remarks(curve, Host::USUAL);
-    let made = property_file(&file.params, &model, &args.output, (&named, &text), &chatters)
+    let made = property_file(&file, args.model_curve, &args.output, (&named, &text), &chatters)
         .with_context(|| args.model.display().to_string())?;
     dashpot_output::write(&args.output, &made.text)?;
-    let more =
-        if made.left_out.is_empty() { String::new() } else { format!("; left out: {}", made.left_out.join(", ")) };
-    dashpot_output::say(Some(&args.output), &format!("{} points in {}{more}", made.points, args.output.display()))
+    dashpot_output::say(Some(&args.output), &format!("{} points in {}", made.points, args.output.display()))?;
+    made.remarks.iter().try_for_each(|remark| dashpot_output::say(Some(&args.output), &format!("  {remark}")))
 }

@@ -5,6 +5,7 @@ use super::damper_length::in_metres;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
+use dashpot_hosts::plain_curve::PlainCurve;
 use dashpot_hosts::{handed_out, runtimes};
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
@@ -51,6 +52,10 @@ pub struct Args {
     /// the damper at which the displacement in the records was 0, in m, or with its unit: 0.4125, 0.4125m, 412.5mm
     #[arg(long, value_name = "LENGTH", value_parser = in_metres, allow_negative_numbers = true, conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
     carmaker: Option<f64>,
+    /// With --carmaker: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without friction, also where the
+    /// model file has the plain FV curve that was fitted to the same tests
+    #[arg(long, requires = "carmaker")]
+    model_curve: bool,
     /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
@@ -84,8 +89,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Params> = Vec::new();
+    // Without a curve in the model there is none to show.
+    let mut curve = None;
     for path in &args.models {
         let file = model_file::read(path)?;
+        if args.carmaker.is_some() && !args.hide_parameters {
+            curve = PlainCurve::of(&file, args.model_curve).with_context(|| path.display().to_string())?;
+        }
         model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
         let ready = args.host.ready(&file.params)?;
         notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
@@ -129,7 +139,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
         let written =
             format!("{}{} from {named}. It belongs to {name}.fmu.", dashpot_output::WRITTEN, env!("CARGO_PKG_VERSION"));
-        Ok((path, fmu::plug_info(&name, &made.guid, &corners[0], !args.hide_parameters, &written)?))
+        Ok((path, fmu::plug_info(&name, &made.guid, curve.as_ref(), &written)?))
     });
     let plug_info = plug_info.transpose()?;
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;
@@ -144,6 +154,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             None,
             &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
         )?;
+        if let Some(curve) = &curve {
+            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.told()))?;
+        }
     }
     notes.iter().try_for_each(|note| dashpot_output::say(None, note))
 }

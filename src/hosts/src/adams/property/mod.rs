@@ -97,10 +97,16 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     Ok(read)
 }
 
-/// A note as it may stand in a comment: in one line, without what neither form of file may hold. A note names parts of a file that somebody
-/// else wrote.
+/// A note as it may stand in a comment: in one line, without what neither form of file may hold, and in ASCII, which is what hosts read for
+/// certain. A note names parts of a file that somebody else wrote.
 fn as_comment(note: &str) -> String {
-    note.chars().map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { ' ' } else { c }).collect()
+    let ascii = |c: char| match c {
+        '·' => '*',
+        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => ' ',
+        c if c.is_ascii() => c,
+        _ => '?',
+    };
+    note.chars().map(ascii).collect()
 }
 
 /// Largest velocity or force in SI: what people write to prolong a curve stays far below. Without it, a number can grow beyond all in mm/s.
@@ -176,10 +182,13 @@ mod tests {
 
     #[test]
     fn notes_of_any_kind_leave_the_file_readable() {
-        let notes = ["a\0b", "c ---> d -", "{rows}{gas_force}", "e\n[CURVE]\n1 2", "\u{ffff}"].map(str::to_owned);
+        let notes =
+            ["c·h/m ä", "a\0b", "c ---> d -", "{rows}{gas_force}", "e\n[CURVE]\n1 2", "\u{ffff}"].map(str::to_owned);
         let noted = Properties { notes: notes.to_vec(), ..example() };
         for form in [Form::TeimOrbit, Form::Xml] {
-            let back = read(write(&noted, form).as_bytes()).unwrap();
+            let text = write(&noted, form);
+            assert!(text.is_ascii() && text.contains("c*h/m ?"), "{text}");
+            let back = read(text.as_bytes()).unwrap();
             assert_eq!(back.curve.forces, read(write(&example(), form).as_bytes()).unwrap().curve.forces, "{form:?}");
         }
     }

@@ -1,0 +1,143 @@
+//! The curve for a host that gets nothing but a curve: a property file, the damper that CarMaker's equilibrium is looked for with.
+//!
+//! The model's own curve is that of its valves; friction stands beside it. Alone it misses most of the force at low velocity, so a host that
+//! cannot run the rest gets the plain FV curve that a fit leaves in the model file, the best that a curve can do on the same tests.
+
+use crate::adams::property::Curve;
+use anyhow::Context as _;
+use dashpot_core::{Params, element};
+use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
+
+/// Whose curve it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// The plain one that was fitted to the same tests.
+    Fitted,
+    /// The model's own: it was asked for.
+    Asked,
+    /// The model's own: the file has no other.
+    Only,
+    /// The model's own: the file was changed after its fit, so that the plain curve is one of another damper.
+    Changed,
+}
+
+/// A curve, with a gas force where there is one.
+pub struct PlainCurve {
+    /// The damper of `fv_curve` and, where there is some, `gas_preload`.
+    pub params: Params,
+    /// Whose it is.
+    pub source: Source,
+}
+
+impl PlainCurve {
+    /// That of a model file; `own` asks for the model's own. None where there is neither.
+    ///
+    /// # Errors
+    /// Where the plain curve of the file is no curve.
+    pub fn of(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
+        let source = match &file.identification.fv_only {
+            _ if own => Source::Asked,
+            None => Source::Only,
+            Some(_) if file.was_changed() => Source::Changed,
+            Some(fitted) => {
+                let params = FvOnly::params(fitted).map_err(anyhow::Error::msg);
+                let params = params.context("the table [identification.fv_only] of the model file")?;
+                return Ok(Some(PlainCurve { params, source: Source::Fitted }));
+            }
+        };
+        if !file.params.is_on(element!("fv_curve")) {
+            return Ok(None);
+        }
+        let mut params = file.params;
+        params.disable_all();
+        params.enable(element!("fv_curve"), true);
+        params.enable(element!("gas_preload"), file.params.is_on(element!("gas_preload")));
+        Ok(Some(PlainCurve { params, source }))
+    }
+
+    /// Its points.
+    ///
+    /// # Errors
+    /// Where they make no model.
+    pub fn curve(&self) -> anyhow::Result<Curve> {
+        Ok(Curve::of(&self.params, &prepared(&self.params)?))
+    }
+
+    /// Whose curve it is, in a sentence.
+    pub fn told(&self) -> &'static str {
+        match self.source {
+            Source::Fitted => {
+                "The curve is the plain FV curve fitted to the same tests as the model (fv_only in the model file): friction and whatever \
+                 else acts by velocity is in it as far as a curve can hold it."
+            }
+            Source::Asked => {
+                "The curve is the model's own fv_curve, as asked for: friction and what else the model has beside it is not in it."
+            }
+            Source::Only => {
+                "The curve is the model's own fv_curve, for the model file has no plain FV curve of a fit (fv_only): friction and what else the \
+                 model has beside it is not in it."
+            }
+            Source::Changed => {
+                "The curve is the model's own fv_curve: the numbers of the model file were changed after its fit, so the plain FV curve that the \
+                 fit left (fv_only) is not that of this damper. Friction and what else the model has beside it is not in it."
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::{list, number};
+    use dashpot_identification::model_file::of_text;
+    use std::path::Path;
+
+    const DAMPER: &str = "format = 1\nelements = [\"fv_curve\", \"stribeck_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
+                          fv_force = [-600.0, 0.0, 1300.0]\n";
+    const FIT: &str = "[identification.intervals]\nfv_force = [[-610.0, -590.0], [0.0, 0.0], [1290.0, 1310.0]]\n\
+                       [identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -40.0, 0.0, 40.0, 1340.0]\n\
+                       gas_force = 150.0\n";
+
+    fn of(text: &str, own: bool) -> PlainCurve {
+        PlainCurve::of(&of_text(text, Path::new("m.toml")).unwrap(), own).unwrap().expect("a curve")
+    }
+
+    #[test]
+    fn a_host_with_nothing_but_a_curve_gets_the_fitted_one() {
+        let plain = of(&format!("{DAMPER}{FIT}"), false);
+        assert_eq!(plain.source, Source::Fitted);
+        assert_eq!(plain.curve().unwrap().forces, [-640.0, -40.0, 0.0, 40.0, 1340.0]);
+        assert_eq!(plain.params.number(number!("gas_force")), 150.0);
+        for (text, own, source) in [
+            (format!("{DAMPER}{FIT}"), true, Source::Asked),
+            (DAMPER.to_owned(), false, Source::Only),
+            // Tuned by hand after the fit, whose tables the file keeps: a point of the curve, and an element.
+            (format!("{DAMPER}{FIT}").replace("1300.0]", "1500.0]"), false, Source::Changed),
+            (
+                format!("{DAMPER}{FIT}").replace("\"stribeck_friction\"", "\"gas_preload\"").replace(
+                    "[identification.intervals]\n",
+                    "[identification.intervals]\nstribeck_coulomb_force = [20.0, 30.0]\n",
+                ),
+                false,
+                Source::Changed,
+            ),
+        ] {
+            let plain = of(&text, own);
+            assert_eq!(plain.source, source, "{text}");
+            assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
+            assert!(plain.curve().unwrap().forces.len() == 3 && plain.told().contains("own fv_curve"));
+        }
+        // Within its interval a number says nothing else of the damper.
+        assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused_with_the_table() {
+        let falls = format!("{DAMPER}{FIT}").replace("40.0, 1340.0", "40.0, 13.0");
+        let file = of_text(&falls, Path::new("m.toml")).unwrap();
+        let refusal = PlainCurve::of(&file, false).and_then(|plain| plain.expect("a curve").curve()).map(|_| ());
+        assert!(format!("{:#}", refusal.unwrap_err()).contains("fv_force falls"));
+        let bare = of_text("format = 1\nelements = [\"gas_preload\"]\n", Path::new("m.toml")).unwrap();
+        assert!(PlainCurve::of(&bare, false).unwrap().is_none());
+    }
+}
