@@ -1,8 +1,8 @@
 //! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
 
-use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Diagnosis, MovedBy, Options, Verdict, choose_held_out, diagnose};
 use dashpot_identification::model_file;
 use dashpot_records::Record;
@@ -184,6 +184,13 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let before = model_file::of_text(&model_file::flat(&model, |_| String::new()), Path::new("model.toml")).unwrap();
     let text = model_file::write(&found.as_fit(&refs, &held_out, &before));
     let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
+    assert!(!improved.was_changed(), "what a diagnosis writes is as it was found");
+    // The plain curve is one of these records: friction is in it, which stands beside the model's own curve.
+    let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().fv_curve.at(v).value;
+    for v in [-0.02, 0.02] {
+        let (plain, own) = (at(&improved.plain(), v), at(&improved.params, v));
+        assert!(v.signum() * (plain - own) > 20.0, "at {v} m/s {plain} N, the model's own {own} N");
+    }
     let delay = improved.identification.measured().into_iter().find(|m| m.name == "delay").expect("a delay");
     assert!((delay.value - 2e-3).abs() < 1e-4 && delay.low < delay.value && delay.value < delay.high, "{delay:?}");
     let note = improved.identification.right(&mut records).expect("a note");

@@ -8,6 +8,7 @@ use super::search::{Search, physical};
 use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
+use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
 use dashpot_records::taken_out::Off;
@@ -66,8 +67,8 @@ fn of_both(fit: Vec<Measured>, given: &Off, diagnosis: &[Measured]) -> Vec<Measu
 }
 
 impl Diagnosis {
-    /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: it keeps that one's
-    /// plain curve to compare with, and has what its fit and this diagnosis found of the measurement.
+    /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: with the plain curve of
+    /// these records to compare with, and what that model's fit and this diagnosis found of the measurement.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&Record> = records
             .iter()
@@ -93,7 +94,9 @@ impl Diagnosis {
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            fv_only: model.plain(),
+            // That of the model would be one of another damper where this one was diagnosed against a reference, or its own curve, without
+            // friction, where no fit stands behind it.
+            fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }
     }
