@@ -1,0 +1,77 @@
+//! Cases out to the program that has the equations of the book, answers in.
+
+use crate::draw::Case;
+use crate::kernel::states;
+use crate::python;
+use dashpot_core::elements::names;
+use dashpot_core::parameter::{Element, Shape, table};
+use std::fmt::Debug;
+
+/// A constant of the page, by section and name.
+pub type Constant = (String, String);
+
+/// A case that is asked for, and by how much one of the constants is changed for it.
+pub struct Question<'a> {
+    pub case: &'a Case,
+    pub shift: Option<(&'a Constant, f64)>,
+}
+
+/// One number of an answer.
+pub struct Answer {
+    pub question: usize,
+    pub kind: String,
+    pub name: String,
+    pub value: f64,
+}
+
+/// An object; names and words of the table are plain, and numbers are written so that they are read back to the last digit.
+fn object(members: impl Iterator<Item = (impl Debug, String)>) -> String {
+    let members: Vec<String> = members.map(|(name, value)| format!("{name:?}: {value}")).collect();
+    format!("{{{}}}", members.join(", "))
+}
+
+fn json(question: &Question) -> String {
+    let Question { case, shift } = question;
+    let on: Vec<_> = names().filter(|name| case.params.is_on(Element::find(name).expect("an element"))).collect();
+    let parameters = object(table().map(|row| {
+        let values = case.params.get(&row);
+        let value = match row.parameter.shape {
+            Shape::Choice(words) => format!("{:?}", words[values[0] as usize]),
+            Shape::Scalar => format!("{:?}", values[0]),
+            Shape::List(_) => format!("{values:?}"),
+        };
+        (row.parameter.name, value)
+    }));
+    let states = object(states(&case.model, &case.state).map(|(name, value)| (name, format!("{value:?}"))));
+    let input = &case.input;
+    let mut members = vec![
+        ("elements", format!("{on:?}")),
+        ("parameters", parameters),
+        ("states", states),
+        ("x", format!("{:?}", input.displacement.expect("a displacement"))),
+        ("v", format!("{:?}", input.velocity)),
+        ("side_force", format!("{:?}", input.side_force)),
+        ("temperature", format!("{:?}", input.temperature)),
+    ];
+    if let Some(((section, name), factor)) = shift {
+        members.push(("shift", format!("[{section:?}, {name:?}, {factor:?}]")));
+    }
+    object(members.into_iter())
+}
+
+/// What the equations of the page answer; `None` where there is no Python, which is told.
+pub fn answers(questions: &[Question]) -> Option<Vec<Answer>> {
+    let text: Vec<String> = questions.iter().map(json).collect();
+    let said = python::run("answer.py", &format!("[{}]", text.join(",\n")))?;
+    let answer = |line: &str| {
+        let [question, kind, name, value] = line.split(' ').collect::<Vec<_>>().try_into().expect("four words");
+        let number = "a number";
+        Answer {
+            question: question.parse().expect(number),
+            kind: kind.to_owned(),
+            name: name.to_owned(),
+            value: value.parse().expect(number),
+        }
+    };
+    Some(said.lines().map(answer).collect())
+}

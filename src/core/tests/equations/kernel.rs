@@ -1,0 +1,30 @@
+//! What the kernel answers to a case, under the names that the page gives it.
+
+use crate::draw::Case;
+use dashpot_core::{Model, State, evaluate};
+
+/// The states of a model with their names, in its order.
+pub fn states<'a>(model: &'a Model, state: &'a State) -> impl Iterator<Item = (&'static str, f64)> + 'a {
+    let values = [state.mass_displacement, state.mass_velocity].into_iter().chain(state.memory);
+    (0..model.states()).zip(values).map(|(i, value)| (model.state_name(i).expect("a state").0, value))
+}
+
+/// Kind, name and value of every number.
+pub fn answers(case: &Case) -> Vec<(&'static str, &'static str, f64)> {
+    let (output, rates) = evaluate(&case.model, &case.state, &case.input);
+    let parts = [
+        ("force", output.force),
+        ("primary_force", output.primary_force),
+        ("spring_force", output.spring_force),
+        ("friction_force", output.friction_force),
+        ("gas_force", output.gas_force),
+        ("stop_force", output.stop_force),
+        ("series_deflection", output.series_deflection),
+        ("oil_temperature", output.oil_temperature),
+    ];
+    let mut all: Vec<_> = parts.into_iter().map(|(name, value)| ("part", name, value)).collect();
+    all.extend(states(&case.model, &rates).map(|(name, value)| ("rate", name, value)));
+    let settled = case.model.settled(&case.input);
+    all.extend(states(&case.model, &settled).map(|(name, value)| ("settled", name, value)));
+    all
+}
