@@ -22,7 +22,7 @@ use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
-use super::{csv, glob, mat, mdf, not_read, rpc, slips, tdms, xlsx};
+use super::{csv, file_units, glob, mat, mdf, not_read, rpc, slips, tdms, xlsx};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -110,6 +110,10 @@ pub fn load(
     for (options, sorted) in sorted {
         pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
+    let readings = pieces
+        .iter()
+        .map(|(options, piece)| (piece.at.to_string(), file_units::Reading { units: piece.units.clone(), options }))
+        .collect();
     let mended: Vec<Result<_, RecordError>> = pieces
         .into_par_iter()
         .map(|(options, test)| {
@@ -140,6 +144,7 @@ pub fn load(
     unique_names(&mut records);
     one_clock::settle(&mut records, &mut notes);
     slips::refuse(&records, options)?;
+    file_units::refuse(&records, &readings)?;
     plausibility::remark(&records, &mut notes)?;
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();

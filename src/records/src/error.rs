@@ -41,6 +41,66 @@ impl fmt::Display for Place {
     }
 }
 
+/// Files of a campaign that are likely written in another unit than the others.
+#[derive(Debug, Clone)]
+pub struct FilesUnit {
+    /// The tests whose unit is likely another one.
+    pub tests: Vec<String>,
+    /// The tests that agree with each other.
+    pub others: Vec<String>,
+    /// Number of all tests.
+    pub all: usize,
+    /// One of the tests, by its name.
+    pub shown: String,
+    /// A velocity of it, m/s, and its force against the motion there, N.
+    pub at: (f64, f64),
+    /// The velocity of the others that is closest, and their force.
+    pub usual: (f64, f64),
+    /// The channel.
+    pub channel: Channel,
+    /// The unit that it was read in.
+    pub written: Unit,
+    /// The units that it is likely in; several where they are nearly the same.
+    pub likely: Vec<Unit>,
+}
+
+impl FilesUnit {
+    fn sentence(&self) -> Sentence {
+        let several = |tests: &[String]| {
+            /// Tests that are named: more would bury what is said of them, and their number is told.
+            const NAMED: usize = 12;
+            let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
+            match tests.len().saturating_sub(NAMED) {
+                0 => named,
+                more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+            }
+        };
+        // Where the others are not many more, it may be they that are wrong.
+        let either = (2 * self.others.len() < 3 * self.tests.len())
+            .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_said("others", several(&self.others)));
+        let figure = |value: f64| match value {
+            v if v < 0.1 => format!("{v:.2e}"),
+            v if v < 10.0 => format!("{v:.3}"),
+            v => format!("{v:.0}"),
+        };
+        let first = self.likely.first().map_or("", |unit| unit.name());
+        Sentence::from(phrases::FILES_UNIT)
+            .with("count", self.tests.len())
+            .with("all", self.all)
+            .with_said("tests", several(&self.tests))
+            .with("test", &self.shown)
+            .with("force", figure(self.at.1))
+            .with("velocity", figure(self.at.0))
+            .with("usual", figure(self.usual.1))
+            .with("there", figure(self.usual.0))
+            .with_names("likely", &self.likely, phrases::OR)
+            .with("written", self.written)
+            .with("channel", self.channel)
+            .with("first", first)
+            .with_any("either", either)
+    }
+}
+
 /// Why reading a campaign was refused. Every message names the file, the line where there is one, and what to do.
 ///
 /// Lines count from 1 as an editor shows them; in a sheet they are its rows, in a MAT file the elements.
@@ -100,6 +160,8 @@ pub enum RecordError {
         likely: Unit,
         evidence: Sentence,
     },
+
+    FilesUnit(Box<FilesUnit>),
 
     NoPaths,
 
@@ -415,6 +477,7 @@ impl RecordError {
                 .with("likely", likely)
                 .with("written", written)
                 .with("channel", channel),
+            RecordError::FilesUnit(slip) => slip.sentence(),
             RecordError::NoPaths => phrases::NO_PATHS.into(),
             RecordError::PeakTable { at, line, cause } => {
                 in_line(phrases::IN_LINE, at, line).with_said("cause", Sentence::as_it_is(cause))

@@ -114,6 +114,7 @@ impl SineTest {
             side_force: None,
             temperature: None,
             headings: Vec::new(),
+            units: Vec::new(),
             notes: Vec::new(),
         }
     }

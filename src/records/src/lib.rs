@@ -2,6 +2,7 @@
 //!
 //! [`load`] is the way in. After it everything is SI, rebound (extension) and tension positive.
 
+mod at_speed;
 mod beside;
 mod campaign;
 mod channel;
@@ -13,6 +14,7 @@ mod delay;
 pub mod delimiter;
 mod derive;
 mod error;
+mod file_units;
 #[cfg(test)]
 mod fixtures;
 pub mod glob;
@@ -48,7 +50,7 @@ mod xlsx;
 pub use campaign::{Campaign, ENDINGS, Progress, is_record_name, load};
 pub use channel::{Channel, assignment};
 pub use delay::Delay;
-pub use error::{Place, RecordError};
+pub use error::{FilesUnit, Place, RecordError};
 pub use motion::{MotionRecord, read_motion};
 pub use one_clock::apart;
 pub use options::{Options, Positive};

@@ -10,6 +10,7 @@ crate::phrases! {
     SEMICOLON: "; ";
     QUOTED: "'{name}'";
     AND_MORE: "{names} and {count} more";
+    OR: " or ";
     // Files and tables.
     PROFILE: "read as {file} says";
     STRAY: "in {folder}, not read as records: {names}";
@@ -122,6 +123,8 @@ crate::phrases! {
     UNDERSTOOD: "{header} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"";
     SWAPPED: "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist";
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
+    FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} m/s, the others ±{usual} N at {there} m/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
+    OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}";
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
     TWO_COLUMNS: "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\"";

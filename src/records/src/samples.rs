@@ -4,6 +4,7 @@ use super::channel::Channel;
 use super::error::Place;
 use super::record::Note;
 use super::sentence::Sentence;
+use super::unit::Unit;
 
 /// One test before cleaning. All channels have the length of `time`; missing values are NaN.
 #[derive(Debug, Clone)]
@@ -24,6 +25,8 @@ pub(crate) struct Samples {
     pub temperature: Option<Vec<f64>>,
     /// Headings of the channels that are there, as the file writes them.
     pub headings: Vec<(Channel, String)>,
+    /// The units that the channels were read in.
+    pub units: Vec<(Channel, Unit)>,
     pub notes: Vec<Note>,
 }
 

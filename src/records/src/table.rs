@@ -457,6 +457,7 @@ impl Rows {
                 side_force: take(Channel::SideForce),
                 temperature: take(Channel::Temperature),
                 headings: self.layout.columns.iter().map(|c| (c.channel, c.heading.clone())).collect(),
+                units: self.layout.columns.iter().map(|c| (c.channel, c.unit)).collect(),
                 notes: notes.clone(),
             });
         }

@@ -417,6 +417,7 @@ mod tests {
                 name: "any".into(),
                 lines: (2..n + 2).collect(),
                 headings: Vec::new(),
+                units: Vec::new(),
                 time: times,
                 begins: None,
                 force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),

@@ -13,6 +13,7 @@ pub const ALL: &[Said] = &[
         "{names} et {count} autres",
         "{names} 等，另有 {count} 个",
     ],
+    [" or ", " oder ", " ou ", "或"],
     // Files and tables.
     ["read as {file} says", "gelesen, wie {file} es sagt", "lu comme {file} le dit", "按 {file} 的规定读取"],
     [
@@ -569,6 +570,18 @@ pub const ALL: &[Said] = &[
         "{evidence}; das spricht für {likely}, als {written} geschrieben. --unit {channel}={likely} angeben, oder mit --unit {channel}={written} darauf bestehen",
         "{evidence} ; cela indique des {likely} écrits comme {written}. Donner --unit {channel}={likely}, ou insister par --unit {channel}={written}",
         "{evidence}；这说明实为 {likely} 却写成了 {written}。请给出 --unit {channel}={likely}，或用 --unit {channel}={written} 坚持",
+    ],
+    [
+        "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} m/s, the others ±{usual} N at {there} m/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}",
+        "{count} von {all} Versuchen passen nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: {tests}. {test} zeigt ±{force} N bei {velocity} m/s, die anderen ±{usual} N bei {there} m/s; das spricht für {likely}, als {written} geschrieben.{either} Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit {channel}={first} aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit {channel}={written} darauf bestehen, dass alle Dateien in {written} sind",
+        "{count} des {all} essais ne vont pas avec les autres, d’une manière qu’une unité explique : {tests}. {test} montre ±{force} N à {velocity} m/s, les autres ±{usual} N à {there} m/s ; cela indique des {likely} écrits comme {written}.{either} Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit {channel}={first}, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit {channel}={written} que tous les fichiers sont en {written}",
+        "{all} 个试验中有 {count} 个与其他试验不符，且差异恰似单位之差：{tests}。{test} 在 {velocity} m/s 时为 ±{force} N，其他试验在 {there} m/s 时为 ±{usual} N；这说明实为 {likely} 却写成了 {written}。{either}请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit {channel}={first}，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit {channel}={written} 坚持所有文件均以 {written} 为单位",
+    ],
+    [
+        " If these are right, it is the others that are wrong, the other way round: {others}.",
+        " Sind diese richtig, so sind umgekehrt die anderen falsch: {others}.",
+        " Si ceux-ci sont justes, ce sont, à l’inverse, les autres qui sont faux : {others}.",
+        "若这些正确，则相反，出错的是其他试验：{others}。",
     ],
     [
         "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}",
