@@ -61,7 +61,7 @@ pub struct Progress {
 
 /// Loads files and folders as one campaign.
 ///
-/// A folder stands for all record files directly in it. What `campaign.toml` beside the records says holds where `options`
+/// A folder stands for all record files directly in it, and with [`Options::subfolders`] for those in its subfolders too. What `campaign.toml` beside the records says holds where `options`
 /// say nothing. A file that is no record, and a test that has a fault of its own, are named and left out, unless
 /// [`Options::strict`]. `progress` is called from several threads, once per finished step. The result does not depend on
 /// the number of threads.
@@ -77,7 +77,7 @@ pub fn load(
         return Err(RecordError::Indispensable { channel });
     }
     let mut notes = Vec::new();
-    let Found { files, folders, mut excluded } = find(paths, options, &mut notes)?;
+    let Found { files, folders, below, mut excluded } = find(paths, options, &mut notes)?;
     let given = options;
     let options = &whole(given, &folders)?;
     let counter = Counter::new(files.len(), progress);
@@ -90,10 +90,16 @@ pub fn load(
             tests
         })
         .collect();
+    // Where the folder itself holds strays alone, the records are below it.
+    let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
+    if let (true, Some(below)) = (strays_alone, below.first()) {
+        return Err(below.refusal());
+    }
     let mut sieve = Sieve::new(options.strict);
     let mut tests: Vec<(&Options, Samples)> = Vec::new();
     for (file, read) in files.iter().zip(read) {
-        let read = sieve.pass(read)?.unwrap_or_default();
+        let mut read = sieve.pass(read)?.unwrap_or_default();
+        read.iter_mut().for_each(|test| test.name.insert_str(0, &file.within));
         let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
         tests.extend(kept.map(|test| (&*file.options, test)));
     }
@@ -104,6 +110,7 @@ pub fn load(
     if tests.is_empty() && sieve.is_empty() {
         return Err(RecordError::ExcludesAll { count: excluded.count });
     }
+    notes.extend(below.iter().map(Below::note));
     let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
     let mut pieces = Vec::new();
@@ -210,6 +217,8 @@ impl<'a> Counter<'a> {
 struct File {
     path: PathBuf,
     options: Arc<Options>,
+    /// What stands before the names of its tests: the subfolder that it was found in, with a stroke behind it.
+    within: String,
 }
 
 /// What is to be read.
@@ -217,6 +226,8 @@ struct Found {
     files: Vec<File>,
     /// Folders with a profile, and what it says.
     folders: Vec<(PathBuf, Options)>,
+    /// Folders whose subfolders hold records that were not asked for.
+    below: Vec<Below>,
     excluded: Excluded,
 }
 
@@ -242,73 +253,162 @@ fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<F
     if paths.is_empty() {
         return Err(RecordError::NoPaths);
     }
-    let mut found = Found { files: Vec::new(), folders: Vec::new(), excluded: Excluded::default() };
-    let mut known: HashMap<PathBuf, Arc<Options>> = HashMap::new();
-    let mut seen: HashSet<PathBuf> = HashSet::new();
+    let mut found = Found { files: Vec::new(), folders: Vec::new(), below: Vec::new(), excluded: Excluded::default() };
+    let mut search = Search { given: options, found: &mut found, known: HashMap::new(), seen: HashSet::new(), notes };
     for path in paths {
         if !path.exists() {
             return Err(RecordError::NotFound { file: path.clone() });
         }
-        let folder = profile::folder_of(path);
-        let own = match known.get(&folder) {
-            Some(own) => own.clone(),
-            None => {
-                let own = match Profile::of(&folder)? {
-                    Some(profile) => {
-                        // Checked when it was read.
-                        let said = profile.options().unwrap_or_default();
-                        notes.push(Note {
-                            kind: "profile",
-                            text: Sentence::from(phrases::PROFILE).with("file", folder.join(profile::FILE).display()),
-                        });
-                        let own = options.over(&said);
-                        found.folders.push((folder.clone(), said));
-                        own
-                    }
-                    None => options.clone(),
-                };
-                known.entry(folder.clone()).or_insert(Arc::new(own)).clone()
-            }
-        };
-        let entries = if path.is_dir() {
-            entries(path, found.folders.iter().any(|(f, _)| *f == folder), notes)?
+        let own = search.options(&profile::folder_of(path), None)?;
+        if path.is_dir() {
+            search.folder(path, "", &own)?;
         } else {
-            vec![path.clone()]
-        };
-        if path.is_dir() && entries.is_empty() {
-            return Err(RecordError::EmptyFolder { folder: path.clone() });
-        }
-        for entry in entries {
-            // The same file by another path is the same file.
-            let place = std::fs::canonicalize(&entry).unwrap_or_else(|_| entry.clone());
-            let stem = entry.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            if seen.insert(place)
-                && !found.excluded.takes(&own, &file_name(&entry))
-                && !found.excluded.takes(&own, &stem)
-            {
-                found.files.push(File { path: entry, options: own.clone() });
-            }
+            search.file(path.clone(), "", &own);
         }
     }
     Ok(found)
 }
 
-/// The record files in a folder, in natural order; the rest is named.
-fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Vec<PathBuf>, RecordError> {
+/// The search for the files of a campaign.
+struct Search<'a> {
+    given: &'a Options,
+    found: &'a mut Found,
+    /// The options of the folders that were looked at.
+    known: HashMap<PathBuf, Arc<Options>>,
+    /// The files found. The same file by another path is the same file.
+    seen: HashSet<PathBuf>,
+    notes: &'a mut Vec<Note>,
+}
+
+impl Search<'_> {
+    /// How the files of a folder are read: as its own profile says, else as the folder above it.
+    fn options(&mut self, folder: &Path, above: Option<&Arc<Options>>) -> Result<Arc<Options>, RecordError> {
+        if let Some(known) = self.known.get(folder) {
+            return Ok(known.clone());
+        }
+        let own = match Profile::of(folder)? {
+            Some(profile) => {
+                // Checked when it was read.
+                let said = profile.options().unwrap_or_default();
+                let file = folder.join(profile::FILE);
+                let text = Sentence::from(phrases::PROFILE).with("file", file.display());
+                self.notes.push(Note { kind: "profile", text });
+                let own = Arc::new(self.given.over(&said));
+                self.found.folders.push((folder.to_owned(), said));
+                own
+            }
+            None => above.cloned().unwrap_or_else(|| Arc::new(self.given.clone())),
+        };
+        self.known.insert(folder.to_owned(), own.clone());
+        Ok(own)
+    }
+
+    /// Takes the records of a folder, and those of its subfolders where they are asked for.
+    fn folder(&mut self, folder: &Path, within: &str, own: &Arc<Options>) -> Result<(), RecordError> {
+        let has_profile = self.found.folders.iter().any(|(f, _)| f == folder);
+        let (files, subfolders) = entries(folder, has_profile, self.notes)?;
+        let holds_none = files.is_empty();
+        for file in files {
+            self.file(file, within, own);
+        }
+        if holds_none && subfolders.is_empty() {
+            return Err(RecordError::EmptyFolder { folder: folder.to_owned() });
+        }
+        if own.subfolders {
+            for sub in subfolders {
+                let own = self.options(&sub, Some(own))?;
+                self.folder(&sub, &format!("{within}{}/", file_name(&sub)), &own)?;
+            }
+        } else if !subfolders.is_empty() {
+            let names = subfolders.iter().map(|sub| file_name(sub)).collect();
+            let count = subfolders.iter().map(|sub| records_below(sub, DEEPEST)).sum();
+            self.found.below.push(Below { folder: folder.to_owned(), names, count });
+        }
+        Ok(())
+    }
+
+    /// Takes a file, unless it was taken already or a pattern leaves it out.
+    fn file(&mut self, path: PathBuf, within: &str, own: &Arc<Options>) {
+        let place = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        let name = file_name(&path);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let mut names = vec![name.clone(), stem.clone()];
+        if !within.is_empty() {
+            names.extend([format!("{within}{name}"), format!("{within}{stem}")]);
+        }
+        if self.seen.insert(place) && !names.iter().any(|name| self.found.excluded.takes(own, name)) {
+            self.found.files.push(File { path, options: own.clone(), within: within.to_owned() });
+        }
+    }
+}
+
+/// Subfolders that hold records, of a folder whose own records alone were asked for.
+struct Below {
+    folder: PathBuf,
+    names: Vec<String>,
+    count: usize,
+}
+
+impl Below {
+    fn note(&self) -> Note {
+        let text = Sentence::from(phrases::BELOW)
+            .with("folder", self.folder.display())
+            .with("count", self.count)
+            .with_names("names", &self.names, phrases::COMMA);
+        Note { kind: "subfolders", text }
+    }
+
+    fn refusal(&self) -> RecordError {
+        RecordError::InSubfolders { folder: self.folder.clone(), names: self.names.clone(), count: self.count }
+    }
+}
+
+/// How many folders deep records are looked for: campaigns lie one or two deep, and a link to a folder above would have no end.
+const DEEPEST: usize = 4;
+
+/// How many files in a folder and those below it are records by their names; as many as can be seen.
+fn records_below(folder: &Path, deep: usize) -> usize {
+    let Ok(within) = std::fs::read_dir(folder) else { return 0 };
+    let count = |path: &Path| match () {
+        () if is_passed_over(&file_name(path)) => 0,
+        () if path.is_dir() => deep.checked_sub(1).map_or(0, |deep| records_below(path, deep)),
+        () => usize::from(is_record_name(path)),
+    };
+    within.filter_map(Result::ok).map(|entry| count(&entry.path())).sum()
+}
+
+/// Hidden files, and the lock files that a spreadsheet leaves beside an open workbook.
+fn is_passed_over(name: &str) -> bool {
+    name.starts_with('.') || name.starts_with("~$")
+}
+
+/// The record files in a folder and its subfolders, in natural order; the rest is named.
+fn entries(
+    folder: &Path,
+    has_profile: bool,
+    notes: &mut Vec<Note>,
+) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
     let unreadable = |source| RecordError::Read { file: folder.to_owned(), source };
     let mut entries = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         entries.push(entry.map_err(unreadable)?.path());
     }
     entries.sort_by(|a, b| natural_order(&file_name(a), &file_name(b)));
-    let (mut files, mut ignored) = (Vec::new(), Vec::new());
+    let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // Hidden files, the lock files that a spreadsheet leaves beside an open workbook, and what was read already.
-        if name.starts_with('.') || name.starts_with("~$") || (has_profile && name == profile::FILE) {
+        // What was read already is no stray either.
+        if is_passed_over(&name) || (has_profile && name == profile::FILE) {
             continue;
         }
-        if entry.is_file() && is_record_name(&entry) {
+        if entry.is_dir() {
+            // One that holds records is told of by itself.
+            if records_below(&entry, DEEPEST) == 0 {
+                ignored.push(name);
+            } else {
+                subfolders.push(entry);
+            }
+        } else if is_record_name(&entry) {
             files.push(entry);
         } else {
             ignored.push(name);
@@ -324,7 +424,7 @@ fn entries(folder: &Path, has_profile: bool, notes: &mut Vec<Note>) -> Result<Ve
             ),
         });
     }
-    Ok(files)
+    Ok((files, subfolders))
 }
 
 /// How the names of records end, in small letters.
@@ -572,6 +672,50 @@ mod tests {
         let files = [("a.csv", good.as_str()), ("b.csv", unit.as_str())];
         assert!(
             load_folder(&folder(&files), &Options::default()).unwrap_err().to_string().contains("'force' has no unit")
+        );
+    }
+
+    #[test]
+    fn records_in_subfolders_are_told_of_and_read_where_they_are_asked_for() {
+        let tests = |folder: &tempfile::TempDir| {
+            for (sub, name, frequency) in [("sine", "a", 1.0), ("sine", "b", 2.0), ("tri/slow", "a", 0.5)] {
+                fs::create_dir_all(folder.path().join(sub)).unwrap();
+                fs::write(folder.path().join(sub).join(format!("{name}.csv")), sine(frequency)).unwrap();
+            }
+            fs::create_dir_all(folder.path().join("pictures")).unwrap();
+            fs::write(folder.path().join("pictures/a.jpg"), "").unwrap();
+        };
+        let deep = Options { subfolders: true, ..Options::default() };
+        let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
+        // Subfolders alone, and a table of results beside them that is no record.
+        for strays in
+            [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
+        {
+            let folder = folder(strays);
+            tests(&folder);
+            let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
+            assert!(message.contains("sine, tri") && message.contains("--subfolders"), "{message}");
+            let campaign = load_folder(&folder, &deep).unwrap();
+            assert_eq!(names(&campaign), ["sine/a", "sine/b", "tri/slow/a"]);
+            let left_out = |n: &&Note| n.kind == "left_out";
+            assert_eq!(campaign.notes.iter().filter(left_out).count(), strays.len(), "{:?}", campaign.notes);
+            assert!(campaign.notes.iter().any(|n| n.text.to_string().contains("pictures")));
+            // A pattern may name the subfolder too.
+            let without = Options { exclude: vec!["sine/*".into()], ..deep.clone() };
+            assert_eq!(names(&load_folder(&folder, &without).unwrap()), ["tri/slow/a"]);
+        }
+        // Beside records of the folder itself they are told of, and a profile may ask for them.
+        let folder = folder(&[("own.csv", &sine(3.0))]);
+        tests(&folder);
+        let campaign = load_folder(&folder, &Options::default()).unwrap();
+        assert_eq!(names(&campaign), ["own"]);
+        let told = campaign.notes.iter().find(|n| n.kind == "subfolders").unwrap().text.to_string();
+        assert!(told.contains("3 files") && told.contains("sine, tri") && !told.contains("pictures"), "{told}");
+        let profile = "format = \"dashpot campaign profile 1\"\nsubfolders = true\n";
+        fs::write(folder.path().join("campaign.toml"), profile).unwrap();
+        assert_eq!(
+            names(&load_folder(&folder, &Options::default()).unwrap()),
+            ["own", "sine/a", "sine/b", "tri/slow/a"]
         );
     }
 

@@ -122,6 +122,12 @@ pub enum RecordError {
         folder: PathBuf,
     },
 
+    InSubfolders {
+        folder: PathBuf,
+        names: Vec<String>,
+        count: usize,
+    },
+
     EmptyFile {
         file: PathBuf,
     },
@@ -456,6 +462,10 @@ impl RecordError {
             RecordError::EmptyFolder { folder } => {
                 Sentence::from(phrases::EMPTY_FOLDER).with("folder", folder.display()).with_said("kinds", kinds())
             }
+            RecordError::InSubfolders { folder, names, count } => Sentence::from(phrases::IN_SUBFOLDERS)
+                .with("folder", folder.display())
+                .with("count", count)
+                .with_names("names", names, phrases::COMMA),
             RecordError::ExcludesNothing { pattern, first } => Sentence::from(phrases::EXCLUDES_NOTHING)
                 .with("pattern", format!("{pattern:?}"))
                 .with("first", format!("{first:?}")),

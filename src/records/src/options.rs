@@ -72,6 +72,8 @@ pub struct Options {
     pub rig_mass_kg: f64,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
     pub exclude: Vec<String>,
+    /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
+    pub subfolders: bool,
     /// Refuse files that are no records and tests that have a fault of their own, instead of leaving them out (`--strict`).
     pub strict: bool,
 }
@@ -93,6 +95,7 @@ impl Default for Options {
             gain: 1.0,
             rig_mass_kg: 0.0,
             exclude: Vec::new(),
+            subfolders: false,
             strict: false,
         }
     }
@@ -152,6 +155,7 @@ impl Options {
         all.positive = self.positive.or(profile.positive);
         all.flip_force |= profile.flip_force;
         all.flip_motion |= profile.flip_motion;
+        all.subfolders |= profile.subfolders;
         all.sample_rate_hz = self.sample_rate_hz.or(profile.sample_rate_hz);
         all.initial_position = number(self.initial_position, profile.initial_position, 0.0);
         all.delay_s = number(self.delay_s, profile.delay_s, 0.0);

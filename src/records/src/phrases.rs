@@ -14,6 +14,7 @@ crate::phrases! {
     // Files and tables.
     PROFILE: "read as {file} says";
     STRAY: "in {folder}, not read as records: {names}";
+    BELOW: "the subfolders of {folder} hold {count} files that were not read ({names}); where they are tests of the same damper, --subfolders reads them too";
     COLUMNS_NOT_READ: "columns not read: {names}";
     CONVERTED: "converted to SI: {channels}";
     FROM_UNIT: "{channel} from {unit}";
@@ -112,6 +113,7 @@ crate::phrases! {
     NOT_FOUND: "{file}: there is no such file or folder; check the path";
     CANNOT_READ: "{file}: cannot be read ({cause})";
     EMPTY_FOLDER: "{folder}: holds no record; a campaign folder holds {kinds}";
+    IN_SUBFOLDERS: "{folder}: holds no record itself; {count} files lie in its subfolders: {names}. Where these are tests of one damper, give --subfolders, which reads them as one campaign; where each is a damper of its own, name one of them, or compare them by dashpot diagnose --group folders";
     KINDS: "{others} and {last}";
     NO_PATHS: "no record given; name a record file or a campaign folder";
     EXCLUDES_NOTHING: "--exclude {pattern} matches no file and no test; the first file is called {first}";

@@ -32,6 +32,9 @@ pub struct Profile {
     /// Files and tests left out; * stands for anything.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<String>,
+    /// Whether the records in the subfolders are tests of the same campaign.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub subfolders: bool,
     /// How much later than the motion the force was recorded, s.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub delay_s: f64,
@@ -64,6 +67,11 @@ pub struct Profile {
 #[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
@@ -115,6 +123,7 @@ impl Profile {
                 .collect(),
             ignore: options.ignore.iter().map(Channel::to_string).collect(),
             exclude: options.exclude.clone(),
+            subfolders: options.subfolders,
             delay_s: options.delay_s,
             force_zero_n: options.force_zero_n,
             displacement_zero_m: options.displacement_zero_m,
@@ -135,6 +144,7 @@ impl Profile {
         let mut options = Options {
             positive: self.positive.as_deref().map(str::parse::<Positive>).transpose()?,
             exclude: self.exclude.clone(),
+            subfolders: self.subfolders,
             delay_s: self.delay_s,
             force_zero_n: self.force_zero_n,
             displacement_zero_m: self.displacement_zero_m,

@@ -32,6 +32,9 @@ pub struct DataArgs {
     /// Files or tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     exclude: Vec<String>,
+    /// Read the records in subfolders as tests of the same campaign; the names of their tests begin with the folder
+    #[arg(long)]
+    subfolders: bool,
     /// Refuse files that are no records and tests with a fault of their own (too short, no motion, clipped), instead of leaving them out
     #[arg(long)]
     strict: bool,
@@ -117,6 +120,7 @@ impl DataArgs {
             sample_rate: None,
             initial_position: 0.0,
             exclude: vec![],
+            subfolders: false,
             strict: false,
         }
     }
@@ -128,6 +132,7 @@ impl DataArgs {
             sample_rate_hz: self.sample_rate,
             initial_position: self.initial_position,
             exclude: self.exclude.clone(),
+            subfolders: self.subfolders,
             strict: self.strict,
             ..self.columns.options()?
         };
@@ -176,7 +181,8 @@ impl DataArgs {
 
 /// Whether a note was said when the records were read.
 pub fn is_said_first(note: &Note) -> bool {
-    ["gap", "left_out", "late", "profile", "clock", "duplicated", "no_force", "small"].contains(&note.kind)
+    ["gap", "left_out", "subfolders", "late", "profile", "clock", "duplicated", "no_force", "small"]
+        .contains(&note.kind)
 }
 
 /// The name of a file without its folder.

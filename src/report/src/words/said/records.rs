@@ -510,6 +510,18 @@ pub const ALL: &[Said] = &[
         "{file}：无法读取（{cause}）",
     ],
     [
+        "{folder}: holds no record itself; {count} files lie in its subfolders: {names}. Where these are tests of one damper, give --subfolders, which reads them as one campaign; where each is a damper of its own, name one of them, or compare them by dashpot diagnose --group folders",
+        "{folder}: enthält selbst keine Messung; {count} Dateien liegen in seinen Unterordnern: {names}. Sind das Versuche an einem Dämpfer, so liest --subfolders sie als eine Messreihe; ist jeder ein eigener Dämpfer, einen davon nennen oder sie mit dashpot diagnose --group folders vergleichen",
+        "{folder} : ne contient lui-même aucune mesure ; {count} fichiers se trouvent dans ses sous-dossiers : {names}. Si ce sont des essais d’un même amortisseur, --subfolders les lit comme une campagne ; si chacun est un amortisseur à part, en nommer un, ou les comparer par dashpot diagnose --group folders",
+        "{folder}：本身没有试验记录；其子文件夹中有 {count} 个文件：{names}。若它们是同一减振器的试验，请给出 --subfolders，将其作为一个试验系列读取；若各为不同的减振器，请给出其中一个，或用 dashpot diagnose --group folders 进行比较",
+    ],
+    [
+        "the subfolders of {folder} hold {count} files that were not read ({names}); where they are tests of the same damper, --subfolders reads them too",
+        "die Unterordner von {folder} enthalten {count} Dateien, die nicht gelesen wurden ({names}); sind es Versuche am selben Dämpfer, so liest --subfolders auch sie",
+        "les sous-dossiers de {folder} contiennent {count} fichiers qui n’ont pas été lus ({names}) ; si ce sont des essais du même amortisseur, --subfolders les lit aussi",
+        "{folder} 的子文件夹中有 {count} 个文件未读取（{names}）；若它们是同一减振器的试验，--subfolders 会一并读取",
+    ],
+    [
         "{folder}: holds no record; a campaign folder holds {kinds}",
         "{folder}: enthält keine Messung; ein Ordner mit Messungen enthält {kinds}",
         "{folder} : ne contient aucune mesure ; un dossier de campagne contient {kinds}",
