@@ -92,8 +92,13 @@ fn page(case: &Case, language: Language) -> String {
     .render()
 }
 
-/// Every text that a reader sees, figures included.
+/// Every text with words that a reader sees, figures included.
 fn visible(page: &str) -> Vec<String> {
+    every_text(page).into_iter().filter(|text| text.chars().any(char::is_alphabetic)).collect()
+}
+
+/// The same with the texts that are numbers alone.
+fn every_text(page: &str) -> Vec<String> {
     let without = |page: &str, tag: &str| -> String {
         let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
         page.split(&open).map(|part| part.rsplit(&close).next().unwrap_or("")).collect()
@@ -104,7 +109,7 @@ fn visible(page: &str) -> Vec<String> {
         let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")];
         signs.iter().fold(text.trim().to_owned(), |text, (from, to)| text.replace(from, to))
     };
-    texts.map(plain).filter(|text| text.chars().any(char::is_alphabetic)).collect()
+    texts.map(plain).filter(|text| !text.is_empty()).collect()
 }
 
 /// Words of a text in Latin letters, names and units too.
@@ -167,6 +172,43 @@ fn german_and_french_reports_have_no_text_of_the_english_one() {
         }
     }
     assert!(same.is_empty(), "{same:#?}");
+}
+
+/// Words of a text that hold a number with a decimal point.
+fn with_point(text: &str) -> impl Iterator<Item = &str> {
+    let has_point = |word: &&str| {
+        let parts: Vec<&str> = word.split('.').collect();
+        let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        parts.windows(2).any(|p| digit(p[0].chars().last()) && digit(p[1].chars().next()))
+    };
+    text.split_whitespace().filter(has_point)
+}
+
+#[test]
+fn numbers_of_german_and_french_reports_have_a_decimal_comma_and_every_minus_is_one() {
+    let mut wrong = BTreeSet::new();
+    let mut commas = 0;
+    for case in cases() {
+        for (_, language) in Language::ALL {
+            for text in every_text(&page(case, language)) {
+                // The version that made it, and options of the command.
+                let plain = text.contains("dashpot 9.9") || text.contains("--");
+                if matches!(language, Language::German | Language::French) && !plain {
+                    wrong.extend(with_point(&text).map(str::to_owned));
+                }
+                commas += usize::from(language == Language::German && text.contains(|c: char| c == ','));
+                let letters: Vec<char> = text.chars().collect();
+                let hyphen = letters.windows(2).enumerate().any(|(k, pair)| {
+                    pair[0] == '-' && pair[1].is_ascii_digit() && (k == 0 || letters[k - 1].is_whitespace())
+                });
+                if hyphen && !plain {
+                    wrong.insert(text);
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(commas > 100, "{commas}");
 }
 
 #[test]

@@ -106,7 +106,7 @@ pub fn judge(found: &Search, fitted: &[Test], confidence: &[f64]) -> Judged {
         });
         let why = match names[..] {
             [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
-            _ => Sentence::from(phrases::NOT_APART).with_names("names", names, phrases::AND),
+            _ => Sentence::from(phrases::NOT_APART).with_names("effects", names, phrases::AND),
         };
         return Judged {
             verdict: Verdict::CannotTell,

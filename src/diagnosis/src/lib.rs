@@ -115,7 +115,7 @@ impl DiagnosisError {
             DiagnosisError::NoTests => phrases::NO_TESTS.into(),
             DiagnosisError::UnknownEffect { name } => Sentence::from(phrases::UNKNOWN_NAME)
                 .with("name", format!("{name:?}"))
-                .with_names("names", EFFECTS, phrases::COMMA),
+                .with_names("known", EFFECTS, phrases::COMMA),
             DiagnosisError::NothingToCompare => phrases::NOTHING_TO_COMPARE.into(),
             DiagnosisError::NotFinite => phrases::NOT_FINITE.into(),
         }
@@ -474,7 +474,7 @@ impl Answer<'_> {
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())
-            .then(|| Sentence::from(phrases::CANNOT_SHOW).with_names("names", names, phrases::COMMA));
+            .then(|| Sentence::from(phrases::CANNOT_SHOW).with_names("effects", names, phrases::COMMA));
         let not_confirmed = self.left.is_empty().then(|| phrases::NOT_CONFIRMED.into());
         nothing.with_any("not_seen", not_seen).with_any("not_confirmed", not_confirmed)
     }

@@ -15,7 +15,7 @@ dashpot_records::phrases! {
     DONE: "done";
     // Why there is no diagnosis.
     NO_TESTS: "there is no test to diagnose: give a folder or files with at least one record, and leave some of them in";
-    UNKNOWN_NAME: "there is no effect called {name}; the effects are {names}";
+    UNKNOWN_NAME: "there is no effect called {name}; the effects are {known}";
     NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers";
     NOT_FINITE: "the model gives no finite force for these records: run dashpot validate to see where";
     // Lists.
@@ -42,11 +42,11 @@ dashpot_records::phrases! {
     MORE_DRY_FORCE: "{force} N more force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as more dry friction makes";
     LESS_DRY_FORCE: "{force} N less force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as less dry friction makes";
     MORE_NUMBERS: " and {count} more";
-    CANNOT_SHOW: "; they cannot show {names}";
+    CANNOT_SHOW: "; they cannot show {effects}";
     NOT_CONFIRMED: "; no test was left out to confirm it";
     CANNOT_TELL: "something is missing: the model is off by {times}, and {why}{place}";
     TOO_FEW_TESTS: "{effect} is the likeliest name, but too few tests speak for it to give it";
-    NOT_APART: "these records cannot tell {names} apart";
+    NOT_APART: "these records cannot tell {effects} apart";
     IN_PATH: "; it acts in the path \"{path}\" ({percent})";
     UNKNOWN_EFFECT: "the model is off by {times}, and none of the known effects is likely enough to explain that{nearest}";
     LOOKS_LIKE: "; it looks like {what}, which explains {percent}";

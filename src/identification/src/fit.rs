@@ -90,9 +90,9 @@ impl FitError {
             FitError::NoTests => phrases::NO_TESTS.into(),
             FitError::UnknownElement { name } => Sentence::from(phrases::UNKNOWN_ELEMENT)
                 .with("name", quoted(name))
-                .with_names("names", elements::names(), phrases::COMMA),
+                .with_names("known", elements::names(), phrases::COMMA),
             FitError::NotFitted { name } => Sentence::from(phrases::NOT_FITTED).with("name", name).with_names(
-                "names",
+                "known",
                 identified().iter().map(|element| element.name()),
                 phrases::COMMA,
             ),

@@ -61,8 +61,8 @@ dashpot_records::phrases! {
     DONE: "done";
     // Why there is no fit.
     NO_TESTS: "there is no test to fit: give a folder or files with at least one record";
-    UNKNOWN_ELEMENT: "there is no element called {name}; the elements are {names}";
-    NOT_FITTED: "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {names}";
+    UNKNOWN_ELEMENT: "there is no element called {name}; the elements are {known}";
+    NOT_FITTED: "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {known}";
     OTHER_FAMILY: "{name} is a model of its own and takes no other element; use --model lag";
     ONE_SIDED: "the tests never move in {direction}: a force-velocity curve needs both directions";
     NOT_FINITE: "no finite force could be computed for test {test}; look at its channels (a jump in displacement?)";

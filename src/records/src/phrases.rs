@@ -8,7 +8,7 @@ crate::phrases! {
     // Lists.
     COMMA: ", ";
     SEMICOLON: "; ";
-    QUOTED: "'{name}'";
+    QUOTED: "'{test}'";
     AND_MORE: "{names} and {count} more";
     OR: " or ";
     // Files and tables.

@@ -98,10 +98,21 @@ pub fn each_once(templates: &[Template], words: impl IntoIterator<Item = &'stati
 /// A text that nobody can translate.
 const AS_IT_IS: Template = Template("{text}");
 
+/// Places where a name stands, and a name may look like a number: a test may be called 2.5.
+const NAMES: &[&str] =
+    &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
+
+/// Whether what stands at a place of a sentence is a number, which every language writes in its own way: a number alone, with a sign or
+/// `%` at most. A name, an option of the command or a version is none.
+pub fn is_number(place: &str, text: &str) -> bool {
+    let digits = text.trim_start_matches(['+', '-', '±', '\u{2212}']).trim_end_matches('%').trim_end();
+    !NAMES.contains(&place) && digits.starts_with(|c: char| c.is_ascii_digit()) && digits.parse::<f64>().is_ok()
+}
+
 /// What stands at a place of a sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Value {
-    /// A number, a unit, a name of a test or an effect: the same in every language.
+    /// A number ([`is_number`]), or a unit, a name of a test or an effect, which are the same in every language.
     AsIs(String),
     /// A word of this crate, such as a path; the same in every language where it is no word but a name.
     Word(String),
@@ -181,15 +192,20 @@ impl Sentence {
         self
     }
 
-    /// The sentence with every text as `translated` has it; what that does not know stays English. A place without a value is left empty.
-    pub fn said(&self, translated: &dyn Fn(&str) -> Option<&'static str>) -> String {
+    /// The sentence with every text as `translated` has it, and what stands at a place as `value` writes it, which gets the place and the
+    /// value; what `translated` does not know stays English. A place without a value is left empty.
+    pub fn said(
+        &self,
+        translated: &dyn Fn(&str) -> Option<&'static str>,
+        value: &dyn Fn(&str, &str) -> String,
+    ) -> String {
         let mut rest = translated(self.template.0).unwrap_or(self.template.0);
         let mut text = String::new();
         while let Some((before, after)) = rest.split_once('{') {
             text += before;
             let (name, behind) = after.split_once('}').unwrap_or((after, ""));
-            if let Some((_, value)) = self.values.iter().find(|(n, _)| *n == name) {
-                text += &value.said(translated);
+            if let Some((_, held)) = self.values.iter().find(|(n, _)| *n == name) {
+                text += &held.said(name, translated, value);
             }
             rest = behind;
         }
@@ -198,13 +214,18 @@ impl Sentence {
 }
 
 impl Value {
-    fn said(&self, translated: &dyn Fn(&str) -> Option<&'static str>) -> String {
+    fn said(
+        &self,
+        place: &str,
+        translated: &dyn Fn(&str) -> Option<&'static str>,
+        value: &dyn Fn(&str, &str) -> String,
+    ) -> String {
         match self {
-            Value::AsIs(text) => text.clone(),
+            Value::AsIs(text) => value(place, text),
             Value::Word(word) => translated(word).map_or_else(|| word.clone(), str::to_owned),
-            Value::Said(sentence) => sentence.said(translated),
+            Value::Said(sentence) => sentence.said(translated, value),
             Value::List(values, between) => {
-                let all: Vec<String> = values.iter().map(|value| value.said(translated)).collect();
+                let all: Vec<String> = values.iter().map(|held| held.said(place, translated, value)).collect();
                 all.join(translated(between.0).unwrap_or(between.0))
             }
         }
@@ -303,7 +324,7 @@ impl Reader {
 
 impl fmt::Display for Sentence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.said(&|_| None))
+        f.write_str(&self.said(&|_| None, &|_, value| value.to_owned()))
     }
 }
 
@@ -336,15 +357,36 @@ mod tests {
         }
     }
 
+    fn comma(place: &str, value: &str) -> String {
+        if is_number(place, value) { value.replace('.', ",") } else { value.to_owned() }
+    }
+
+    #[test]
+    fn numbers_are_told_from_names_options_and_versions() {
+        for number in ["1.048", "-12.5", "+130", "±0.05", "97 %", "97\u{a0}%", "\u{2212}3", "1.2e5"] {
+            assert!(is_number("value", number), "{number}");
+        }
+        for other in ["", "-", "%", "0.2.1", "a01mm", "--delay=0.0065", "2.5.csv", "inf", "NaN", "2026-01-05", "3.1 N"]
+        {
+            assert!(!is_number("value", other), "{other}");
+        }
+        assert!(!is_number("test", "2.5"));
+        const AT: Template = Template("{test}: {value} {unit} at {names}");
+        let said = Sentence::from(AT).with("test", "2.5").with("value", "1.5").with("unit", "N");
+        let said = said.with_names("names", ["0.1", "0.2"], NOTE);
+        assert_eq!(said.said(&|_| None, &comma), "2.5: 1,5 N at 0.1, {what}0.2");
+        assert_eq!(said.to_string(), "2.5: 1.5 N at 0.1, {what}0.2");
+    }
+
     #[test]
     fn values_keep_their_places_in_every_language() {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
         // A name with braces is no place.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
-        assert_eq!(sentence.said(&german), "in Prüfstand: a und {place}");
+        assert_eq!(sentence.said(&german, &comma), "in Prüfstand: a und {place}");
         let noted = sentence.with_said("note", Sentence::from(NOTE).with("what", 3));
         assert_eq!(noted.to_string(), "a and {place} in rig, 3");
-        assert_eq!(noted.said(&german), "in Prüfstand: a und {place}, 3");
+        assert_eq!(noted.said(&german, &comma), "in Prüfstand: a und {place}, 3");
     }
 
     #[test]

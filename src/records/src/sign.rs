@@ -204,7 +204,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
 fn list(names: &[&Evidence]) -> Sentence {
     /// Tests that are named: more would bury what is said of them, and their number is told.
     const NAMED: usize = 8;
-    let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("name", &e.name);
+    let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("test", &e.name);
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
     match names.len().saturating_sub(NAMED) {
         0 => named,

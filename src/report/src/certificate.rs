@@ -7,7 +7,7 @@ use super::page;
 use crate::cells::Cell;
 use crate::plot::peaks;
 use crate::plot::ticks::number;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Checked, Quantity, Value, Verdict};
 
 /// What a certificate is written from.
@@ -36,7 +36,7 @@ pub fn render(input: &CertificateInput<'_>) -> String {
     if let Some(svg) = figure {
         first.blocks.insert(place, Block::Wide(Figure::new("force-at-peak", svg)));
     }
-    let subtitle = fill(words.certificate_subtitle, &[("data", &input.data), ("limits", &input.limits)]);
+    let subtitle = words.fill(words.certificate_subtitle, &[("data", &input.data), ("limits", &input.limits)]);
     page::page(
         words.certificate_title,
         &subtitle,
@@ -53,7 +53,7 @@ pub fn section(found: &Certificate, words: &Words) -> Section {
         let other = found.limits.iter().filter(|l| l.model_verdict.is_some_and(|v| v != l.verdict)).count();
         blocks.push(Block::Paragraph(match other {
             0 => words.certificate_model_passes.to_owned(),
-            _ => fill(words.certificate_model_fails, &[("count", &other.to_string())]),
+            _ => words.fill(words.certificate_model_fails, &[("count", &other.to_string())]),
         }));
     }
     blocks.push(Block::Table(table(found, words)));
@@ -69,7 +69,7 @@ fn headline(found: &Certificate, words: &Words) -> String {
         _ => words.certificate_untested,
     };
     let [count, failed, untested] = [found.limits.len(), failed, untested].map(|n| n.to_string());
-    fill(text, &[("count", &count), ("failed", &failed), ("untested", &untested)])
+    words.fill(text, &[("count", &count), ("failed", &failed), ("untested", &untested)])
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {

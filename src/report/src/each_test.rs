@@ -3,7 +3,7 @@
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
 use crate::plot::{in_space, of_test};
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
 /// Tests whose plots still make a page that a browser opens at once (about 70 kB each).
@@ -12,11 +12,11 @@ const MOST_SHOWN: usize = 120;
 /// One choice per test, the worst first.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Section {
     let cycles = of_test::CYCLES_SHOWN.to_string();
-    let mut blocks = vec![Block::Paragraph(fill(words.single_about, &[("cycles", &cycles)]))];
+    let mut blocks = vec![Block::Paragraph(words.fill(words.single_about, &[("cycles", &cycles)]))];
     let shown = by_error(validation);
     if shown.len() < tests.len() {
         let [all, shown] = [tests.len(), shown.len()].map(|n| n.to_string());
-        blocks.push(Block::Paragraph(fill(words.single_most, &[("tests", &all), ("shown", &shown)])));
+        blocks.push(Block::Paragraph(words.fill(words.single_most, &[("tests", &all), ("shown", &shown)])));
     }
     let choices = shown.iter().map(|i| one(*i, &validation.tests[*i], &tests[*i], words)).collect();
     Section { choices, ..Section::new("single-tests", words.single_section, blocks) }
@@ -25,7 +25,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -
 /// The loops of one test and where it is missed, for the first page.
 pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, words: &Words) -> Section {
     let (figures, compared) = (&validation.tests[index], &tests[index]);
-    let title = fill(words.worst_section, &[("test", &figures.name)]);
+    let title = words.fill(words.worst_section, &[("test", &figures.name)]);
     let plots = vec![
         Figure::new("worst-force-velocity", of_test::force_velocity(compared, words)),
         Figure::new("worst-force-displacement", of_test::force_displacement(compared, words)),
@@ -80,14 +80,14 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) ->
             ("velocity", &velocity),
             ("cycles", &cycles),
         ];
-        fill(words.motion_periodic, &figures)
+        words.fill(words.motion_periodic, &figures)
     } else {
-        fill(words.motion_other, &[("velocity", &velocity)])
+        words.fill(words.motion_other, &[("velocity", &velocity)])
     };
     let mut sentences = vec![motion];
     sentences.push(if figures.used_in_fit { words.test_used.into() } else { words.test_left_out.into() });
     let errors = &figures.errors;
-    sentences.push(fill(
+    sentences.push(words.fill(
         words.test_sentence,
         &[
             ("force", &force(figures.max_force_n)),
@@ -98,11 +98,11 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) ->
         ],
     ));
     if figures.noise_rms_n > 0.0 {
-        sentences.push(fill(words.force_noise, &[("noise", &digits(figures.noise_rms_n, 2))]));
+        sentences.push(words.fill(words.force_noise, &[("noise", &digits(figures.noise_rms_n, 2))]));
     }
     sentences.extend(compared.record.temperature.as_ref().and_then(|channel| {
         let (first, last) = (digits(*channel.first()?, 3), digits(*channel.last()?, 3));
-        Some(fill(words.temperature, &[("first", &first), ("last", &last)]))
+        Some(words.fill(words.temperature, &[("first", &first), ("last", &last)]))
     }));
     sentences.join(" ")
 }

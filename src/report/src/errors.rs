@@ -4,7 +4,7 @@ use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
 use crate::cells::Cell;
 use crate::plot::overview;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 
 /// The error matrix as a picture, and the error of every test.
@@ -25,14 +25,14 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     let rule = [("rule", words.row_rule)];
     let first = by_amplitude.into_iter().chain(apart).collect();
     vec![
-        Block::Table(table(fill(words.by_amplitude, &rule), first, words)),
-        Block::Table(table(fill(words.by_peak_velocity, &rule), second, words)),
+        Block::Table(table(words.fill(words.by_amplitude, &rule), first, words)),
+        Block::Table(table(words.fill(words.by_peak_velocity, &rule), second, words)),
     ]
 }
 
 /// The rows of a matrix with their names: those of one amplitude, those of tests that stand apart, those of one peak velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
-    let named = |row: &MatrixRow, text: &str, value: f64| (fill(text, &[("value", &write(value))]), row.clone());
+    let named = |row: &MatrixRow, text: &str, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
     let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
     let other = matrix.not_periodic.iter().map(|r| named(r, words.row_not_periodic, r.value));
     [
@@ -78,7 +78,7 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
 /// places of the curve and the model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
-    let about = |text: &str, rule: &str| fill(text, &[("rule", rule)]).trim_end().to_owned();
+    let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
     let first = by_amplitude.into_iter().chain(apart).collect();
     let mut blocks = vec![two_sided(about(words.by_amplitude, words.mean_cycles_rule), first, words)];
     if !by_peak_velocity.is_empty() {

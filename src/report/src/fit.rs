@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::made::Made;
 use crate::parameters;
 use crate::whole_records::in_words;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use crate::workbook::Workbook;
 use dashpot_identification::Fit;
 use dashpot_identification::validation::Deviation;
@@ -21,7 +21,7 @@ pub fn workbook(
 ) -> Workbook<'static> {
     Workbook {
         title: words.fit_title.to_owned(),
-        subtitle: fill(words.fit_subtitle, &[("model", model), ("data", data)]),
+        subtitle: words.fill(words.fit_subtitle, &[("model", model), ("data", data)]),
         sections: sections(fit, error, unusable, words),
         made,
         words,
@@ -31,7 +31,7 @@ pub fn workbook(
 /// Estimates, choices, what the records are off by, the tests used, and remarks.
 fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
-    let answer = fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
+    let answer = words.fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
     sections.extend(parameters::section(&parameters::of_fit(fit, words), words));
     let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
@@ -49,7 +49,7 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], wo
         let columns =
             vec![Column::words(words.col_name), Column::figures(words.col_value), Column::figures(words.col_interval)];
         let row = |m: &dashpot_identification::Measured| {
-            let mut row = vec![Cell::from(m.name)];
+            let mut row = vec![Cell::from(words.named(m.name))];
             row.extend(Cell::with_interval(m.value, m.low, m.high, m.unit, words));
             row
         };

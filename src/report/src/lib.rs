@@ -38,7 +38,7 @@ pub use parameters::ParameterRow;
 pub use workbook::{Workbook, write_workbook};
 
 use crate::plot::peaks;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use anyhow::Context as _;
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Compared, Validation};
@@ -191,7 +191,8 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
 
 /// What was compared with what.
 fn subtitle(input: &ReportInput<'_>) -> String {
-    let text = fill(input.words.subtitle_validation, &[("model", &input.model_file), ("data", &input.data)]);
+    let text =
+        input.words.fill(input.words.subtitle_validation, &[("model", &input.model_file), ("data", &input.data)]);
     match &input.made.date {
         Some(date) => format!("{text} · {date}"),
         None => text,

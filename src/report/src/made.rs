@@ -3,7 +3,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use sha2::{Digest as _, Sha256};
 use std::io::Read as _;
 use std::path::Path;
@@ -67,16 +67,16 @@ pub(crate) const ID: &str = "made";
 
 /// Version, date and command, and how to make it again.
 pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
-    let mut lines = vec![fill(words.made_version, &[("version", &made.version)])];
-    lines.extend(made.date.as_ref().map(|date| fill(words.made_date, &[("date", date)])));
+    let mut lines = vec![words.fill(words.made_version, &[("version", &made.version)])];
+    lines.extend(made.date.as_ref().map(|date| words.fill(words.made_date, &[("date", date)])));
     if !made.command.is_empty() {
-        lines.push(fill(words.made_command, &[("command", &made.command)]));
+        lines.push(words.fill(words.made_command, &[("command", &made.command)]));
     }
     lines.push(words.made_again.to_owned());
     if made.files.len() > 1 {
         let listed: String = made.files.iter().map(|f| format!("{}  {}\n", f.sha256, f.name)).collect();
         let (count, hash) = (made.files.len().to_string(), hexadecimal(Sha256::digest(listed.as_bytes()).as_slice()));
-        lines.push(fill(words.made_all, &[("count", &count), ("hash", &hash)]));
+        lines.push(words.fill(words.made_all, &[("count", &count), ("hash", &hash)]));
     }
     lines
 }

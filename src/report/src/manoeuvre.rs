@@ -8,7 +8,7 @@ use crate::Workbook;
 use crate::cells::Cell;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_records::Record;
 use dashpot_simulation::chatter::RINGS;
@@ -241,8 +241,8 @@ impl ManoeuvreInput<'_> {
         let (words, f) = (self.words, self.figures);
         let step = digits(f.step_s, 3);
         [
-            fill(words.manoeuvre_title, &[("name", &f.manoeuvre)]),
-            fill(words.manoeuvre_subtitle, &[("model", &self.model_file), ("step", &step)]),
+            words.fill(words.manoeuvre_title, &[("name", &f.manoeuvre)]),
+            words.fill(words.manoeuvre_subtitle, &[("model", &self.model_file), ("step", &step)]),
         ]
     }
 
@@ -270,7 +270,7 @@ impl ManoeuvreInput<'_> {
         let worst = self.figures.corners.iter().max_by(|a, b| by(a).total_cmp(&by(b)));
         match worst.filter(|c| by(c) > 0.0) {
             None => self.words.manoeuvre_answer_same.to_owned(),
-            Some(c) => fill(
+            Some(c) => self.words.fill(
                 self.words.manoeuvre_answer,
                 &[
                     ("force", &numbers::force(c.largest_force_n)),
@@ -295,7 +295,7 @@ impl ManoeuvreInput<'_> {
             ("rms_curve", &rms_curve),
             ("heave", &heave),
         ];
-        fill(self.words.manoeuvre_chassis, &figures)
+        self.words.fill(self.words.manoeuvre_chassis, &figures)
     }
 
     /// Lines of both runs in drawing order: the model on top.
@@ -311,14 +311,14 @@ impl ManoeuvreInput<'_> {
         let mut plane = plane(title, self.words.axis_time, y, series);
         let end = self.model.samples.last().map_or(1.0, |s| s.time);
         plane.x = Axis::exactly(self.words.axis_time, 0.0, end);
-        plane.draw_long()
+        plane.draw_long(self.words)
     }
 
     fn forces(&self) -> Section {
         let words = self.words;
         let mut figures = Vec::new();
         for (i, name) in CORNERS.into_iter().enumerate() {
-            let title = |text| fill(text, &[("corner", name)]);
+            let title = |text| words.fill(text, &[("corner", name)]);
             let time = self.both(&|s: &Sample| [s.time, s.corner[i].force]);
             let svg = self.over_time(title(words.corner_force_time), words.axis_force, time);
             figures.push(Figure::new(format!("force-time-{name}"), svg));
@@ -332,7 +332,7 @@ impl ManoeuvreInput<'_> {
             let loops =
                 self.both(&|s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force]).into_iter().rev().collect();
             let plane = plane(title(words.corner_force_velocity), words.axis_velocity, words.axis_force, loops);
-            figures.push(Figure::new(format!("force-velocity-{name}"), plane.draw_traces()));
+            figures.push(Figure::new(format!("force-velocity-{name}"), plane.draw_traces(words)));
         }
         Section::new("forces", words.corner_section, vec![Block::Figures(figures)])
     }
@@ -342,7 +342,7 @@ impl ManoeuvreInput<'_> {
         let side = |role, label, i: usize| series(role, label, self.model, &|s: &Sample| [s.time, 1e3 * s.road[i]]);
         let lines = vec![side(Role::Measured, words.wheel_left, 0), side(Role::FvOnly, words.wheel_right, 1)];
         let svg = self.over_time(words.plot_road.to_owned(), words.axis_road, lines);
-        let about = fill(words.road_caption, &[("speed", &digits(3.6 * self.speed, 3))]);
+        let about = words.fill(words.road_caption, &[("speed", &digits(3.6 * self.speed, 3))]);
         Section::new(
             "road",
             words.road_section,
@@ -380,9 +380,9 @@ impl ManoeuvreInput<'_> {
                     all.push(Series { role: Role::Measured, label: words.rig_tests, lines, marks: Marks::Line });
                 }
                 all.push(series(Role::Model, words.in_vehicle, self.model, &point));
-                let title = fill(words.plot_region, &[("corner", CORNERS[i])]);
+                let title = words.fill(words.plot_region, &[("corner", CORNERS[i])]);
                 let plane = plane(title, words.axis_displacement, words.axis_velocity, all);
-                Figure::new(format!("region-{}", CORNERS[i]), plane.draw_traces())
+                Figure::new(format!("region-{}", CORNERS[i]), plane.draw_traces(words))
             })
             .collect();
         let told = if self.covered.is_some() { words.region_with_tests } else { words.region_without_tests };
@@ -434,18 +434,18 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     let [host, quiet] = [f.step_s, f.quiet_step_s?].map(|step| digits(1e3 * step, 3));
     let [model, curve] = [most(0), most(1)].map(numbers::error);
     let figures = [("host", host.as_str()), ("quiet", &quiet), ("model", &model), ("curve", &curve)];
-    Some(fill(words.manoeuvre_quiet, &figures))
+    Some(words.fill(words.manoeuvre_quiet, &figures))
 }
 
 /// That a damper leaves the velocities that its FV curve was identified at, where one does: the one that does so longest.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
     let share = |c: &&CornerFigures| c.share_beyond_curve;
     let worst = f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.share_beyond_curve > 0.0)?;
-    let range = |[low, high]: [f64; 2]| format!("{} … {}", digits(1e3 * low, 4), digits(1e3 * high, 4));
+    let range = |[low, high]: [f64; 2]| words.number(&format!("{} … {}", digits(1e3 * low, 4), digits(1e3 * high, 4)));
     let (saw, ends) = (range(worst.saw.velocity_m_s), range(worst.curve_ends_m_s?));
     let share = digits(100.0 * worst.share_beyond_curve, 2);
     let figures = [("corner", worst.corner), ("saw", saw.as_str()), ("ends", &ends), ("share", &share)];
-    Some(fill(words.manoeuvre_beyond, &figures))
+    Some(words.fill(words.manoeuvre_beyond, &figures))
 }
 
 /// What the exchange of force and motion asks of a host, where it asks anything.
@@ -454,9 +454,9 @@ pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
         [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));
     let figures = [("all", all.as_str()), ("moving", &moving), ("mass", &mass), ("slow", &slow)];
     if f.coupling_moving > RINGS {
-        return Some(fill(words.coupling_unstable, &figures));
+        return Some(words.fill(words.coupling_unstable, &figures));
     }
-    (f.coupling > RINGS).then(|| fill(words.coupling_chatter, &figures))
+    (f.coupling > RINGS).then(|| words.fill(words.coupling_chatter, &figures))
 }
 
 /// A range in mm or mm/s.

@@ -38,6 +38,11 @@ function plain(text) {
     return 'e' + power.replace('\u207b', '-').replace(/[^-]/g, function (c) { return raised.indexOf(c); });
   });
 }
+// A number with the language's decimal sign as a number parser reads it.
+function parsed(text) {
+  text = plain(text);
+  return texts.decimal === '.' ? text : text.replace(/^(-?\d+),(\d)/, '$1.$2');
+}
 document.querySelectorAll('table.sortable').forEach(function (table) {
   var heads = table.querySelectorAll('.headings th');
   heads.forEach(function (head, column) {
@@ -47,7 +52,7 @@ document.querySelectorAll('table.sortable').forEach(function (table) {
       var body = table.tBodies[0];
       var rows = Array.prototype.slice.call(body.rows);
       rows.sort(function (a, b) {
-        var p = plain(a.cells[column].textContent), q = plain(b.cells[column].textContent);
+        var p = parsed(a.cells[column].textContent), q = parsed(b.cells[column].textContent);
         var order = isNaN(p) || isNaN(q) ? p.localeCompare(q, 'en', { numeric: true }) : p - q;
         return up ? order : -order;
       });
@@ -60,13 +65,15 @@ document.querySelectorAll('table.sortable').forEach(function (table) {
   });
 });
 
-// Every table as a file that a spreadsheet opens.
+// Every table as a file that a spreadsheet opens in columns: where the decimal sign is a comma, a semicolon stands between them.
+var between = texts.decimal === ',' ? ';' : ',';
 document.querySelectorAll('.table').forEach(function (frame, number) {
   var table = frame.querySelector('table');
   var save = document.createElement('button');
   save.type = 'button';
   save.className = 'save';
   save.textContent = texts.save;
+  save.title = texts.about;
   save.addEventListener('click', function () {
     var groups = [];
     table.querySelectorAll('thead tr:not(.headings) th').forEach(function (group) {
@@ -74,7 +81,7 @@ document.querySelectorAll('.table').forEach(function (frame, number) {
     });
     function cell(text) {
       text = plain(text);
-      return /[",\n]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text;
+      return /["\n]/.test(text) || text.indexOf(between) >= 0 ? '"' + text.replace(/"/g, '""') + '"' : text;
     }
     var lines = [Array.prototype.map.call(table.querySelectorAll('.headings th'), function (head, i) {
       return cell((groups[i] ? groups[i] + ': ' : '') + head.textContent);
@@ -83,7 +90,7 @@ document.querySelectorAll('.table').forEach(function (frame, number) {
       lines.push(Array.prototype.map.call(row.cells, function (one) { return cell(one.textContent); }));
     });
     // The mark at the front tells spreadsheets that the text is UTF-8.
-    var text = '\ufeff' + lines.map(function (line) { return line.join(','); }).join('\r\n') + '\r\n';
+    var text = '\ufeff' + lines.map(function (line) { return line.join(between); }).join('\r\n') + '\r\n';
     var link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
     link.download = (frame.closest('section').id || 'table') + '-' + (number + 1) + '.csv';
@@ -106,7 +113,7 @@ function element(name, attributes) {
 }
 function label(value, step) {
   var decimals = Math.max(0, Math.min(9, -Math.floor(Math.log10(step) + 1e-9)));
-  return value.toFixed(decimals).replace(/^-(0(\.0*)?)$/, '$1').replace('-', '\u2212');
+  return value.toFixed(decimals).replace(/^-(0(\.0*)?)$/, '$1').replace('-', '\u2212').replace('.', texts.decimal);
 }
 // A figure's place under the cursor, in its own coordinates.
 function place(svg, event) {

@@ -1,6 +1,7 @@
 //! Sections as one HTML page: all markup, style and script of the report.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
+use super::cells::{Cell, Value};
 use crate::plot::palette;
 use crate::plot::svg::escape;
 use crate::words::Words;
@@ -62,6 +63,8 @@ fn texts_of_script(words: &Words) -> String {
         ("shown", words.test_shown),
         ("reset", words.zoom_reset),
         ("save", words.save_table),
+        ("about", words.save_about),
+        ("decimal", words.decimal_sign),
     ];
     texts.iter().map(|(name, text)| format!(" data-{name}=\"{}\"", escape(text))).collect()
 }
@@ -149,11 +152,16 @@ fn table(html: &mut String, table: &Table, words: &Words) {
     for row in &table.rows {
         html.push_str("<tr>");
         for (i, cell) in row.iter().enumerate() {
-            let _ = write!(html, "<td{}>{}</td>", class_of(&table.columns, i), escape(&cell.text));
+            let _ = write!(html, "<td{}>{}</td>", class_of(&table.columns, i), escape(&cell_text(cell, words)));
         }
         html.push_str("</tr>\n");
     }
     html.push_str("</tbody>\n</table>\n</div>\n");
+}
+
+/// A number is written as the language does; a workbook takes it in full instead.
+fn cell_text(cell: &Cell, words: &Words) -> String {
+    if cell.value == Value::Words { cell.text.clone() } else { words.number(&cell.text) }
 }
 
 /// The row of group headings, where there are any.

@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::words::{Words, fill};
+use crate::words::Words;
 
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
@@ -53,8 +53,12 @@ impl Remark {
     fn said(self, words: &Words) -> String {
         match self {
             Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
-            Remark::AtVelocity(v) => fill(words.parameter_at, &[("place", &format!("{v:.4} m/s"))]),
-            Remark::AtDisplacement(x) => fill(words.parameter_at, &[("place", &format!("{x:.4} m"))]),
+            Remark::AtVelocity(v) => {
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{v:.4} m/s")))])
+            }
+            Remark::AtDisplacement(x) => {
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{x:.4} m")))])
+            }
             Remark::Nothing => String::new(),
         }
     }
@@ -170,7 +174,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
     let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
     let row = |e: &Estimate| ParameterRow {
         source: match added(e.name) {
-            Some(finding) => fill(words.source_added, &[("effect", finding.effect)]),
+            Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
         ..of_estimate(e)

@@ -1,7 +1,7 @@
 //! What was noticed when the records were read: the sign that was worked out, gaps, channels that do not fit.
 
 use crate::blocks::Block;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
 /// Confidence below which the reader of a report must be warned of the sign that was worked out.
@@ -33,10 +33,10 @@ pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
         Positive::Compression => words.compression,
     };
     if sign.given {
-        return fill(words.sign_given, &[("direction", direction)]);
+        return words.fill(words.sign_given, &[("direction", direction)]);
     }
     let percent = format!("{:.0}", 100.0 * sign.confidence);
     let reasons: Vec<String> = sign.reasons.iter().map(|reason| words.say(reason)).collect();
     let figures = [("direction", direction), ("percent", &percent), ("reasons", &reasons.join(words.semicolon))];
-    fill(if reasons.is_empty() { words.sign_found } else { words.sign_found_by }, &figures)
+    words.fill(if reasons.is_empty() { words.sign_found } else { words.sign_found_by }, &figures)
 }

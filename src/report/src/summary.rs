@@ -3,7 +3,7 @@
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{digits, error, force, percent};
 use crate::cells::Cell;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
 /// The first section.
@@ -26,19 +26,20 @@ fn headline(validation: &Validation, words: &Words) -> String {
     let closer = validation.tests.iter().filter(|test| is_closer(test)).count().to_string();
     let tests = validation.tests.len();
     let count = tests.to_string();
-    let over = if tests == 1 { words.over_one_test.to_owned() } else { fill(words.over_tests, &[("tests", &count)]) };
+    let over =
+        if tests == 1 { words.over_one_test.to_owned() } else { words.fill(words.over_tests, &[("tests", &count)]) };
     let ratio = fv_only.mean_error_n / model.mean_error_n;
     let verdict = if !ratio.is_finite() {
         words.verdict_exact.to_owned()
     } else if ratio >= 1.05 {
-        fill(words.verdict_smaller, &[("ratio", &digits(ratio, 2))])
+        words.fill(words.verdict_smaller, &[("ratio", &digits(ratio, 2))])
     } else if ratio > 0.95 {
         words.verdict_same.to_owned()
     } else {
-        fill(words.verdict_larger, &[("ratio", &digits(1.0 / ratio, 2))])
+        words.fill(words.verdict_larger, &[("ratio", &digits(1.0 / ratio, 2))])
     };
     let closer =
-        if tests == 1 { String::new() } else { fill(words.closer_in, &[("closer", &closer), ("tests", &count)]) };
+        if tests == 1 { String::new() } else { words.fill(words.closer_in, &[("closer", &closer), ("tests", &count)]) };
     let figures = [
         ("over", over.as_str()),
         ("verdict", &verdict),
@@ -48,7 +49,7 @@ fn headline(validation: &Validation, words: &Words) -> String {
         ("curve_error", &error(fv_only.mean_error_n)),
         ("curve_percent", &percent(fv_only.error_percent)),
     ];
-    fill(words.headline, &figures)
+    words.fill(words.headline, &figures)
 }
 
 /// How the model does where identification did not look.
@@ -60,10 +61,10 @@ fn left_out(validation: &Validation, words: &Words) -> Option<String> {
             ("curve_error", error(errors.fv_only.mean_error_n)),
             ("curve_percent", percent(errors.fv_only.error_percent)),
         ];
-        fill(words.left_out_figures, &figures.each_ref().map(|(name, value)| (*name, value.as_str())))
+        words.fill(words.left_out_figures, &figures.each_ref().map(|(name, value)| (*name, value.as_str())))
     };
     match (&validation.used_in_fit, &validation.left_out) {
-        (Some(fitted), Some(left)) => Some(fill(
+        (Some(fitted), Some(left)) => Some(words.fill(
             words.left_out_sentence,
             &[
                 ("left", &left.tests.to_string()),
@@ -85,7 +86,7 @@ pub fn worst(validation: &Validation) -> Option<usize> {
 
 fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
     let test = worst(validation).filter(|_| validation.tests.len() > 1).map(|i| &validation.tests[i])?;
-    Some(fill(
+    Some(words.fill(
         words.largest_error,
         &[
             ("test", &test.name),
@@ -104,7 +105,7 @@ fn noise(validation: &Validation, words: &Words) -> Option<String> {
     }
     // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
     let mean = known.iter().sum::<f64>() / known.len() as f64 * std::f64::consts::FRAC_2_PI.sqrt();
-    Some(fill(words.noise_sentence, &[("noise", &digits(mean, 2))]))
+    Some(words.fill(words.noise_sentence, &[("noise", &digits(mean, 2))]))
 }
 
 /// Model beside curve, overall and for fitted and left-out tests.
@@ -139,7 +140,7 @@ fn key_table(validation: &Validation, words: &Words) -> Table {
         Column::figures(words.col_region2),
         Column::figures(words.col_rms),
     ];
-    let caption = fill(words.key_caption, &[("boundary", &digits(1e3 * validation.region_boundary_m_s, 3))]);
+    let caption = words.fill(words.key_caption, &[("boundary", &digits(1e3 * validation.region_boundary_m_s, 3))]);
     Table { caption, columns, rows, sortable: false }
 }
 

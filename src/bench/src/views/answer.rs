@@ -10,6 +10,7 @@ use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::validation::{Errors, Validation};
 use dashpot_identification::{Fit, Standing};
+use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::numbers::{share, with_interval};
 use eframe::egui::{self, RichText, Ui};
@@ -133,22 +134,24 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };
         wrapped(
             ui,
-            RichText::new(format!("{}{form}, {} {}", finding.effect, share(finding.confidence), w.sure)).strong(),
+            RichText::new(format!("{}{form}, {} {}", said.named(finding.effect), share(finding.confidence), w.sure))
+                .strong(),
         );
         wrapped(ui, RichText::new(said.word(finding.meaning)));
         for (name, value) in &finding.parameters {
             let (value, interval) = with_interval(value.value, value.low, value.high, value.unit, said);
-            wrapped(ui, RichText::new(format!("{name}  {value}  ({interval})")).small());
+            let figures = said.number(&format!("{value}  ({interval})"));
+            wrapped(ui, RichText::new(format!("{}  {figures}", said.named(name))).small());
         }
         if finding.of_the_rig {
             wrapped(ui, RichText::new(w.of_the_rig).weak());
         }
         for rival in finding.rivals.iter().take(2) {
-            wrapped(ui, RichText::new(format!("• {}: {}", rival.effect, said.say(&rival.why))).weak());
+            wrapped(ui, RichText::new(format!("• {}: {}", said.named(rival.effect), said.say(&rival.why))).weak());
         }
     }
     for suspect in &found.suspects {
-        wrapped(ui, RichText::new(format!("{}: {}", suspect.effect, said.say(&suspect.why))));
+        wrapped(ui, RichText::new(format!("{}: {}", said.named(suspect.effect), said.say(&suspect.why))));
     }
     ui.add_space(4.0);
     let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", digits(v)));
@@ -193,7 +196,8 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
     for change in &found.changed {
         let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, said);
         let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
-        wrapped(ui, RichText::new(format!("{}  {before} → {value}  ({interval})", change.name())));
+        let figures = said.number(&format!("{before} → {value}  ({interval})"));
+        wrapped(ui, RichText::new(format!("{}  {figures}", changed_name(change, said))));
     }
     for note in &found.notes {
         wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());

@@ -120,7 +120,7 @@ fn svg(title: &str, axes: Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>) -> St
         y: Axis::around(Axes::label(axes.y), y),
         series,
     }
-    .draw_long()
+    .draw_long(&dashpot_report::words::EN)
 }
 
 fn role(whose: Whose) -> Role {

@@ -43,10 +43,10 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(near(change.reference, gas) && near(change.value, 0.5 * gas), "{change:?}");
     assert!(change.low <= change.value && change.value <= change.high && change.high < change.reference, "{change:?}");
     let headline = headline(found, &EN);
-    let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
+    let before = EN.number(&dashpot_report::numbers::with_unit(change.reference, change.unit));
     // The answer says it in the window ...
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
-    let line = format!("gas_force  {before} → ");
+    let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
     // ... and the report on paper, with the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();

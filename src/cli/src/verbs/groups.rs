@@ -7,8 +7,9 @@ use dashpot_diagnosis::{Change, Diagnosis, Finding};
 use dashpot_records::glob::matches as glob_matches;
 use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_report::blocks::{Block, Column, Section, Table};
+use dashpot_report::diagnosis::changed_name;
 use dashpot_report::numbers::{share, with_interval, with_unit};
-use dashpot_report::words::{EN, Words, fill};
+use dashpot_report::words::{EN, Words};
 use dashpot_report::{Cell, Made, Workbook, made};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -189,7 +190,7 @@ pub struct Answers {
 }
 
 fn finding(finding: &Finding, words: &Words) -> String {
-    fill(words.name_and_sure, &[("name", finding.effect), ("sure", &share(finding.confidence))])
+    words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &share(finding.confidence))])
 }
 
 fn change(change: &Change) -> String {
@@ -202,7 +203,12 @@ impl Answers {
     pub fn told(&self) -> Vec<String> {
         let mut lines = vec![format!("Compared with {}:", self.reference)];
         for answer in &self.groups {
-            let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, &EN)).collect();
+            let names: Vec<String> = answer
+                .diagnosis
+                .findings
+                .iter()
+                .map(|f| format!("{} ({} sure)", f.effect, share(f.confidence)))
+                .collect();
             let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
             lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
             for one in &answer.diagnosis.changed {
@@ -242,7 +248,7 @@ impl Answers {
         let aside: Vec<Block> = [(words.aside, &self.left_aside), (words.without_test, &self.without_test)]
             .into_iter()
             .filter(|(_, list)| !list.is_empty())
-            .map(|(text, list)| Block::Warning(fill(text, &[("tests", &list.join(words.comma))])))
+            .map(|(text, list)| Block::Warning(words.fill(text, &[("tests", &list.join(words.comma))])))
             .collect();
         if !aside.is_empty() {
             sections.push(Section::new("aside", words.aside_section, aside));
@@ -252,7 +258,7 @@ impl Answers {
             sections.push(Section::new("unusable", words.remarks, vec![Block::List(why)]));
         }
         let model = model.display().to_string();
-        let subtitle = fill(words.groups_subtitle, &[("model", &model), ("reference", &self.reference)]);
+        let subtitle = words.fill(words.groups_subtitle, &[("model", &model), ("reference", &self.reference)]);
         Page { subtitle, sections, made, words }
     }
 
@@ -289,21 +295,21 @@ impl Answers {
 
     /// Every number that changed in any group, of the reference and of all groups.
     fn numbers(&self, words: &Words) -> Table {
-        let mut numbers: BTreeMap<String, (f64, &str)> = BTreeMap::new();
+        let mut numbers: BTreeMap<String, (f64, &str, String)> = BTreeMap::new();
         for one in self.groups.iter().flat_map(|a| &a.diagnosis.changed) {
-            numbers.entry(one.name()).or_insert((one.reference, one.unit));
+            numbers.entry(one.name()).or_insert_with(|| (one.reference, one.unit, changed_name(one, words)));
         }
         let mut rows = Vec::new();
-        for (name, (reference, unit)) in &numbers {
+        for (name, (reference, unit, called)) in &numbers {
             let first = [self.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
-            rows.push([Cell::from(name.as_str())].into_iter().chain(first).collect());
+            rows.push([Cell::from(called.as_str())].into_iter().chain(first).collect());
             for answer in &self.groups {
                 let there = answer.diagnosis.changed.iter().find(|c| c.name() == *name);
                 let [value, interval] = there.map_or_else(
                     || [words.no_change.into(), Cell::none()],
                     |c| Cell::with_interval(c.value, c.low, c.high, c.unit, words),
                 );
-                rows.push(vec![Cell::from(name.as_str()), answer.group.as_str().into(), value, interval]);
+                rows.push(vec![Cell::from(called.as_str()), answer.group.as_str().into(), value, interval]);
             }
         }
         Table {

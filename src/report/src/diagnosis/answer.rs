@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::numbers::{digits, percent, share};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 use dashpot_records::Sentence;
 
@@ -30,7 +30,7 @@ pub fn headline(found: &Diagnosis, words: &Words) -> String {
 /// A text with a capital and a full stop.
 fn sentence(text: &Sentence, words: &Words) -> String {
     let said = words.say(text);
-    fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
+    words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
 /// What the verdict means and how much of the gap is closed.
@@ -41,11 +41,11 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
         _ => (words.error_fitted, found.before.rmse_n, found.after.rmse_n),
     };
     let (tests, before, after) = (left_out.to_string(), digits(before, 3), digits(after, 3));
-    let error = fill(text, &[("tests", &tests), ("before", &before), ("after", &after)]);
+    let error = words.fill(text, &[("tests", &tests), ("before", &before), ("after", &after)]);
     Some(match found.verdict {
         Verdict::Named => match found.gap_closed {
-            Some(gap) => fill(words.gap_is_closed, &[("error", &error), ("gap", &share(gap))]),
-            None => fill(words.sentence_end, &[("sentence", &error)]),
+            Some(gap) => words.fill(words.gap_is_closed, &[("error", &error), ("gap", &share(gap))]),
+            None => words.fill(words.sentence_end, &[("sentence", &error)]),
         },
         Verdict::NothingMissing => words.nothing_stays.to_owned(),
         Verdict::Changed => words.changed_stays.to_owned(),
@@ -63,7 +63,7 @@ fn worse(found: &Diagnosis, words: &Words) -> Option<String> {
     let names: Vec<&str> = found.tests.iter().filter(is_worse).map(|t| t.test.as_str()).collect();
     let (first, count) = (names.first()?, names.len().to_string());
     let all = found.tests.iter().filter(|t| t.held_out).count().to_string();
-    Some(fill(words.worse_tests, &[("count", &count), ("all", &all), ("test", first)]))
+    Some(words.fill(words.worse_tests, &[("count", &count), ("all", &all), ("test", first)]))
 }
 
 fn key_table(found: &Diagnosis, words: &Words) -> Table {
@@ -103,11 +103,11 @@ pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
         errors.split(&format!(" {name}=\"")).nth(1).and_then(|t| t.split('"').next()?.parse().ok()).unwrap_or(0.0)
     };
     let name = |f: &dashpot_diagnosis::Finding| {
-        fill(words.name_and_sure, &[("name", f.effect), ("sure", &share(f.confidence))])
+        words.fill(words.name_and_sure, &[("name", f.effect), ("sure", &share(f.confidence))])
     };
     let named: Vec<String> = found.findings.iter().map(name).collect();
     let title = match found.verdict {
-        Verdict::Named => fill(words.picture_named, &[("names", &named.join(words.comma))]),
+        Verdict::Named => words.fill(words.picture_named, &[("names", &named.join(words.comma))]),
         Verdict::NothingMissing | Verdict::Changed => words.picture_nothing.to_owned(),
         Verdict::CannotTell => words.picture_cannot_tell.to_owned(),
         Verdict::UnknownEffect => words.picture_unknown.to_owned(),
@@ -116,7 +116,7 @@ pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let top = 48.0;
     let mut svg = Svg::new((2.0 * wide).max(size("width")), top + tall + size("height"), &title);
     svg.text([20.0, 20.0], &title, TextStyle { bold: true, ..TextStyle::plain(15.0, Anchor::Start) });
-    let below = fill(words.picture_below, &[("kind", kind), ("test", &shown.test)]);
+    let below = words.fill(words.picture_below, &[("kind", kind), ("test", &shown.test)]);
     svg.text([20.0, 38.0], &below, TextStyle::faint(12.0, Anchor::Start));
     svg.inside([0.0, top], &before_after::force_velocity(shown, words));
     svg.inside([wide, top], &before_after::residual_velocity(shown, words));

@@ -30,5 +30,5 @@ pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {
         y: Axis::around(words.axis_force, all().map(|p| p[1])),
         series: vec![line(Role::FvOnly, words.col_reference, &there), line(Role::Model, words.col_this_damper, &here)],
     };
-    Some(Figure::new("both-curves", plane.draw_sized(SIZE)))
+    Some(Figure::new("both-curves", plane.draw_sized(SIZE, words)))
 }

@@ -4,8 +4,8 @@ use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::numbers::{share, with_unit};
-use crate::words::{Words, fill};
-use dashpot_diagnosis::{Diagnosis, Finding, Rival, Verdict};
+use crate::words::Words;
+use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
 /// The findings, and the suspects of what got no name; `None` where nothing is missing.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
@@ -25,9 +25,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
         let all: Vec<String> = found
             .corrections
             .iter()
-            .map(|(name, value)| format!("{name} {}", with_unit(*value, unit_of(found, name))))
+            .map(|(name, value)| format!("{} {}", words.named(name), words.number(&with_unit(*value, unit_of(found, name)))))
             .collect();
-        blocks.push(Block::Warning(fill(words.rig_added, &[("all", &all.join(words.comma))])));
+        blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
     // Alone they give the section its heading.
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changed.is_empty();
@@ -60,9 +60,9 @@ fn unit_of(found: &Diagnosis, effect: &str) -> &'static str {
 fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
     let form = match finding.form {
         "" => String::new(),
-        form => fill(words.finding_form, &[("form", words.word(form))]),
+        form => words.fill(words.finding_form, &[("form", words.word(form))]),
     };
-    let gap = |gap| fill(words.finding_gap, &[("gap", &share(gap))]);
+    let gap = |gap| words.fill(words.finding_gap, &[("gap", &share(gap))]);
     let gap = finding.gap_closed.map_or_else(String::new, gap);
     let added = if finding.of_the_rig { words.finding_of_rig } else { words.finding_added };
     let (number, sure) = (place.to_string(), share(finding.confidence));
@@ -76,9 +76,9 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         ("tests", &share(finding.evidence.tests_better)),
     ];
     let mut blocks = vec![
-        Block::Heading(fill(words.finding_heading, &heading)),
-        Block::Paragraph(fill(words.finding_what, &[("meaning", &meaning), ("added", added), ("gap", &gap)])),
-        Block::Paragraph(fill(words.finding_why, &why)),
+        Block::Heading(words.fill(words.finding_heading, &heading)),
+        Block::Paragraph(words.fill(words.finding_what, &[("meaning", &meaning), ("added", added), ("gap", &gap)])),
+        Block::Paragraph(words.fill(words.finding_why, &why)),
     ];
     if !finding.parameters.is_empty() {
         blocks.push(Block::Table(parameters(finding, words)));
@@ -96,7 +96,7 @@ fn parameters(finding: &Finding, words: &Words) -> Table {
         .map(|(name, v)| {
             let [value, interval] = Cell::with_interval(v.value, v.low, v.high, v.unit, words);
             let judged = if v.plausible { words.plausible } else { words.not_plausible };
-            vec![(*name).into(), value, interval, judged.into()]
+            vec![words.named(name).into(), value, interval, judged.into()]
         })
         .collect();
     let columns = vec![
@@ -111,7 +111,14 @@ fn parameters(finding: &Finding, words: &Words) -> Table {
 fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
     let rows = rivals
         .iter()
-        .map(|r| vec![r.effect.into(), Cell::share(r.confidence), Cell::share(r.share), words.say(&r.why).into()])
+        .map(|r| {
+            vec![
+                words.named(r.effect).into(),
+                Cell::share(r.confidence),
+                Cell::share(r.share),
+                words.say(&r.why).into(),
+            ]
+        })
         .collect();
     let columns = vec![
         Column::words(words.col_effect),
@@ -122,10 +129,19 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
 }
 
+/// A changed number in words; of a point of the FV curve with its velocity.
+pub fn changed_name(change: &Change, words: &Words) -> String {
+    let name = words.named(change.parameter);
+    match change.velocity_m_s {
+        Some(velocity) => format!("{name}, {} m/s", words.number(&format!("{velocity:.3}"))),
+        None => name,
+    }
+}
+
 fn changed(found: &Diagnosis, words: &Words) -> Table {
-    let row = |c: &dashpot_diagnosis::Change| {
+    let row = |c: &Change| {
         let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit, words);
-        vec![c.name().into(), Cell::measured(c.reference, c.unit), value, interval]
+        vec![changed_name(c, words).into(), Cell::measured(c.reference, c.unit), value, interval]
     };
     let columns = vec![
         Column::words(words.col_parameter),
@@ -143,7 +159,12 @@ fn shifts(found: &Diagnosis, words: &Words) -> Table {
         .iter()
         .map(|s| {
             let change = if s.before == 0.0 { Cell::none() } else { Cell::share(s.after / s.before - 1.0) };
-            vec![s.parameter.into(), Cell::measured(s.before, s.unit), Cell::measured(s.after, s.unit), change]
+            vec![
+                words.named(s.parameter).into(),
+                Cell::measured(s.before, s.unit),
+                Cell::measured(s.after, s.unit),
+                change,
+            ]
         })
         .collect();
     let columns = vec![

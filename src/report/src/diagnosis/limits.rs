@@ -16,7 +16,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     if found.could_not_test.is_empty() {
         blocks.push(Block::Paragraph(words.all_would_show.into()));
     } else {
-        let rows = found.could_not_test.iter().map(|c| vec![c.effect.into(), words.say(&c.why).into()]).collect();
+        let rows =
+            found.could_not_test.iter().map(|c| vec![words.named(c.effect).into(), words.say(&c.why).into()]).collect();
         let columns = vec![Column::words(words.col_effect), Column::words(words.col_cannot_show)];
         let caption = words.cannot_show_caption.to_owned();
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: false }));

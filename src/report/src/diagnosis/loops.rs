@@ -3,7 +3,7 @@
 use crate::blocks::{Block, Figure, Section};
 use crate::numbers::{digits, share};
 use crate::plot::before_after;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
 /// Tests shown of each kind.
@@ -23,7 +23,7 @@ pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
             figure("force-displacement", before_after::force_displacement(test, words)),
             figure("residual-velocity", before_after::residual_velocity(test, words)),
         ];
-        let heading = fill(words.loop_heading, &[("kind", kind), ("test", &names[place])]);
+        let heading = words.fill(words.loop_heading, &[("kind", kind), ("test", &names[place])]);
         [Block::Heading(heading), Block::Paragraph(in_words(test, words)), Block::Figures(figures)]
     };
     let Some(first) = places.next() else { return Vec::new() };
@@ -62,12 +62,12 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
 fn in_words(test: &TestOutcome, words: &Words) -> String {
     let gap = test.before_rmse_n - test.noise_n;
     let closed = if gap > 0.0 {
-        fill(words.loop_closed, &[("gap", &share((test.before_rmse_n - test.after_rmse_n) / gap))])
+        words.fill(words.loop_closed, &[("gap", &share((test.before_rmse_n - test.after_rmse_n) / gap))])
     } else {
         String::new()
     };
     let [before, after, noise] = [test.before_rmse_n, test.after_rmse_n, test.noise_n].map(|n| digits(n, 3));
-    fill(words.loop_errors, &[("before", &before), ("after", &after), ("noise", &noise), ("closed", &closed)])
+    words.fill(words.loop_errors, &[("before", &before), ("after", &after), ("noise", &noise), ("closed", &closed)])
 }
 
 #[cfg(test)]

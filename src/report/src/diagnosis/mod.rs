@@ -23,11 +23,12 @@ mod places;
 mod tried;
 
 pub use answer::{headline, picture};
+pub use findings::changed_name;
 
 use super::page::{self, Print};
 use super::{Block, Made, ParameterRow, Section, Workbook, made, parameters, write_figures, write_page};
 use crate::whole_records;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_records::Record;
 use dashpot_simulation::whole_records::OfDiagnosis;
@@ -72,7 +73,8 @@ impl DiagnosisReport<'_> {
     }
 
     fn titles(&self) -> [String; 2] {
-        let subtitle = fill(self.words.subtitle_validation, &[("model", &self.model_file), ("data", &self.data)]);
+        let subtitle =
+            self.words.fill(self.words.subtitle_validation, &[("model", &self.model_file), ("data", &self.data)]);
         [self.words.diagnosis_title.to_owned(), subtitle]
     }
 

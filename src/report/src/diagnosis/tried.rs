@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
@@ -18,7 +18,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .map(|t| {
                 let e = &t.evidence;
                 vec![
-                    t.effect.into(),
+                    words.named(t.effect).into(),
                     words.word(t.form).into(),
                     Cell::share(t.confidence),
                     Cell::share(e.share),
@@ -39,7 +39,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             Column::figures(words.col_strange),
             Column::figures(words.col_tests_better),
         ];
-        let caption = fill(words.look, &[("number", &(k + 1).to_string())]);
+        let caption = words.fill(words.look, &[("number", &(k + 1).to_string())]);
         blocks.push(Block::Table(Table { caption, columns, rows, sortable: true }));
     }
     Some(Section::new("tried", words.tried_section, blocks))

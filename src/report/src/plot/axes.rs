@@ -3,6 +3,7 @@
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::Ticks;
+use crate::words::Words;
 
 /// Size of a plane figure, px.
 pub const SIZE: [f64; 2] = [460.0, 330.0];
@@ -102,12 +103,13 @@ impl Axis {
     }
 
     /// Marks, about `wanted` of them.
-    pub fn ticks(&self, wanted: usize) -> Ticks {
-        match self.scale {
+    pub fn ticks(&self, wanted: usize, words: &Words) -> Ticks {
+        let ticks = match self.scale {
             Scale::Linear => Ticks::linear(self.low, self.high, wanted),
             Scale::Logarithmic => Ticks::logarithmic(self.low, self.high),
             Scale::Root => Ticks::root(self.low, self.high, wanted),
-        }
+        };
+        ticks.said(words)
     }
 }
 
@@ -161,29 +163,29 @@ enum Drawn {
 
 impl Plane {
     /// Draws the figure.
-    pub fn draw(&self) -> String {
-        self.drawn(Drawn::Lines(LINE_LIMIT), SIZE)
+    pub fn draw(&self, words: &Words) -> String {
+        self.drawn(Drawn::Lines(LINE_LIMIT), SIZE, words)
     }
 
     /// Draws lines that swing for a long time, with as many points as that takes.
-    pub fn draw_long(&self) -> String {
-        self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE)
+    pub fn draw_long(&self, words: &Words) -> String {
+        self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE, words)
     }
 
     /// Draws the figure of lines that cross themselves many times, as the places that they pass.
-    pub fn draw_traces(&self) -> String {
-        self.drawn(Drawn::Traces, SIZE)
+    pub fn draw_traces(&self, words: &Words) -> String {
+        self.drawn(Drawn::Traces, SIZE, words)
     }
 
     /// Draws the figure at another size, px.
-    pub fn draw_sized(&self, size: [f64; 2]) -> String {
-        self.drawn(Drawn::Lines(LINE_LIMIT), size)
+    pub fn draw_sized(&self, size: [f64; 2], words: &Words) -> String {
+        self.drawn(Drawn::Lines(LINE_LIMIT), size, words)
     }
 
-    fn drawn(&self, how: Drawn, size: [f64; 2]) -> String {
+    fn drawn(&self, how: Drawn, size: [f64; 2], words: &Words) -> String {
         let [width, height] = size;
         let wanted = |length: f64| (6.0 * length / SIZE[0]).round() as usize;
-        let (x_ticks, y_ticks) = (self.x.ticks(wanted(width)), self.y.ticks(6));
+        let (x_ticks, y_ticks) = (self.x.ticks(wanted(width), words), self.y.ticks(6, words));
         let widest = y_ticks.at.iter().map(|(_, label)| text_width(label, TICK)).fold(0.0, f64::max);
         let (left, right, top, bottom) = ((28.0 + widest).max(66.0), width - 14.0, 50.0, height - 44.0);
         let mut svg = Svg::new(width, height, &self.title);
@@ -290,6 +292,7 @@ pub fn text_width(text: &str, size: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::EN;
 
     #[test]
     fn an_axis_shows_all_values_and_never_collapses() {
@@ -297,7 +300,7 @@ mod tests {
         assert!(axis.place(-3.0) > 0.0 && axis.place(9.0) < 1.0);
         for values in [vec![], vec![0.0, 0.0], vec![1e6], vec![-1e-12]] {
             let axis = Axis::around("N", values.clone());
-            assert!(axis.high > axis.low && !axis.ticks(5).at.is_empty(), "{values:?} {axis:?}");
+            assert!(axis.high > axis.low && !axis.ticks(5, &EN).at.is_empty(), "{values:?} {axis:?}");
         }
         let still = Axis::exactly("s", 2.0, 2.0);
         assert!(still.high > still.low);
@@ -313,7 +316,7 @@ mod tests {
             y: Axis::around("y", [0.0, 1.0]),
             series: vec![series],
         }
-        .draw();
+        .draw(&EN);
         let dots = text.rsplit("stroke-linecap=\"round\" d=\"").next().unwrap().split('"').next().unwrap();
         let dots: Vec<f64> =
             dots.split(['M', ' ', 'h']).filter(|p| !p.is_empty()).map(|p| p.parse().unwrap()).collect();

@@ -5,7 +5,7 @@ use super::overview::shorten;
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::Ticks;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
 /// Least error that is told apart from none, N.
@@ -25,7 +25,7 @@ pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
             let place = tests[..k].iter().filter(|other| same(other, test)).count();
             let (place, count) = ((place + 1).to_string(), count.to_string());
             // The name comes last: it may hold braces.
-            fill(words.stretch, &[("place", &place), ("count", &count), ("test", &test.test)])
+            words.fill(words.stretch, &[("place", &place), ("count", &count), ("test", &test.test)])
         })
         .collect()
 }
@@ -57,7 +57,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let (low, high) = known.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
     let (low, high) = if low > high { (0.1, 10.0) } else { (low / 1.25, high * 1.25) };
     let at_y = |value: f64| bottom - (value.max(FLOOR) / low).ln() / (high / low).ln() * tall;
-    let ticks = Ticks::logarithmic(low, high);
+    let ticks = Ticks::logarithmic(low, high).said(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     for (value, label) in &ticks.at {
@@ -98,14 +98,14 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
 pub fn force_velocity(test: &TestOutcome, words: &Words) -> String {
     let velocity = &test.curves.velocity;
     let series = forces(test, words, |i| 1e3 * velocity[i]);
-    plane(words.plot_force_velocity, words.axis_velocity, words.axis_force, series)
+    plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
 /// Force over displacement: measured, before, after.
 pub fn force_displacement(test: &TestOutcome, words: &Words) -> String {
     let displacement = &test.curves.displacement;
     let series = forces(test, words, |i| 1e3 * displacement[i]);
-    plane(words.plot_force_displacement, words.axis_displacement, words.axis_force, series)
+    plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
 /// What is left before and after, over velocity.
@@ -116,7 +116,7 @@ pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
         Series { role, label, lines: vec![closed(test).map(points).collect()], marks: Marks::Line }
     };
     let series = vec![line(Role::Before, words.before, &curves.before), line(Role::Model, words.after, &curves.after)];
-    plane(words.plot_left_velocity, words.axis_velocity, words.axis_residual, series)
+    plane([words.plot_left_velocity, words.axis_velocity, words.axis_residual], series, words)
 }
 
 /// Places along the curve; a cycle returns to its start.
@@ -143,9 +143,9 @@ fn forces(test: &TestOutcome, words: &Words, over: impl Fn(usize) -> f64) -> Vec
 }
 
 /// A figure whose axes hold all series.
-fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
+fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String {
     let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
-    Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }.draw()
+    Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }.draw(words)
 }
 
 #[cfg(test)]

@@ -64,7 +64,7 @@ fn draw(
     let mut svg = Svg::new(SIZE[0], SIZE[1], title);
     let legend: Vec<_> = series.iter().map(|(role, label, _)| (*role, *label, Mark::Line)).collect();
     heading(&mut svg, title, 20.0, &legend);
-    draw_box(&mut svg, &axes);
+    draw_box(&mut svg, &axes, words);
 
     let place = |values: &[f64], i: usize| {
         let at = [1e3 * record.velocity[i], 1e3 * record.displacement[i], values[i]];
@@ -87,8 +87,8 @@ fn draw(
 }
 
 /// Floor and two back walls with grid, frame, tick labels and axis titles along the outer edges.
-fn draw_box(svg: &mut Svg, axes: &[Axis; 3]) {
-    let ticks = [axes[0].ticks(5), axes[1].ticks(4), axes[2].ticks(5)];
+fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
+    let ticks = [(0, 5), (1, 4), (2, 5)].map(|(axis, wanted)| axes[axis].ticks(wanted, words));
     let places = |axis: usize| ticks[axis].at.iter().map(move |(value, _)| axes[axis].place(*value));
     let line = |a: [f64; 3], b: [f64; 3]| [project(a), project(b)];
     let mut grid = Vec::new();

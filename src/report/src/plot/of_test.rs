@@ -23,7 +23,7 @@ pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
         line.sort_by(|a, b| a[0].total_cmp(&b[0]));
         curve.lines = vec![line];
     }
-    plane(words.plot_force_velocity, words.axis_velocity, words.axis_force, series)
+    plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
 /// Force over velocity with another model beside the validated one.
@@ -34,14 +34,14 @@ pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force
     series.retain(|one| one.role != Role::FvOnly);
     let lines = shown.iter().map(|r| r.clone().map(|i| [1e3 * velocity[i], force[i]]).collect()).collect();
     series.insert(1, Series { role: Role::Before, label: name, lines, marks: Marks::Line });
-    plane(name, words.axis_velocity, words.axis_force, series)
+    plane([name, words.axis_velocity, words.axis_force], series, words)
 }
 
 /// Force over displacement.
 pub fn force_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     let series = forces(compared, words, &shown(compared), |i| 1e3 * displacement[i]);
-    plane(words.plot_force_displacement, words.axis_displacement, words.axis_force, series)
+    plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
 /// Force over time, from the start of the cycles shown.
@@ -53,17 +53,16 @@ pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     let end = shown.last().map_or(1.0, |range| time[range.end - 1] - start);
     let mut plane = prepare(words.plot_force_time, words.axis_time, words.axis_force, series);
     plane.x = Axis::exactly(words.axis_time, 0.0, end);
-    plane.draw()
+    plane.draw(words)
 }
 
 /// Error over velocity.
 pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     plane(
-        words.plot_error_velocity,
-        words.axis_velocity,
-        words.axis_error,
+        [words.plot_error_velocity, words.axis_velocity, words.axis_error],
         errors(compared, words, |i| 1e3 * velocity[i]),
+        words,
     )
 }
 
@@ -71,10 +70,9 @@ pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
 pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     plane(
-        words.plot_error_displacement,
-        words.axis_displacement,
-        words.axis_error,
+        [words.plot_error_displacement, words.axis_displacement, words.axis_error],
         errors(compared, words, |i| 1e3 * displacement[i]),
+        words,
     )
 }
 
@@ -91,7 +89,7 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
         line(Role::FvOnly, words.fv_curve, |gap| gap.fv_only),
         line(Role::Model, words.model, |gap| gap.model),
     ];
-    plane(words.plot_gap, words.axis_velocity, words.axis_gap, series)
+    plane([words.plot_gap, words.axis_velocity, words.axis_gap], series, words)
 }
 
 /// Sample ranges a loop shows, each up to the first sample of the cycle behind it, so that loops close; none is empty.
@@ -142,8 +140,8 @@ fn prepare(title: &str, x: &str, y: &str, series: Vec<Series>) -> Plane {
     Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }
 }
 
-fn plane(title: &str, x: &str, y: &str, series: Vec<Series>) -> String {
-    prepare(title, x, y, series).draw()
+fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String {
+    prepare(title, x, y, series).draw(words)
 }
 
 #[cfg(test)]

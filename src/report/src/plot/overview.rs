@@ -4,7 +4,7 @@ use super::axes::{LABEL, Mark, TICK, heading, text_width};
 use super::palette::{Role, heat};
 use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::{Ticks, number};
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_identification::validation::{Errors, Validation};
 
 /// Longest test name written out, characters.
@@ -29,7 +29,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
     let (low, high) = (low / 1.3, high * 1.3);
     let at_y = |percent: f64| bottom - (percent.max(FLOOR) / low).ln() / (high / low).ln() * tall;
-    let ticks = Ticks::logarithmic(low, high);
+    let ticks = Ticks::logarithmic(low, high).said(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     for (value, label) in &ticks.at {
@@ -41,7 +41,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
         let x = left + (i as f64 + 0.5) * pitch;
         let (model, curve) = (at_y(test.errors.model.error_percent), at_y(test.errors.fv_only.error_percent));
         svg.grid(&[[[x, model], [x, curve]]]);
-        let says = |of: &str, value: f64| format!("{}: {of} {} %", test.name, percent(value));
+        let says = |of: &str, value: f64| format!("{}: {of} {} %", test.name, words.number(&percent(value)));
         let (of_curve, of_model) = (test.errors.fv_only.error_percent, test.errors.model.error_percent);
         svg.dot_saying(Role::FvOnly, [x, curve], 3.4, &says(words.fv_curve, of_curve));
         svg.dot_saying(Role::Model, [x, model], 3.4, &says(words.model, of_model));
@@ -54,7 +54,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
 /// Error percent by amplitude (rows) and peak velocity (columns); the force–velocity curve's below the model's.
 /// `None` where the campaign has no periodic tests.
 pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
-    let note = fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
+    let note = words.fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
     let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
     map(validation, [words.plot_error_map, &note], words, both)
 }
@@ -89,11 +89,11 @@ fn map(
     svg.text([20.0, 36.0], note, TextStyle::faint(TICK, Anchor::Start));
     for (i, row) in matrix.by_amplitude.iter().enumerate() {
         let y = top + (i as f64 + 0.5) * size[1] + 4.0;
-        svg.text([left - 8.0, y], &millimetres(row.value), TextStyle::faint(TICK, Anchor::End));
+        svg.text([left - 8.0, y], &words.number(&millimetres(row.value)), TextStyle::faint(TICK, Anchor::End));
     }
     for (i, column) in matrix.by_peak_velocity.iter().enumerate() {
         let x = left + (i as f64 + 0.5) * size[0];
-        svg.text([x, bottom + 15.0], &millimetres(column.value), TextStyle::faint(TICK, Anchor::Middle));
+        svg.text([x, bottom + 15.0], &words.number(&millimetres(column.value)), TextStyle::faint(TICK, Anchor::Middle));
     }
     svg.text([0.5 * (left + right), bottom + 34.0], words.axis_peak_velocity, TextStyle::plain(LABEL, Anchor::Middle));
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
@@ -106,10 +106,10 @@ fn map(
         let middle = corner[0] + 0.5 * size[0];
         let large = TextStyle { bold: true, ..TextStyle::plain(13.0, Anchor::Middle) };
         let drop = if beside.is_some() { 18.0 } else { 24.0 };
-        svg.cell_text([middle, corner[1] + drop], &percent(value), large, dark_text);
+        svg.cell_text([middle, corner[1] + drop], &words.number(&percent(value)), large, dark_text);
         if let Some(beside) = beside {
             let small = TextStyle::plain(10.0, Anchor::Middle);
-            svg.cell_text([middle, corner[1] + 31.0], &percent(beside), small, dark_text);
+            svg.cell_text([middle, corner[1] + 31.0], &words.number(&percent(beside)), small, dark_text);
         }
     }
     Some(svg.finish())

@@ -71,7 +71,7 @@ fn draw(
     series.push(Series { marks: Marks::LargeDots, ..dots(Role::Measured, words.measured_peaks, measured) });
     series.push(dots(Role::Model, words.model_peaks, model));
     series.retain(|s| s.lines.iter().any(|l| !l.is_empty()));
-    Some(Plane { title: words.plot_peaks.into(), x, y, series }.draw_sized(SIZE))
+    Some(Plane { title: words.plot_peaks.into(), x, y, series }.draw_sized(SIZE, words))
 }
 
 #[cfg(test)]

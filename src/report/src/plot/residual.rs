@@ -138,7 +138,7 @@ fn draw([title, y]: [&str; 2], x: Axis, means: &[(f64, [f64; 3])], noise: bool, 
     }
     let shown = if noise { 0..3 } else { 0..2 };
     let values = means.iter().flat_map(|(_, of)| of[shown.clone()].iter().copied()).chain([0.0]);
-    Plane { title: title.into(), x, y: Axis::around(y, values), series }.draw()
+    Plane { title: title.into(), x, y: Axis::around(y, values), series }.draw(words)
 }
 
 /// Root mean square of what is left, over velocity.

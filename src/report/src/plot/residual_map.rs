@@ -31,7 +31,7 @@ pub fn maps(samples: &[Sample], words: &Words) -> Option<String> {
     let mut svg = Svg::new(right + 84.0, top + MAP[1] + 48.0, title);
     svg.text([left, 17.0], title, TextStyle { bold: true, ..TextStyle::plain(TITLE, Anchor::Start) });
     for (k, (name, cells)) in [(words.before, &before), (words.after, &after)].into_iter().enumerate() {
-        map(&mut svg, [left + k as f64 * (MAP[0] + between), top], name, &axes, cells, end);
+        map(&mut svg, [left + k as f64 * (MAP[0] + between), top], name, &axes, cells, end, words);
     }
     bar(&mut svg, [right + 18.0, top], end, words);
     Some(svg.finish())
@@ -61,7 +61,7 @@ fn round_up(value: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= 0.999 * value).unwrap_or(value)
 }
 
-fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[Option<f64>], end: f64) {
+fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[Option<f64>], end: f64, words: &Words) {
     let [left, top] = corner;
     let (right, bottom) = (left + MAP[0], top + MAP[1]);
     svg.text([left, top - 10.0], name, TextStyle { bold: true, ..TextStyle::plain(LABEL, Anchor::Start) });
@@ -73,7 +73,7 @@ fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[O
             svg.tile(at, size, &signed(value / end));
         }
     }
-    let (x_ticks, y_ticks) = (axes[0].ticks(9), axes[1].ticks(8));
+    let (x_ticks, y_ticks) = (axes[0].ticks(9, words), axes[1].ticks(8, words));
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     let marks: Vec<_> = x_ticks
         .at
@@ -115,7 +115,7 @@ fn bar(svg: &mut Svg, corner: [f64; 2], end: f64, words: &Words) {
         let y = corner[1] + 0.5 * (1.0 - part) * MAP[1];
         let label =
             number(part * end, if part == 0.0 { 0 } else { decimals.saturating_sub(1).max(usize::from(end < 20.0)) });
-        svg.text([corner[0] + 19.0, y + 4.0], &label, TextStyle::faint(TICK, Anchor::Start));
+        svg.text([corner[0] + 19.0, y + 4.0], &words.number(&label), TextStyle::faint(TICK, Anchor::Start));
     }
     let turned = TextStyle { turn: -90.0, ..TextStyle::plain(LABEL, Anchor::Middle) };
     svg.text([corner[0] + 60.0, corner[1] + 0.5 * MAP[1]], words.axis_residual, turned);

@@ -1,5 +1,7 @@
 //! Where an axis is marked, and how numbers are written there.
 
+use crate::words::Words;
+
 /// Marks of an axis and the text at each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ticks {
@@ -71,6 +73,11 @@ impl Ticks {
         }
         at.sort_by(|a, b| a.0.total_cmp(&b.0));
         Self { at }
+    }
+
+    /// The same with the labels as a language writes numbers.
+    pub fn said(self, words: &Words) -> Self {
+        Self { at: self.at.into_iter().map(|(value, label)| (value, words.number(&label))).collect() }
     }
 }
 

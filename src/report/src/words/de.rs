@@ -5,6 +5,7 @@ use super::Words;
 /// The texts.
 pub const DE: Words = Words {
     code: "de",
+    decimal_sign: ",",
     note: "Hinweis.",
     all_tests_shown: "alle Versuche",
     previous: "zurück",
@@ -13,6 +14,7 @@ pub const DE: Words = Words {
     figure_help: "Im Bild ziehen vergrößert, Doppelklick zeigt wieder alles, der Zeiger liest Werte ab.",
     zoom_reset: "ganzes Bild",
     save_table: "als CSV sichern",
+    save_about: "Semikolons zwischen den Spalten und Dezimalkommas: Excel öffnet die Datei so in Spalten.",
     sort_help: "Ein Klick auf eine Überschrift sortiert.",
     printed_brief: "Gedruckt sind die Antwort und ihre Belege. Die Datei selbst enthält jeden Versuch und jede Tabelle; ein mit --full erzeugter Bericht druckt alles.",
     measured: "gemessen",

@@ -5,6 +5,7 @@ use super::Words;
 /// The texts.
 pub const EN: Words = Words {
     code: "en",
+    decimal_sign: ".",
     note: "Note.",
     all_tests_shown: "all tests",
     previous: "previous",
@@ -13,6 +14,7 @@ pub const EN: Words = Words {
     figure_help: "Drag over a figure to zoom, double-click to see all of it, move over it to read values.",
     zoom_reset: "whole figure",
     save_table: "save as CSV",
+    save_about: "Commas between columns, decimal points.",
     sort_help: "Click a heading to sort.",
     printed_brief: "Printed are the answer and its evidence. The file itself holds every test and table; a report made with --full prints them all.",
     measured: "measured",

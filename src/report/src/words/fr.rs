@@ -5,6 +5,7 @@ use super::Words;
 /// The texts.
 pub const FR: Words = Words {
     code: "fr",
+    decimal_sign: ",",
     note: "Remarque.",
     all_tests_shown: "tous les essais",
     previous: "précédent",
@@ -13,6 +14,7 @@ pub const FR: Words = Words {
     figure_help: "Tirer sur une figure l’agrandit, un double clic la montre entière, le pointeur lit les valeurs.",
     zoom_reset: "figure entière",
     save_table: "enregistrer en CSV",
+    save_about: "Points-virgules entre les colonnes et virgules décimales : Excel ouvre ainsi le fichier en colonnes.",
     sort_help: "Un clic sur un titre trie la table.",
     printed_brief: "Sont imprimées la réponse et ses preuves. Le fichier contient chaque essai et chaque table ; un rapport fait avec --full imprime tout.",
     measured: "mesuré",

@@ -4,10 +4,14 @@
 //! `{name}` where [`fill`] puts a figure; the tests hold all languages to the same names. What reading, a fit and a diagnosis say is made
 //! by their crates in English and looked up in [`said`], what a parameter means in the kernel's and looked up in [`meanings`].
 
+use dashpot_records::sentence::is_number;
+use names::MARK;
+
 mod de;
 mod en;
 mod fr;
 mod meanings;
+mod names;
 mod said;
 mod zh;
 
@@ -57,8 +61,41 @@ impl std::str::FromStr for Language {
     }
 }
 
-/// A text with its figures put in, by name.
-pub fn fill(text: &str, figures: &[(&str, &str)]) -> String {
+impl Words {
+    /// A number, or several with their units, as this language writes them; they come with a decimal point, as programs write them. What is
+    /// copied from a report into a command or a file (options, names, versions) is no number in this sense.
+    pub fn number(&self, plain: &str) -> String {
+        let letters: Vec<char> = plain.chars().collect();
+        let is_digit = |k: Option<usize>| k.and_then(|k| letters.get(k)).is_some_and(char::is_ascii_digit);
+        let written = letters.iter().enumerate().map(|(k, letter)| match letter {
+            '.' if is_digit(k.checked_sub(1)) && is_digit(Some(k + 1)) => self.decimal_sign.to_owned(),
+            // One minus sign everywhere, that of the figures.
+            '-' if is_digit(Some(k + 1)) && (k == 0 || letters[k - 1].is_whitespace()) => "\u{2212}".to_owned(),
+            other => other.to_string(),
+        });
+        written.collect()
+    }
+
+    /// A text with its figures put in, by name: numbers as this language writes them, effects and parameters in words.
+    pub fn fill(&self, text: &str, figures: &[(&str, &str)]) -> String {
+        let written: Vec<(&str, String)> =
+            figures.iter().map(|(place, value)| (*place, self.at_place(place, value))).collect();
+        let figures: Vec<(&str, &str)> = written.iter().map(|(place, value)| (*place, value.as_str())).collect();
+        self.with_names(&fill(text, &figures))
+    }
+
+    /// What stands at a place of a sentence, in this language; names are marked for [`Words::with_names`].
+    fn at_place(&self, place: &str, value: &str) -> String {
+        match () {
+            () if is_number(place, value) => self.number(value),
+            () if self.is_named(place, value) => format!("{MARK}{value}{MARK}"),
+            () => value.to_owned(),
+        }
+    }
+}
+
+/// A text with its figures put in as they are, by name.
+pub(crate) fn fill(text: &str, figures: &[(&str, &str)]) -> String {
     figures.iter().fold(text.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), value))
 }
 
@@ -81,6 +118,7 @@ macro_rules! words {
 words!(
     // The page.
     code,
+    decimal_sign,
     note,
     all_tests_shown,
     previous,
@@ -89,6 +127,7 @@ words!(
     figure_help,
     zoom_reset,
     save_table,
+    save_about,
     sort_help,
     printed_brief,
     // Figures.
@@ -519,6 +558,32 @@ pub(crate) mod tests {
     fn languages_are_asked_for_by_their_code() {
         assert_eq!("DE".parse(), Ok(Language::German));
         assert!("klingon".parse::<Language>().unwrap_err().contains("en, de, fr and zh"));
+    }
+
+    #[test]
+    fn numbers_are_written_as_the_language_does() {
+        for (words, expected) in [(&EN, "−1.048 … 2.5 N/mm"), (&DE, "−1,048 … 2,5 N/mm"), (&FR, "−1,048 … 2,5 N/mm")]
+        {
+            assert_eq!(words.number("-1.048 … 2.5 N/mm"), expected);
+        }
+        assert_eq!(DE.number("2.50·10⁻⁸"), "2,50·10⁻⁸");
+        assert_eq!(DE.number("1.2e-5"), "1,2e-5");
+        // A command keeps its point, and so does a name.
+        let figures = [("value", "1.5"), ("option", "--delay=0.0065"), ("test", "2.5")];
+        assert_eq!(DE.fill("{value} {option} {test}", &figures), "1,5 --delay=0.0065 2.5");
+    }
+
+    #[test]
+    fn no_text_in_german_or_french_has_a_decimal_point() {
+        for words in [DE, FR] {
+            for (name, text) in words.all() {
+                let parts: Vec<&str> = text.split('.').collect();
+                let point = parts.windows(2).any(|p| {
+                    p[0].ends_with(|c: char| c.is_ascii_digit()) && p[1].starts_with(|c: char| c.is_ascii_digit())
+                });
+                assert!(!point, "{}: {name}", words.code);
+            }
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::Words;
 /// The texts.
 pub const ZH: Words = Words {
     code: "zh",
+    decimal_sign: ".",
     note: "注意：",
     all_tests_shown: "全部试验",
     previous: "上一个",
@@ -13,6 +14,7 @@ pub const ZH: Words = Words {
     figure_help: "在图中拖动可放大，双击恢复全图，移动指针读取数值。",
     zoom_reset: "全图",
     save_table: "另存为 CSV",
+    save_about: "各列以逗号分隔，小数用点。",
     sort_help: "点击表头可排序。",
     printed_brief: "打印内容为结论及其依据。文件本身包含全部试验和表格；用 --full 生成的报告会全部打印。",
     measured: "实测",

@@ -44,10 +44,10 @@ pub const ALL: &[Said] = &[
         "没有可诊断的试验：请给出至少含一个记录的文件夹或文件，且不要全部排除",
     ],
     [
-        "there is no effect called {name}; the effects are {names}",
-        "es gibt keinen Effekt {name}; die Effekte sind {names}",
-        "il n’y a pas d’effet {name} ; les effets sont {names}",
-        "没有名为 {name} 的效应；效应有 {names}",
+        "there is no effect called {name}; the effects are {known}",
+        "es gibt keinen Effekt {name}; die Effekte sind {known}",
+        "il n’y a pas d’effet {name} ; les effets sont {known}",
+        "没有名为 {name} 的效应；效应有 {known}",
     ],
     [
         "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers",
@@ -165,10 +165,10 @@ pub const ALL: &[Said] = &[
         "在 {slow} 至 {fast} m/s 的各速度下，逆运动方向的力在复原和压缩时同样小 {force} N，如同干摩擦减小",
     ],
     [
-        "; they cannot show {names}",
-        "; nicht zeigen können sie {names}",
-        " ; elles ne peuvent montrer {names}",
-        "；它们无法显示 {names}",
+        "; they cannot show {effects}",
+        "; nicht zeigen können sie {effects}",
+        " ; elles ne peuvent montrer {effects}",
+        "；它们无法显示 {effects}",
     ],
     [
         "; no test was left out to confirm it",
@@ -189,10 +189,10 @@ pub const ALL: &[Said] = &[
         "{effect} 是最可能的名称，但支持它的试验太少，不足以确定",
     ],
     [
-        "these records cannot tell {names} apart",
-        "diese Messungen können {names} nicht unterscheiden",
-        "ces mesures ne peuvent distinguer {names}",
-        "这些记录无法区分 {names}",
+        "these records cannot tell {effects} apart",
+        "diese Messungen können {effects} nicht unterscheiden",
+        "ces mesures ne peuvent distinguer {effects}",
+        "这些记录无法区分 {effects}",
     ],
     [
         "; it acts in the path \"{path}\" ({percent})",
@@ -326,8 +326,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures",
-        "langsame Dreiecke mit 0.5 bis 30 mm/s, zwei Hübe, zwei Temperaturen",
-        "triangles lents de 0.5 à 30 mm/s, deux courses, deux températures",
+        "langsame Dreiecke mit 0,5 bis 30 mm/s, zwei Hübe, zwei Temperaturen",
+        "triangles lents de 0,5 à 30 mm/s, deux courses, deux températures",
         "0.5 至 30 mm/s 的慢速三角波，两种行程，两种温度",
     ],
     [
@@ -338,8 +338,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "0.05 to 0.5 mm sines at 1 to 30 Hz",
-        "Sinus von 0.05 bis 0.5 mm bei 1 bis 30 Hz",
-        "sinus de 0.05 à 0.5 mm de 1 à 30 Hz",
+        "Sinus von 0,05 bis 0,5 mm bei 1 bis 30 Hz",
+        "sinus de 0,05 à 0,5 mm de 1 à 30 Hz",
         "1 至 30 Hz、0.05 至 0.5 mm 的正弦",
     ],
     [
@@ -350,8 +350,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "strokes of 0.1 to 2 mm at 0.1 and 1 Hz: equal loops speak for it",
-        "Hübe von 0.1 bis 2 mm bei 0.1 und 1 Hz: gleiche Schleifen sprechen dafür",
-        "courses de 0.1 à 2 mm à 0.1 et 1 Hz : des boucles égales parlent pour lui",
+        "Hübe von 0,1 bis 2 mm bei 0,1 und 1 Hz: gleiche Schleifen sprechen dafür",
+        "courses de 0,1 à 2 mm à 0,1 et 1 Hz : des boucles égales parlent pour lui",
         "0.1 和 1 Hz 下 0.1 至 2 mm 的行程：回线相同即为佐证",
     ],
     [
@@ -410,8 +410,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "one peak velocity at 0.5, 1, 2, 5 and 10 Hz",
-        "eine Spitzengeschwindigkeit bei 0.5, 1, 2, 5 und 10 Hz",
-        "une même vitesse de pointe à 0.5, 1, 2, 5 et 10 Hz",
+        "eine Spitzengeschwindigkeit bei 0,5; 1; 2; 5 und 10 Hz",
+        "une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz",
         "同一峰值速度，0.5、1、2、5 和 10 Hz",
     ],
     [
@@ -483,8 +483,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz",
-        "die Frequenzen der Versuche sind fast gleich: eine Spitzengeschwindigkeit bei 0.5, 1, 2, 5 und 10 Hz fahren",
-        "les fréquences des essais sont presque les mêmes : passer une même vitesse de pointe à 0.5, 1, 2, 5 et 10 Hz",
+        "die Frequenzen der Versuche sind fast gleich: eine Spitzengeschwindigkeit bei 0,5; 1; 2; 5 und 10 Hz fahren",
+        "les fréquences des essais sont presque les mêmes : passer une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz",
         "各试验频率几乎相同：以 0.5、1、2、5 和 10 Hz 做同一峰值速度",
     ],
     [

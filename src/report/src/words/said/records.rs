@@ -6,7 +6,7 @@ use super::Said;
 pub const ALL: &[Said] = &[
     // Lists.
     ["; ", "; ", " ; ", "；"],
-    ["'{name}'", "„{name}“", "« {name} »", "“{name}”"],
+    ["'{test}'", "„{test}“", "« {test} »", "“{test}”"],
     [
         "{names} and {count} more",
         "{names} und {count} weitere",
@@ -181,9 +181,9 @@ pub const ALL: &[Said] = &[
     ],
     [
         "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}",
-        "Geschwindigkeit aus dem Weg abgeleitet, mit örtlichen kubischen Polynomen über {points} Messwerte ({window} s), ohne Phase, -3 dB bei {frequency} Hz{shorter}",
-        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), phase nulle, -3 dB à {frequency} Hz{shorter}",
-        "速度由位移经局部三次多项式求导得到，窗口 {points} 个采样（{window} s），零相位，-3 dB 在 {frequency} Hz{shorter}",
+        "Geschwindigkeit aus dem Weg abgeleitet, mit örtlichen kubischen Polynomen über {points} Messwerte ({window} s), ohne Phase, −3 dB bei {frequency} Hz{shorter}",
+        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), phase nulle, −3 dB à {frequency} Hz{shorter}",
+        "速度由位移经局部三次多项式求导得到，窗口 {points} 个采样（{window} s），零相位，−3 dB 在 {frequency} Hz{shorter}",
     ],
     [
         "; over fewer where the motion turns within them, {percent} % of the samples",
