@@ -102,12 +102,21 @@ const AS_IT_IS: Template = Template("{text}");
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
-/// Whether what stands at a place of a sentence is a number, which every language writes in its own way: a number alone, with a sign or
-/// `%` at most. A name, an option of the command or a version is none.
+/// Whether what stands at a place of a sentence is a number, which every language writes in its own way: a number alone, with a sign, or with
+/// a unit behind it. A name, an option of the command or a version is none.
 pub fn is_number(place: &str, text: &str) -> bool {
-    let digits = text.trim_start_matches(['+', '-', '±', '\u{2212}']).trim_end_matches('%').trim_end();
-    !NAMES.contains(&place) && digits.starts_with(|c: char| c.is_ascii_digit()) && digits.parse::<f64>().is_ok()
+    let unsigned = text.trim_start_matches(['+', '-', '±', '\u{2212}']);
+    let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
+    let is_unit = unit.chars().all(|c| !c.is_ascii_digit()) && unit.chars().count() <= LONGEST_UNIT;
+    let figures = figures.trim_end_matches('%');
+    is_unit
+        && !NAMES.contains(&place)
+        && figures.starts_with(|c: char| c.is_ascii_digit())
+        && figures.parse::<f64>().is_ok()
 }
+
+/// Longest unit, letters: `N s²/m²` and the like.
+const LONGEST_UNIT: usize = 10;
 
 /// What stands at a place of a sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -363,11 +372,22 @@ mod tests {
 
     #[test]
     fn numbers_are_told_from_names_options_and_versions() {
-        for number in ["1.048", "-12.5", "+130", "±0.05", "97 %", "97\u{a0}%", "\u{2212}3", "1.2e5"] {
+        for number in ["1.048", "-12.5", "+130", "±0.05", "97 %", "97\u{a0}%", "\u{2212}3", "1.2e5", "0.3 N s/m"] {
             assert!(is_number("value", number), "{number}");
         }
-        for other in ["", "-", "%", "0.2.1", "a01mm", "--delay=0.0065", "2.5.csv", "inf", "NaN", "2026-01-05", "3.1 N"]
-        {
+        for other in [
+            "",
+            "-",
+            "%",
+            "0.2.1",
+            "a01mm",
+            "--delay=0.0065",
+            "2.5.csv",
+            "inf",
+            "NaN",
+            "2026-01-05",
+            "2.5 of all of them",
+        ] {
             assert!(!is_number("value", other), "{other}");
         }
         assert!(!is_number("test", "2.5"));

@@ -14,7 +14,7 @@ use dashpot_records::{Campaign, Record, Sentence, Unusable, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
-use dashpot_report::words::{EN, Words};
+use dashpot_report::words::{TERMINAL, Words};
 use dashpot_report::{Made, Print, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
@@ -142,7 +142,7 @@ impl Diagnosed {
     /// In lines.
     pub fn told(&self) -> Vec<String> {
         let mut lines = told(&self.found);
-        lines.push(whole_records::told(&self.over_whole_records, &EN));
+        lines.push(whole_records::told(&self.over_whole_records, &TERMINAL));
         lines
     }
 
@@ -217,7 +217,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    say(&reading::sign_in_words(&campaign.sign, &EN))?;
+    say(&reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     say(&diagnosed.told().join("\n"))?;
     if let Some(path) = out {
         dashpot_output::write(path, diagnosed.model(&model, &campaign))?;
@@ -332,7 +332,7 @@ const NEXT: usize = 3;
 
 /// The findings in lines.
 pub fn told(found: &Diagnosis) -> Vec<String> {
-    let mut lines = vec![headline(found, &EN)];
+    let mut lines = vec![headline(found, &TERMINAL)];
     if !found.regions.is_empty() {
         lines.push("Where the model disagrees, refitted to these tests:".to_owned());
         lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
@@ -356,7 +356,7 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
         lines.push("Numbers that are others than on the reference damper:".to_owned());
     }
     for change in &found.changed {
-        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &EN);
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &TERMINAL);
         let before = with_unit(change.reference, change.unit);
         lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.name()));
     }
@@ -379,7 +379,7 @@ fn one(finding: &Finding) -> Vec<String> {
     ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
-        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &EN);
+        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &TERMINAL);
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
     if let Some(gap) = finding.gap_closed {

@@ -13,7 +13,7 @@ use dashpot_output::Kind;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
 use dashpot_report::whole_records::in_words;
-use dashpot_report::words::EN;
+use dashpot_report::words::TERMINAL;
 use dashpot_report::{Workbook, write_workbook};
 use dashpot_simulation::whole_records;
 use serde::Serialize;
@@ -165,7 +165,7 @@ fn short(value: f64) -> String {
 
 /// What the reader found in the records.
 fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    say(&dashpot_report::reading::sign_in_words(&campaign.sign, &EN))?;
+    say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
@@ -262,7 +262,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         say(&format!("note: {note}"))?;
     }
     let over_whole_records = whole_records::of_fit(&found, &records)?;
-    let error = in_words(&over_whole_records, &EN);
+    let error = in_words(&over_whole_records, &TERMINAL);
     say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
     if let Some(path) = json {
         dashpot_output::json(

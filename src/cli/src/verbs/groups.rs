@@ -9,7 +9,7 @@ use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_report::blocks::{Block, Column, Section, Table};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::numbers::{share, with_interval, with_unit};
-use dashpot_report::words::{EN, Words};
+use dashpot_report::words::{TERMINAL, Words};
 use dashpot_report::{Cell, Made, Workbook, made};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -194,7 +194,7 @@ fn finding(finding: &Finding, words: &Words) -> String {
 }
 
 fn change(change: &Change) -> String {
-    let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &EN);
+    let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &TERMINAL);
     format!("{value} (95 %: {interval})")
 }
 

@@ -5,7 +5,7 @@ use anyhow::bail;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
 use dashpot_report::reading;
-use dashpot_report::words::EN;
+use dashpot_report::words::TERMINAL;
 use std::path::PathBuf;
 
 /// Write what is said about records once, beside them, so that every verb obeys it
@@ -42,7 +42,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     dashpot_output::write(&path, Profile::from_options(&options).text())?;
     let to = Some(path.as_path());
-    dashpot_output::say(to, &reading::sign_in_words(&campaign.sign, &EN))?;
+    dashpot_output::say(to, &reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
         dashpot_output::say(to, &format!("note: {}", note.text))?;
     }

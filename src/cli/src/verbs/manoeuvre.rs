@@ -8,7 +8,7 @@ use dashpot_core::{Model, Params};
 use dashpot_identification::model_file::{self, ModelFile, prepared};
 use dashpot_output::Kind;
 use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, beyond_note, coupling_note, quiet_note};
-use dashpot_report::words::EN;
+use dashpot_report::words::TERMINAL;
 use dashpot_simulation::vehicle::{Car, Manoeuvre, run as drive, without_chatter};
 use std::path::{Path, PathBuf};
 
@@ -91,9 +91,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         manoeuvre::figures(&args.name, args.step, [with_model, with_curve], quiet.as_ref(), covered.as_ref(), models);
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&figures))?;
-    for note in [quiet_note(&figures, &EN), coupling_note(&figures, &car, &EN), beyond_note(&figures, &EN)]
-        .into_iter()
-        .flatten()
+    for note in
+        [quiet_note(&figures, &TERMINAL), coupling_note(&figures, &car, &TERMINAL), beyond_note(&figures, &TERMINAL)]
+            .into_iter()
+            .flatten()
     {
         dashpot_output::say(json, &format!("note: {note}"))?;
     }

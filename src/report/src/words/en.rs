@@ -381,3 +381,6 @@ pub const EN: Words = Words {
     aside: "Tests that belong to no group: {tests}.",
     without_test: "Lines of the list of groups that name nothing in the data: {tests}.",
 };
+
+/// What the terminal says: English with the identifiers and signs that scripts read.
+pub const TERMINAL: Words = Words { code: "terminal", ..EN };

@@ -16,7 +16,7 @@ mod said;
 mod zh;
 
 pub use de::DE;
-pub use en::EN;
+pub use en::{EN, TERMINAL};
 pub use fr::FR;
 pub use zh::ZH;
 
@@ -70,7 +70,12 @@ impl Words {
         let written = letters.iter().enumerate().map(|(k, letter)| match letter {
             '.' if is_digit(k.checked_sub(1)) && is_digit(Some(k + 1)) => self.decimal_sign.to_owned(),
             // One minus sign everywhere, that of the figures.
-            '-' if is_digit(Some(k + 1)) && (k == 0 || letters[k - 1].is_whitespace()) => "\u{2212}".to_owned(),
+            '-' if self.code != TERMINAL.code
+                && is_digit(Some(k + 1))
+                && (k == 0 || letters[k - 1].is_whitespace()) =>
+            {
+                "\u{2212}".to_owned()
+            }
             other => other.to_string(),
         });
         written.collect()
@@ -566,6 +571,7 @@ pub(crate) mod tests {
         {
             assert_eq!(words.number("-1.048 … 2.5 N/mm"), expected);
         }
+        assert_eq!(TERMINAL.number("-1.048"), "-1.048");
         assert_eq!(DE.number("2.50·10⁻⁸"), "2,50·10⁻⁸");
         assert_eq!(DE.number("1.2e-5"), "1,2e-5");
         // A command keeps its point, and so does a name.

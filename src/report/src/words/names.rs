@@ -694,7 +694,7 @@ const NAMES: &[Named] = &[
 
 #[cfg(test)]
 mod tests {
-    use super::super::{DE, EN, FR, ZH};
+    use super::super::{DE, EN, FR, TERMINAL, ZH};
     use super::*;
     use dashpot_core::elements::GROUPS;
     use dashpot_core::parameter;
@@ -730,6 +730,8 @@ mod tests {
         assert_eq!(DE.with_names(sentence), "Gaskraft (gas_force) 1 N, Gaskraft 2 N, Luft im Öl (aeration, 97 %)");
         assert_eq!(ZH.with_names("缺少：\u{1}aeration\u{1}（把握 97 %）"), "缺少：油中含气（aeration，把握 97 %）");
         assert_eq!(EN.named("rubber"), "rubber");
+        // The terminal keeps what scripts read.
+        assert_eq!(TERMINAL.with_names("missing: \u{1}aeration\u{1} (97 % sure)"), "missing: aeration (97 % sure)");
         assert!(!EN.is_named("test", "aeration") && EN.is_named("names", "aeration"));
     }
 }
