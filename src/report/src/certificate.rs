@@ -163,7 +163,7 @@ mod tests {
         assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all 1 limits."));
         let missed = kept.replace("930", "890");
         let german = page_of(&missed, Language::German);
-        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzen nicht ein."));
+        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(untested.contains("1 could not be tested") && untested.contains("NOT TESTED"));

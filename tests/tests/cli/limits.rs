@@ -50,7 +50,7 @@ fn a_damper_passes_or_fails_by_its_windows() {
     assert!(failed.out.contains("FAIL: 1 of 5 limits are not kept"), "{}", failed.out);
     let report = fs::read_to_string(dir.join("r.html")).unwrap();
     assert!(
-        report.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 5 Grenzen nicht ein.")
+        report.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 5 Grenzwerten nicht ein.")
             && report.contains("2024-05-17")
     );
     // A speed that no test has is no pass.

@@ -56,7 +56,7 @@ const MEANINGS: &[Meaning] = &[
     ],
     [
         "cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed",
-        "Kavitation: die hydraulische Kraft einer Richtung ist begrenzt, und ein Hohlraum bleibt zu schließen",
+        "Kavitation: die hydraulische Kraft einer Richtung ist begrenzt, und ein Hohlraum muss erst wieder geschlossen werden",
         "cavitation : l’effort hydraulique d’une course est plafonné et un vide reste à refermer",
         "空化：一个行程方向的液压力被限制，留下的空穴需要先闭合",
     ],
@@ -80,7 +80,7 @@ const MEANINGS: &[Meaning] = &[
     ],
     [
         "blow-off valve that opens late and closes late: more force while speed rises",
-        "Druckventil, das spät öffnet und spät schließt: mehr Kraft bei steigender Geschwindigkeit",
+        "Überdruckventil, das spät öffnet und spät schließt: mehr Kraft bei steigender Geschwindigkeit",
         "clapet de décharge qui s’ouvre tard et se ferme tard : plus d’effort quand la vitesse croît",
         "卸荷阀开得晚、关得晚：速度上升时力较大",
     ],
@@ -92,7 +92,7 @@ const MEANINGS: &[Meaning] = &[
     ],
     [
         "dry friction of constant level, F_s tanh(K v)",
-        "Trockenreibung von gleicher Höhe, F_s tanh(K v)",
+        "Trockenreibung konstanter Höhe, F_s tanh(K v)",
         "frottement sec de niveau constant, F_s tanh(K v)",
         "恒定水平的干摩擦，F_s tanh(K v)",
     ],
@@ -105,11 +105,11 @@ const MEANINGS: &[Meaning] = &[
     ["viscous friction, F_v v|v|", "viskose Reibung, F_v v|v|", "frottement visqueux, F_v v|v|", "黏性摩擦，F_v v|v|"],
     [
         "dry friction proportional to side force",
-        "Trockenreibung proportional zur Querkraft",
+        "Trockenreibung proportional zur Seitenkraft",
         "frottement sec proportionnel à l’effort latéral",
         "与侧向力成正比的干摩擦",
     ],
-    ["constant gas force", "gleichbleibende Gaskraft", "effort du gaz constant", "恒定气体力"],
+    ["constant gas force", "konstante Gaskraft", "effort du gaz constant", "恒定气体力"],
     [
         "polynomial FV curve with a first-order lag whose time constant ramps with speed",
         "FV-Kurve als Polynom mit Verzögerung erster Ordnung, deren Zeitkonstante mit der Geschwindigkeit übergeht",
@@ -172,7 +172,7 @@ const MEANINGS: &[Meaning] = &[
     ],
     [
         "forces of the FV table, tension positive, non-decreasing",
-        "Kräfte der FV-Tabelle, Zug positiv, nicht fallend",
+        "Kräfte der FV-Tabelle, Zugkraft positiv, nicht fallend",
         "efforts de la table FV, traction positive, non décroissants",
         "FV 表的力，拉力为正，不递减",
     ],
@@ -234,7 +234,7 @@ const MEANINGS: &[Meaning] = &[
     ],
     [
         "what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does",
-        "was die Reihenfeder trägt: die hydraulische Kraft und die Federn an der Masse, oder auch Reibung und gleichbleibende Gaskraft, wie ein Auge oder Lager",
+        "was die Reihenfeder trägt: die hydraulische Kraft und die Federn an der Masse, oder auch Reibung und konstante Gaskraft, wie ein Auge oder Lager",
         "ce que porte le ressort en série : l’effort hydraulique et les ressorts sur la masse, ou aussi frottement et effort constant du gaz, comme un œillet ou une articulation",
         "串联弹簧承受的力：作用于质量的液压力和弹簧力，或者还包括摩擦力和恒定气体力（如吊环或支座）",
     ],
@@ -631,7 +631,7 @@ const MEANINGS: &[Meaning] = &[
     ["F_v of F_v v|v|", "F_v in F_v v|v|", "F_v de F_v v|v|", "F_v v|v| 中的 F_v"],
     [
         "friction per side force, k_avg",
-        "Reibung je Querkraft, k_avg",
+        "Reibung je Seitenkraft, k_avg",
         "frottement par effort latéral, k_avg",
         "单位侧向力的摩擦力，k_avg",
     ],
@@ -832,7 +832,7 @@ mod tests {
         let said = |language: Language| language.words().meaning("constant gas force");
         assert_eq!(
             Language::ALL.map(|(_, l)| said(l)),
-            ["constant gas force", "gleichbleibende Gaskraft", "effort du gaz constant", "恒定气体力"]
+            ["constant gas force", "konstante Gaskraft", "effort du gaz constant", "恒定气体力"]
         );
     }
 }

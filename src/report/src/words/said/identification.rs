@@ -21,7 +21,7 @@ pub const ALL: &[Said] = &[
     ["{name} {error}", "{name} {error}", "{name} {error}", "{name} {error}"],
     [
         "no other is better by what its parameters cost",
-        "kein anderer ist um das besser, was seine Parameter kosten",
+        "keine andere Variante ist um so viel besser, wie ihre Parameter kosten",
         "aucun autre n’est meilleur de ce que coûtent ses paramètres",
         "其他方案的改善都抵不过其参数的代价",
     ],
@@ -33,13 +33,13 @@ pub const ALL: &[Said] = &[
     ],
     [
         "no other is so much likelier that it is not as well an error of the model's form",
-        "kein anderer ist so viel wahrscheinlicher, dass es nicht ebenso ein Fehler der Modellform sein kann",
+        "keine andere Variante ist so viel wahrscheinlicher, dass es nicht ebenso ein Fehler der Modellform sein könnte",
         "aucun autre n’est assez plus probable pour ne pas être aussi bien une erreur de forme du modèle",
         "其他方案的可能性都没有高到足以排除模型形式本身的误差",
     ],
     [
         "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper",
-        "der einfachste innerhalb eines Standardfehlers vom besten, dabei Reibung, die ein Simulator mit 1 ms rechnen kann, vor steilerer",
+        "die einfachste Variante innerhalb eines Standardfehlers der besten; Reibung, die ein Simulator mit 1 ms rechnen kann, geht steilerer vor",
         "le plus simple à une erreur type près du meilleur, un frottement qu’un hôte à 1 ms peut calculer avant un plus raide",
         "与最优者相差一个标准误差以内的最简方案，摩擦优先选用 1 ms 步长的宿主软件可运行者，而非更陡者",
     ],
@@ -89,8 +89,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart",
-        "alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als pünktlich; derselbe Hub bei dreifacher Frequenz würde sie unterscheiden",
-        "tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise à l’heure ; la même course à trois fois la fréquence les distinguerait",
+        "alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei dreifacher Frequenz würde sie unterscheiden",
+        "tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course à trois fois la fréquence les distinguerait",
         "所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三倍频率做同一行程的试验可将二者区分",
     ],
     [
@@ -108,20 +108,20 @@ pub const ALL: &[Said] = &[
     [
         "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted",
         "das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von {low} bis {high} N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich",
-        "le modèle laisse de chaque essai une autre force constante, de {low} à {high} N : le zéro de la voie de force bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et force de gaz ne sont pas fiables",
+        "le modèle laisse de chaque essai un autre effort constant, de {low} à {high} N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables",
         "模型在各试验中剩下各不相同的恒定力，从 {low} 到 {high} N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信",
     ],
     // What the measurement is off by.
     [
         "the force channel comes late by {value} ms (95 %: {low} to {high})",
-        "der Kraftkanal kommt um {value} ms zu spät (95 %: {low} bis {high})",
-        "la voie d’effort vient en retard de {value} ms (95 % : {low} à {high})",
+        "der Kraftkanal kommt {value} ms zu spät (95 %: {low} bis {high})",
+        "la voie d’effort est en retard de {value} ms (95 % : {low} à {high})",
         "力通道滞后 {value} ms（95 %：{low} 至 {high}）",
     ],
     [
         "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})",
         "die Kraftmessdose bewegt eine eigene Masse von {value} kg (95 %: {low} bis {high})",
-        "le capteur d’effort meut une masse à lui, de {value} kg (95 % : {low} à {high})",
+        "le capteur d’effort entraîne une masse propre de {value} kg (95 % : {low} à {high})",
         "力传感器带动自身的质量 {value} kg（95 %：{low} 至 {high}）",
     ],
     [
@@ -138,7 +138,7 @@ pub const ALL: &[Said] = &[
     ],
     [
         "{finding}: taken out here, not in the model; validate and diagnose take it out of these records too{option}",
-        "{finding}: hier herausgenommen, nicht im Modell; validate und diagnose nehmen es aus diesen Messungen ebenfalls heraus{option}",
+        "{finding}: hier herausgerechnet, nicht im Modell; validate und diagnose rechnen es aus diesen Messungen ebenfalls heraus{option}",
         "{finding} : retiré ici, absent du modèle ; validate et diagnose le retirent aussi de ces mesures{option}",
         "{finding}：此处已去除，不在模型中；validate 和 diagnose 也会从这些记录中去除{option}",
     ],
@@ -150,13 +150,13 @@ pub const ALL: &[Said] = &[
     ],
     [
         "taken out of the records, as the model's fit did: {findings}",
-        "aus den Messungen herausgenommen, wie bei der Identifikation des Modells: {findings}",
+        "aus den Messungen herausgerechnet, wie bei der Identifikation des Modells: {findings}",
         "retiré des mesures, comme l’a fait l’identification du modèle : {findings}",
         "已按模型辨识时的做法从记录中去除：{findings}",
     ],
     [
         "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}",
-        "die Identifikation des Modells fand in ihren eigenen Messungen: {findings}; dies sind andere Messungen, und aus ihnen wurde nichts herausgenommen{option}",
+        "die Identifikation des Modells fand in ihren eigenen Messungen: {findings}; dies sind andere Messungen, und aus ihnen wurde nichts herausgerechnet{option}",
         "l’identification du modèle a trouvé dans ses propres mesures que {findings} ; celles-ci en sont d’autres, et rien n’en a été retiré{option}",
         "模型辨识在其自身的记录中发现：{findings}；这里是别的记录，未从中去除任何成分{option}",
     ],
@@ -217,13 +217,13 @@ pub const ALL: &[Said] = &[
     [
         "the tests never move in {direction}: a force-velocity curve needs both directions",
         "die Versuche bewegen sich nie in Richtung {direction}: eine Kraft-Geschwindigkeits-Kurve braucht beide Richtungen",
-        "les essais ne bougent jamais en {direction} : une courbe force-vitesse demande les deux sens",
+        "les essais ne bougent jamais en {direction} : une courbe effort-vitesse demande les deux sens",
         "试验从未向{direction}方向运动：力—速度曲线需要两个方向",
     ],
     [
         "no finite force could be computed for test {test}; look at its channels (a jump in displacement?)",
         "für den Versuch {test} ließ sich keine endliche Kraft berechnen; seine Kanäle ansehen (ein Sprung im Weg?)",
-        "aucune force finie n’a pu être calculée pour l’essai {test} ; regarder ses voies (un saut du déplacement ?)",
+        "aucun effort fini n’a pu être calculé pour l’essai {test} ; regarder ses voies (un saut du déplacement ?)",
         "试验 {test} 无法算出有限的力；请查看其通道（位移有跳变？）",
     ],
     // Kinds of tests.

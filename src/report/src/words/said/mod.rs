@@ -78,6 +78,16 @@ mod tests {
     }
 
     #[test]
+    fn what_an_effect_is_and_what_its_element_means_is_one_text() {
+        for said in diagnosis::ALL.iter().filter(|said| said[0].split(' ').count() > 2) {
+            for (k, (_, language)) in Language::ALL.iter().enumerate() {
+                let meaning = language.words().meaning(said[0]);
+                assert!(k == 0 || meaning == said[0] || meaning == said[k], "{meaning} and {}", said[k]);
+            }
+        }
+    }
+
+    #[test]
     fn numbers_in_german_and_french_texts_have_a_decimal_comma() {
         for said in [records::ALL, identification::ALL, diagnosis::ALL].into_iter().flatten() {
             for text in &said[1..3] {
@@ -96,13 +106,13 @@ mod tests {
                 "friction: none, rigid in series — error on left-out tests 0.93 of the allowed error (none 1.20, Coulomb + viscous, rigid \
                  in series 0.97); no other is better by what its parameters cost",
                 "Reibung: keine, starr in Reihe — Fehler an zurückgehaltenen Versuchen: das 0,93-Fache des zulässigen (keine 1,20, Coulomb \
-                 + viskos, starr in Reihe 0,97); kein anderer ist um das besser, was seine Parameter kosten",
+                 + viskos, starr in Reihe 0,97); keine andere Variante ist um so viel besser, wie ihre Parameter kosten",
             ),
             (
                 "measurement: a late force channel — error on left-out tests 1.02 of the allowed error (as recorded 1.94); no other is \
                  better by what its parameters cost",
                 "Messung: ein später Kraftkanal — Fehler an zurückgehaltenen Versuchen: das 1,02-Fache des zulässigen (wie aufgezeichnet \
-                 1,94); kein anderer ist um das besser, was seine Parameter kosten",
+                 1,94); keine andere Variante ist um so viel besser, wie ihre Parameter kosten",
             ),
             (
                 "viscous_coefficient could not be identified from this data (a free FV curve takes a v² term up); its element is off",
@@ -114,18 +124,22 @@ mod tests {
                 "innere Masse (internal_mass) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,3000 kg gehalten",
             ),
             (
+                "series_damping could not be identified from this data; it is held at 0.0100 N s/m",
+                "Reihendämpfung (series_damping) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,0100 N s/m gehalten",
+            ),
+            (
                 "the force channel comes late by 3.000 ms (95 %: 2.900 to 3.100): taken out here, not in the model; validate and diagnose \
                  take it out of these records too; for other records of this rig give --delay=0.003000, or write it into their \
                  campaign.toml",
-                "der Kraftkanal kommt um 3,000 ms zu spät (95 %: 2,900 bis 3,100): hier herausgenommen, nicht im Modell; validate und \
-                 diagnose nehmen es aus diesen Messungen ebenfalls heraus; für andere Messungen dieses Prüfstands --delay=0.003000 angeben \
+                "der Kraftkanal kommt 3,000 ms zu spät (95 %: 2,900 bis 3,100): hier herausgerechnet, nicht im Modell; validate und \
+                 diagnose rechnen es aus diesen Messungen ebenfalls heraus; für andere Messungen dieses Prüfstands --delay=0.003000 angeben \
                  oder in ihre campaign.toml schreiben",
             ),
             ("slow tests 60 %, small strokes 40 %", "langsame Versuche 60 %, kleine Hübe 40 %"),
             ("large strokes 97 %", "große Hübe 97 %"),
             (
                 "diagnosis: missing: aeration (97 % sure); what is left falls from 3.10 to 1.05 times",
-                "Diagnose: es fehlt: Luft im Öl (aeration, 97 % sicher); der Rest war 3,10 und fällt auf das 1,05-Fache",
+                "Diagnose: es fehlt: Luft im Öl (aeration, 97 % sicher); Rest vorher 3,10, nachher das 1,05-Fache",
             ),
             ("a remark by hand", "a remark by hand"),
         ];
@@ -135,6 +149,7 @@ mod tests {
             let names = [
                 ("viscous coefficient (viscous_coefficient)", "viscous_coefficient"),
                 ("internal mass (internal_mass)", "internal_mass"),
+                ("series damping (series_damping)", "series_damping"),
                 ("air in the oil (aeration, 97", "aeration (97"),
             ];
             assert_eq!(names.iter().fold(english, |text, (name, kept)| text.replace(name, kept)), made);

@@ -15,7 +15,7 @@ pub const ALL: &[Said] = &[
     ],
     [" or ", " oder ", " ou ", "或"],
     // Files and tables.
-    ["read as {file} says", "gelesen, wie {file} es sagt", "lu comme {file} le dit", "按 {file} 的规定读取"],
+    ["read as {file} says", "nach {file} gelesen", "lu selon {file}", "按 {file} 的规定读取"],
     [
         "in {folder}, not read as records: {names}",
         "in {folder} nicht als Messungen gelesen: {names}",
@@ -44,31 +44,31 @@ pub const ALL: &[Said] = &[
     [
         "the records are put on one clock by the date and time that their files bear, from {first} to {last}: heat and drifts carry over from file to file",
         "die Messungen stehen nach Datum und Uhrzeit in ihren Dateien auf einer gemeinsamen Uhr, von {first} bis {last}: Wärme und Driften reichen von Datei zu Datei",
-        "les mesures sont mises sur une même horloge d'après la date et l'heure que portent leurs fichiers, de {first} à {last} : la chaleur et les dérives passent d'un fichier à l'autre",
+        "les mesures sont mises sur une même horloge d’après la date et l’heure que portent leurs fichiers, de {first} à {last} : la chaleur et les dérives passent d’un fichier à l’autre",
         "各记录按其文件所载的日期和时间放到同一时钟上，从 {first} 到 {last}：热量和漂移在文件之间延续",
     ],
     [
         "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}",
         "jede Messung hat ihre eigene Uhr, so dass Wärme und Driften nicht von Datei zu Datei reichen: {why}",
-        "chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d'un fichier à l'autre : {why}",
+        "chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d’un fichier à l’autre : {why}",
         "每条记录各有自己的时钟，因此热量和漂移不在文件之间延续：{why}",
     ],
     [
         "only {count} of {all} files bear the time at which the test began",
         "nur {count} von {all} Dateien nennen den Beginn des Versuchs",
-        "seuls {count} fichiers sur {all} portent l'heure du début de l'essai",
+        "seuls {count} fichiers sur {all} portent l’heure du début de l'essai",
         "{all} 个文件中只有 {count} 个载有试验开始的时间",
     ],
     [
         "by the times that their files bear they are too far apart to be one campaign",
         "nach den Zeiten in ihren Dateien liegen sie für eine Messreihe zu weit auseinander",
-        "d'après les heures que portent leurs fichiers, elles sont trop éloignées pour être une seule campagne",
+        "d’après les heures que portent leurs fichiers, elles sont trop éloignées pour être une seule campagne",
         "按其文件所载的时间，它们相隔太久，不可能是同一批试验",
     ],
     [
         "by the times that their files bear they overlap; these may be the times of an export",
         "nach den Zeiten in ihren Dateien überlappen sie sich; das können die Zeiten eines Exports sein",
-        "d'après les heures que portent leurs fichiers, elles se chevauchent ; ce sont peut-être les heures d'une exportation",
+        "d’après les heures que portent leurs fichiers, elles se chevauchent ; ce sont peut-être les heures d’une exportation",
         "按其文件所载的时间，它们互相重叠；这些时间可能是导出的时间",
     ],
     [
@@ -168,7 +168,7 @@ pub const ALL: &[Said] = &[
     ],
     [
         "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off",
-        "{count} Messwerte des Kanals {channel} in {spikes} Störspitzen durch Geraden ersetzt, die erste in Zeile {line}, die größte um {largest} {unit} daneben",
+        "{count} Messwerte des Kanals {channel} in {spikes} Störspitzen durch Geraden ersetzt, die erste in Zeile {line}, die größte um {largest} {unit} zu weit",
         "{count} échantillons de la voie {channel} en {spikes} pics remplacés par des droites, le premier à la ligne {line}, le plus grand écarté de {largest} {unit}",
         "{channel}通道 {spikes} 个尖峰共 {count} 个采样已用直线代替，首次在第 {line} 行，最大偏差 {largest} {unit}",
     ],
@@ -181,8 +181,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}",
-        "Geschwindigkeit aus dem Weg abgeleitet, mit örtlichen kubischen Polynomen über {points} Messwerte ({window} s), ohne Phase, −3 dB bei {frequency} Hz{shorter}",
-        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), phase nulle, −3 dB à {frequency} Hz{shorter}",
+        "Geschwindigkeit durch Ableiten des Wegs, mit gleitenden kubischen Polynomen über {points} Messwerte ({window} s), ohne Phasenverschiebung, −3 dB bei {frequency} Hz{shorter}",
+        "vitesse dérivée du déplacement par cubiques locales sur {points} échantillons ({window} s), sans déphasage, −3 dB à {frequency} Hz{shorter}",
         "速度由位移经局部三次多项式求导得到，窗口 {points} 个采样（{window} s），零相位，−3 dB 在 {frequency} Hz{shorter}",
     ],
     [
@@ -193,13 +193,13 @@ pub const ALL: &[Said] = &[
     ],
     [
         "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})",
-        "Weg aus der Geschwindigkeit integriert, Beginn bei {start} mm; Nullpunktfehler der Geschwindigkeit von {offset} mm/s entfernt, das sind {drift} mm Drift über die Messung ({basis})",
+        "Weg durch Integration der Geschwindigkeit, Beginn bei {start} mm; Nullpunktfehler der Geschwindigkeit von {offset} mm/s entfernt, das sind {drift} mm Drift über die Messung ({basis})",
         "déplacement intégré de la vitesse, à partir de {start} mm ; décalage de vitesse de {offset} mm/s retiré, soit une dérive de {drift} mm sur la mesure ({basis})",
         "位移由速度积分得到，起点 {start} mm；已去除速度零偏 {offset} mm/s，相当于整个记录漂移 {drift} mm（{basis}）",
     ],
     [
         "the record is not periodic, so the damper is taken to end where it began",
-        "die Messung ist nicht periodisch, so dass der Dämpfer dort enden soll, wo er begann",
+        "die Messung ist nicht periodisch, daher wird angenommen, dass der Dämpfer dort endet, wo er begann",
         "la mesure n’est pas périodique : l’amortisseur est supposé finir où il a commencé",
         "记录不是周期性的，因此认为减振器终点与起点相同",
     ],
@@ -254,7 +254,7 @@ pub const ALL: &[Said] = &[
     ],
     [
         "what the fit found the measurement to be off by was taken out",
-        "was die Identifikation als Fehler der Messung fand, ist herausgenommen",
+        "was die Identifikation als Fehler der Messung fand, ist herausgerechnet",
         "ce que l’identification a trouvé comme erreur de mesure a été retiré",
         "辨识发现的测量偏差已去除",
     ],
@@ -310,8 +310,8 @@ pub const ALL: &[Said] = &[
     ],
     [
         "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving",
-        "der schnellste Versuch erreicht {velocity} mm/s: stimmen die Einheiten von Zeit und Bewegung? Aus langsamen Versuchen allein weiß ein Modell nichts vom Fahren",
-        "l’essai le plus rapide atteint {velocity} mm/s : les unités de temps et de mouvement sont-elles justes ? D’essais lents seuls, un modèle ne sait rien de la route",
+        "der schnellste Versuch erreicht {velocity} mm/s: stimmen die Einheiten von Zeit und Bewegung? Langsame Versuche allein sagen einem Modell nichts über den Fahrbetrieb",
+        "l’essai le plus rapide atteint {velocity} mm/s : les unités de temps et de mouvement sont-elles justes ? À partir d’essais lents seuls, un modèle n’apprend rien de la conduite",
         "最快的试验只达到 {velocity} mm/s：时间和运动的单位是否正确？仅凭慢速试验，模型对行驶工况一无所知",
     ],
     [
@@ -335,7 +335,7 @@ pub const ALL: &[Said] = &[
     ],
     [
         "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}",
-        "{late}{energy}. Hysterese zählt hier als Verspätung: dashpot fit trennt beide und nimmt die Verspätung heraus. Nichts wurde verschoben; zum Korrigieren ohne fit {option} angeben",
+        "{late}{energy}. Hysterese zählt hier als Verspätung: dashpot fit trennt beide und rechnet die Verspätung heraus. Nichts wurde verschoben; zum Korrigieren ohne fit {option} angeben",
         "{late}{energy}. L’hystérésis compte ici comme retard : dashpot fit les distingue et ôte le retard. Rien n’a été déplacé ; pour corriger sans fit, donner {option}",
         "{late}{energy}。此处滞回也被计为延迟：dashpot fit 会将两者区分并去除延迟。未作任何移动；如不拟合而要修正，请给出 {option}",
     ],
@@ -355,13 +355,13 @@ pub const ALL: &[Said] = &[
     [
         "speaks for tension positive (rebound)",
         "spricht für Zugkraft positiv (Zugstufe)",
-        "parle pour la traction positive (détente)",
+        "indique que la traction est positive (détente)",
         "说明拉力为正（复原）",
     ],
     [
         "speaks for push positive (compression)",
         "spricht für Druckkraft positiv (Druckstufe)",
-        "parle pour la poussée positive (compression)",
+        "indique que la poussée est positive (compression)",
         "说明推力为正（压缩）",
     ],
     [
@@ -373,7 +373,7 @@ pub const ALL: &[Said] = &[
     [
         "no turning points at standstill, so the gas force cannot be told",
         "keine Umkehrpunkte im Stillstand, so dass die Gaskraft nicht zu erkennen ist",
-        "pas de points de retour à l’arrêt, l’effort du gaz ne peut donc être dit",
+        "pas de points de retour à l’arrêt, l’effort du gaz ne peut donc être connu",
         "没有静止的换向点，因此无法得知气体力",
     ],
     [
@@ -382,23 +382,28 @@ pub const ALL: &[Said] = &[
         "dans les essais rapides, les efforts à vitesse positive valent {ratio} fois ceux à vitesse négative ; la plupart des amortisseurs résistent plus en détente, ce qui {verdict}",
         "较快的试验中，正速度下的力是负速度下的 {ratio} 倍；多数减振器复原阻力更大，这{verdict}",
     ],
-    ["speaks for rebound positive", "spricht für Zugstufe positiv", "parle pour la détente positive", "说明复原为正"],
+    [
+        "speaks for rebound positive",
+        "spricht für Zugstufe positiv",
+        "indique que la détente est positive",
+        "说明复原为正",
+    ],
     [
         "speaks for compression positive",
         "spricht für Druckstufe positiv",
-        "parle pour la compression positive",
+        "indique que la compression est positive",
         "说明压缩为正",
     ],
     ["tells nothing", "sagt nichts aus", "ne dit rien", "不说明问题"],
     [
         "gas force and asymmetry contradict each other; the stronger of the two was followed",
-        "Gaskraft und Unsymmetrie widersprechen sich; gefolgt wurde dem stärkeren von beiden",
+        "Gaskraft und Unsymmetrie widersprechen sich; entschieden hat der deutlichere der beiden Hinweise",
         "effort du gaz et asymétrie se contredisent ; le plus fort des deux a été suivi",
         "气体力与不对称性相互矛盾；已采用其中较强者",
     ],
     [
         "no test dissipates energy clearly, so it is not certain that force and motion go together",
-        "kein Versuch nimmt deutlich Energie auf, so dass nicht sicher ist, dass Kraft und Bewegung zusammengehören",
+        "kein Versuch nimmt deutlich Energie auf, so dass nicht sicher ist, ob Kraft und Bewegung zusammengehören",
         "aucun essai ne dissipe nettement d’énergie : il n’est pas certain que l’effort et le mouvement aillent ensemble",
         "没有试验明显耗散能量，因此不能确定力与运动相对应",
     ],
@@ -423,7 +428,7 @@ pub const ALL: &[Said] = &[
     [
         "{direction} positive was given, but the data speak for the opposite: {reasons}",
         "{direction} positiv war angegeben, aber die Daten sprechen für das Gegenteil: {reasons}",
-        "{direction} positive a été indiquée, mais les données parlent pour l’inverse : {reasons}",
+        "{direction} positive a été indiquée, mais les données indiquent l’inverse : {reasons}",
         "已给定{direction}为正，但数据说明相反：{reasons}",
     ],
     // What a campaign does without.
@@ -642,31 +647,31 @@ pub const ALL: &[Said] = &[
     [
         "displacement would span {displacement} mm and force {force} N",
         "der Weg überstriche {displacement} mm und die Kraft {force} N",
-        "le déplacement couvrirait {displacement} mm et la force {force} N",
+        "le déplacement couvrirait {displacement} mm et l’effort {force} N",
         "位移将跨越 {displacement} mm，力将跨越 {force} N",
     ],
     [
         "{spans}, and the force would be the smoother of the two",
         "{spans}, und die Kraft wäre die glattere von beiden",
-        "{spans}, et la force serait la plus lisse des deux",
+        "{spans}, et l’effort serait le plus lisse des deux",
         "{spans}，而且力会是两者中较平滑的一个",
     ],
     [
         "velocity is the derivative of the column read as force (correlation {with_force}), not of the one read as displacement ({with_displacement})",
         "die Geschwindigkeit ist die Ableitung der als Kraft gelesenen Spalte (Korrelation {with_force}), nicht der als Weg gelesenen ({with_displacement})",
-        "la vitesse est la dérivée de la colonne lue comme force (corrélation {with_force}), non de celle lue comme déplacement ({with_displacement})",
+        "la vitesse est la dérivée de la colonne lue comme effort (corrélation {with_force}), non de celle lue comme déplacement ({with_displacement})",
         "速度是读作力的列的导数（相关系数 {with_force}），而不是读作位移的列的导数（{with_displacement}）",
     ],
     [
         "the column read as displacement is {times} times rougher than the one read as force, and the damper would feed energy; {spans}",
         "die als Weg gelesene Spalte ist {times}-mal rauer als die als Kraft gelesene, und der Dämpfer gäbe Energie ab; {spans}",
-        "la colonne lue comme déplacement est {times} fois plus rugueuse que celle lue comme force, et l’amortisseur fournirait de l’énergie ; {spans}",
+        "la colonne lue comme déplacement est {times} fois plus rugueuse que celle lue comme effort, et l’amortisseur fournirait de l’énergie ; {spans}",
         "读作位移的列比读作力的列粗糙 {times} 倍，而且减振器会输出能量；{spans}",
     ],
     // What speaks for another unit.
     [
         "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s",
-        "{record} bewegte sich {seconds} s lang um ±{amplitude} mm bei {frequency} Hz",
+        "{record} würde sich {seconds} s lang um ±{amplitude} mm bei {frequency} Hz bewegen",
         "{record} ferait ±{amplitude} mm à {frequency} Hz pendant {seconds} s",
         "{record} 将以 {frequency} Hz 运动 ±{amplitude} mm，历时 {seconds} s",
     ],
@@ -707,10 +712,10 @@ pub const ALL: &[Said] = &[
         "une vitesse de pointe de {velocity} m/s",
         "峰值速度 {velocity} m/s",
     ],
-    ["a force of {force} N", "eine Kraft von {force} N", "une force de {force} N", "力 {force} N"],
+    ["a force of {force} N", "eine Kraft von {force} N", "un effort de {force} N", "力 {force} N"],
     [
         "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated",
-        "enthält die Datei mm, es sagen: --unit displacement=mm, oder velocity=mm/s, wo integriert wird",
+        "enthält die Datei mm, dies angeben: --unit displacement=mm, oder velocity=mm/s, wo integriert wird",
         "si le fichier est en mm, le dire : --unit displacement=mm, ou velocity=mm/s quand on intègre",
         "若文件单位为 mm，请说明：--unit displacement=mm；由速度积分时用 velocity=mm/s",
     ],
@@ -722,15 +727,15 @@ pub const ALL: &[Said] = &[
     ],
     [
         "if the file gives N, say so: --unit force=N",
-        "enthält die Datei N, es sagen: --unit force=N",
+        "enthält die Datei N, dies angeben: --unit force=N",
         "si le fichier est en N, le dire : --unit force=N",
         "若文件单位为 N，请说明：--unit force=N",
     ],
     // All tests of a campaign.
     [
         "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise} N, although the damper moves. Check the load cell and its channel (--column force=\"heading\")",
-        "{count} von {all} Versuchen zeigen keine Kraft: in {record} hebt sie sich nicht von ihrem Rauschen von {noise} N ab, obwohl sich der Dämpfer bewegt. Kraftaufnehmer und Kanal prüfen (--column force=\"Überschrift\")",
-        "{count} essais sur {all} ne montrent aucune force : dans {record} elle ne sort pas de son bruit de {noise} N, bien que l’amortisseur bouge. Vérifier le capteur de force et sa voie (--column force=\"en-tête\")",
+        "{count} von {all} Versuchen zeigen keine Kraft: in {record} hebt sie sich nicht von ihrem Rauschen von {noise} N ab, obwohl sich der Dämpfer bewegt. Kraftmessdose und Kanal prüfen (--column force=\"Überschrift\")",
+        "{count} essais sur {all} ne montrent aucun effort : dans {record} il ne sort pas de son bruit de {noise} N, bien que l’amortisseur bouge. Vérifier le capteur d’effort et sa voie (--column force=\"en-tête\")",
         "{all} 个试验中有 {count} 个没有力：在 {record} 中减振器在运动，力却未超出其 {noise} N 的噪声。请检查力传感器及其通道（--column force=\"列名\"）",
     ],
     [
@@ -754,13 +759,13 @@ pub const ALL: &[Said] = &[
     [
         "These files count force or motion in another direction than the rest. Load them apart, with --flip force or --flip motion for those that feed energy, or correct the export",
         "Diese Dateien zählen Kraft oder Bewegung in einer anderen Richtung als die übrigen. Sie getrennt laden, mit --flip force oder --flip motion für die, die Energie abgeben, oder den Export berichtigen",
-        "Ces fichiers comptent la force ou le mouvement dans un autre sens que les autres. Les charger à part, avec --flip force ou --flip motion pour ceux qui fournissent de l’énergie, ou corriger l’export",
+        "Ces fichiers comptent l’effort ou le mouvement dans un autre sens que les autres. Les charger à part, avec --flip force ou --flip motion pour ceux qui fournissent de l’énergie, ou corriger l’export",
         "这些文件的力或运动的正方向与其他文件不同。请分开载入，对输出能量者用 --flip force 或 --flip motion，或更正导出",
     ],
     [
         "in all {count} tests with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}",
         "in allen {count} Versuchen mit deutlicher Schleife wirkt die Kraft in Richtung der Bewegung (Korrelation {correlation}), also sind Kraft und Bewegung entgegengesetzt gezählt; {culprit}{also}",
-        "dans les {count} essais à boucle nette la force agit dans le sens du mouvement (corrélation {correlation}), force et mouvement sont donc comptés en sens opposés ; {culprit}{also}",
+        "dans les {count} essais à boucle nette l’effort agit dans le sens du mouvement (corrélation {correlation}), effort et mouvement sont donc comptés en sens opposés ; {culprit}{also}",
         "在全部 {count} 个环线清楚的试验中，力都顺着运动方向（相关系数 {correlation}），因此力与运动的正方向相反；{culprit}{also}",
     ],
     [
@@ -771,20 +776,20 @@ pub const ALL: &[Said] = &[
     ],
     [
         "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)",
-        "die Kraft im Stillstand ist ein Druck, negativ gezählt, wie Gas ihn gibt, wenn Zug positiv ist; also sind Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)",
-        "la force au repos est une poussée comptée négative, comme la donne le gaz quand la traction est positive ; déplacement et vitesse sont donc positifs en compression. Donner --flip motion (ou corriger l’export)",
+        "die Kraft im Stillstand ist eine Druckkraft und negativ gezählt, wie beim Gas, wenn Zugkraft positiv zählt; also zählen Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)",
+        "l’effort à l’arrêt est une poussée comptée négative, comme en donne le gaz quand la traction est positive ; déplacement et vitesse sont donc positifs en compression. Donner --flip motion (ou corriger l’export)",
         "静止时的力为推力且记为负，即以拉为正时气体所产生的力；因此位移和速度以压缩为正。请给出 --flip motion（或更正导出）",
     ],
     [
         "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)",
-        "die Kraft im Stillstand ist ein Druck, positiv gezählt, wie Gas ihn gibt, wenn Druck positiv ist; also sind Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)",
-        "la force au repos est une poussée comptée positive, comme la donne le gaz quand la compression est positive ; déplacement et vitesse sont donc positifs en détente. Donner --flip force (ou corriger l’export)",
+        "die Kraft im Stillstand ist eine Druckkraft und positiv gezählt, wie beim Gas, wenn Druckkraft positiv zählt; also zählen Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)",
+        "l’effort à l’arrêt est une poussée comptée positive, comme en donne le gaz quand la compression est positive ; déplacement et vitesse sont donc positifs en détente. Donner --flip force (ou corriger l’export)",
         "静止时的力为推力且记为正，即以压为正时气体所产生的力；因此位移和速度以复原为正。请给出 --flip force（或更正导出）",
     ],
     [
         "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)",
         "die Kraft im Stillstand ist zu klein, um zu sagen, welche. Sind Druckkräfte positiv gezählt, --flip force angeben, sind es Druckbewegungen, --flip motion (oder den Export berichtigen)",
-        "la force au repos est trop petite pour dire lequel des deux. Donner --flip force si les forces de compression sont positives, --flip motion si ce sont les mouvements (ou corriger l’export)",
+        "l’effort à l’arrêt est trop petit pour dire lequel des deux. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)",
         "静止时的力太小，无法判断是哪一个。若压缩力记为正请给出 --flip force，若压缩运动记为正请给出 --flip motion（或更正导出）",
     ],
     // A motion to be imposed.
