@@ -4,6 +4,7 @@ use std::path::Path;
 
 use csv::{ByteRecord, ReaderBuilder};
 
+use super::about::About;
 use super::beside::{Beside, LABELS};
 use super::channel::Channel;
 use super::clock;
@@ -273,6 +274,7 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     let step = options.sample_rate_hz.map(|rate| 1.0 / rate).or_else(|| sample_time(text[..offset].lines()));
     let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, step.is_some(), &is_clock)?;
     let mut rows = Rows::new(at.clone(), name.to_string(), layout);
+    rows.about = About::of_lines(text[..offset].lines());
     // When each test began, as the lines above its figures say; up to where these lines are read.
     let mut began = vec![clock::begins(text[..offset].lines())];
     let mut behind = offset;
@@ -349,7 +351,9 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
         if blocks.begins_anew(time) {
             let layout = rows.layout().clone();
             let name = format!("{name} {}", tests.len() + 2);
-            tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+            let mut next = Rows::new(at.clone(), name, layout);
+            next.about = rows.about.clone();
+            tests.push(std::mem::replace(&mut rows, next));
             began.push(clock::begins(text.get(behind..here).unwrap_or_default().lines()));
         }
         behind = here;

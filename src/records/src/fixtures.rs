@@ -108,6 +108,7 @@ impl SineTest {
             lines: (2..n + 2).collect(),
             time,
             begins: None,
+            about: Default::default(),
             force,
             displacement: Some(x),
             velocity: Some(v),

@@ -2,6 +2,7 @@
 //!
 //! [`load`] is the way in. After it everything is SI, rebound (extension) and tension positive.
 
+mod about;
 mod at_speed;
 mod beside;
 mod campaign;
@@ -47,6 +48,7 @@ mod unit;
 mod unusable;
 mod xlsx;
 
+pub use about::About;
 pub use campaign::{Campaign, ENDINGS, Progress, is_record_name, load};
 pub use channel::{Channel, assignment};
 pub use delay::Delay;

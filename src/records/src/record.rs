@@ -1,5 +1,6 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
+use super::about::About;
 use super::sentence::Sentence;
 use super::taken_out::Off;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -21,6 +22,9 @@ pub struct Record {
     /// Date and time of the record's time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
     #[serde(default)]
     pub begins: Option<f64>,
+    /// Part, serial number, tester and rig, where the file says them.
+    #[serde(default, skip_serializing_if = "About::is_empty")]
+    pub about: About,
     /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
     #[serde(default)]
     pub clock_s: f64,

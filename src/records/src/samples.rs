@@ -1,5 +1,6 @@
 //! The samples of one test as they came from the file: SI, but with the file's signs and flaws.
 
+use super::about::About;
 use super::channel::Channel;
 use super::error::Place;
 use super::record::Note;
@@ -18,6 +19,8 @@ pub(crate) struct Samples {
     pub time: Vec<f64>,
     /// Date and time of its time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
     pub begins: Option<f64>,
+    /// What the file says of it beside its figures.
+    pub about: About,
     pub force: Vec<f64>,
     pub displacement: Option<Vec<f64>>,
     pub velocity: Option<Vec<f64>>,

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::about::About;
 use super::channel::Channel;
 use super::clock;
 use super::error::{Place, RecordError};
@@ -338,6 +339,8 @@ pub(crate) struct Rows {
     notes: Vec<Note>,
     /// When the table's time zero was, as [`Samples::begins`]. A column of dates says it too, and counts before it.
     pub begins: Option<f64>,
+    /// What the file says of the tests beside their figures.
+    pub about: About,
 }
 
 impl Rows {
@@ -354,6 +357,7 @@ impl Rows {
             by_name: HashMap::new(),
             notes: Vec::new(),
             begins: None,
+            about: About::default(),
         }
     }
 
@@ -451,6 +455,7 @@ impl Rows {
                 lines,
                 time,
                 begins: self.begins,
+                about: self.about.clone(),
                 force: take(Channel::Force).unwrap_or_default(),
                 displacement: take(Channel::Displacement),
                 velocity: take(Channel::Velocity),

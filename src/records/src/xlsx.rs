@@ -5,6 +5,7 @@ use std::path::Path;
 
 use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx, open_workbook};
 
+use super::about::About;
 use super::beside::Beside;
 use super::channel::Channel;
 use super::clock;
@@ -145,6 +146,8 @@ struct Sheet<'a> {
     beside: Beside,
     /// Rows looked at for a header, as text: they may say when the test began.
     above: Vec<String>,
+    /// What they say of the test.
+    about: About,
     header: Option<(u32, Vec<String>)>,
     units: Option<Vec<String>>,
     rows: Option<Rows>,
@@ -158,6 +161,7 @@ impl<'a> Sheet<'a> {
             options,
             first_line: None,
             above: Vec::new(),
+            about: About::default(),
             header: None,
             units: None,
             rows: None,
@@ -174,6 +178,7 @@ impl<'a> Sheet<'a> {
         let Some((header_index, header)) = &self.header else {
             if self.above.len() < HEADER_WITHIN {
                 self.above.push(row.iter().map(with_its_date).collect::<Vec<_>>().join(" "));
+                self.about.of_row(row.iter().map(with_its_date));
                 let cells = text();
                 if cells.iter().any(|c| !c.is_empty()) {
                     self.first_line.get_or_insert_with(|| cells.join(", "));
@@ -206,6 +211,7 @@ impl<'a> Sheet<'a> {
             let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
             let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout);
             rows.begins = clock::begins(self.above.iter().map(String::as_str));
+            rows.about = self.about.clone();
             self.rows = Some(rows);
         }
         let Some(rows) = &mut self.rows else { return Ok(()) };

@@ -4,17 +4,21 @@ use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
 use super::numbers::{digits, error};
 use super::page;
+use super::subject;
 use crate::cells::Cell;
 use crate::plot::peaks;
 use crate::plot::ticks::number;
 use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Checked, Quantity, Value, Verdict};
+use dashpot_records::Record;
 
 /// What a certificate is written from.
 #[derive(Debug, Clone)]
 pub struct CertificateInput<'a> {
     /// The answers.
     pub certificate: &'a Certificate,
+    /// The records that were judged, which say what was measured, when and by whom.
+    pub records: &'a [&'a Record],
     /// Name of the data.
     pub data: String,
     /// Name of the file of limits.
@@ -33,8 +37,9 @@ pub fn render(input: &CertificateInput<'_>) -> String {
     let figure = peaks::against_limits(input.certificate, input.curve, words);
     let mut first = section(input.certificate, words);
     let place = first.blocks.iter().position(|b| matches!(b, Block::Table(_))).unwrap_or(first.blocks.len());
+    first.blocks.insert(place, Block::List(subject::lines(input.records, words)));
     if let Some(svg) = figure {
-        first.blocks.insert(place, Block::Wide(Figure::new("force-at-peak", svg)));
+        first.blocks.insert(place + 1, Block::Wide(Figure::new("force-at-peak", svg)));
     }
     let subtitle = words.fill(words.certificate_subtitle, &[("data", &input.data), ("limits", &input.limits)]);
     page::page(
@@ -149,6 +154,7 @@ mod tests {
         let found = judge(&parse("l.csv".as_ref(), text).unwrap(), &[&record], None);
         render(&CertificateInput {
             certificate: &found,
+            records: &[&record],
             data: "rig".into(),
             limits: "l.csv".into(),
             curve: &[],
@@ -165,6 +171,8 @@ mod tests {
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
+        // What the record does not say is left to be filled in, and no clock is read.
+        assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(untested.contains("1 could not be tested") && untested.contains("NOT TESTED"));
         assert!(untested.find("<svg").unwrap() < untested.find("<table").unwrap(), "picture before table");

@@ -24,6 +24,7 @@ mod page;
 pub mod parameters;
 pub mod plot;
 pub mod reading;
+mod subject;
 mod summary;
 pub mod whole_records;
 pub mod words;

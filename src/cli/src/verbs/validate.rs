@@ -135,8 +135,10 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         };
         input.extra.extend(against::section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
+            let records: Vec<&Record> = campaign.records.iter().collect();
             let page = certificate::render(&CertificateInput {
                 certificate: found,
+                records: &records,
                 data: input.data.clone(),
                 limits: args.limits.as_ref().map_or_else(String::new, |p| p.display().to_string()),
                 curve: &input.curve,

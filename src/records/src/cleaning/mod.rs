@@ -15,6 +15,7 @@ mod outliers;
 mod still;
 mod trim;
 
+use super::about::About;
 use super::consistency;
 use super::derive;
 use super::error::{Place, RecordError};
@@ -52,6 +53,8 @@ pub(crate) struct Motion {
     pub name: String,
     pub time: Vec<f64>,
     pub begins: Option<f64>,
+    /// See [`Samples::about`].
+    pub about: About,
     pub displacement: Vec<f64>,
     pub velocity: Vec<f64>,
     pub force: Vec<f64>,
@@ -110,6 +113,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, Re
         name: samples.name,
         time: samples.time,
         begins: samples.begins,
+        about: samples.about.clone(),
         displacement,
         velocity,
         force: samples.force,
@@ -239,6 +243,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         name,
         time,
         begins,
+        about,
         displacement,
         velocity,
         force,
@@ -272,6 +277,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         noise,
         time,
         begins,
+        about,
         clock_s: 0.0,
         displacement,
         velocity,
@@ -420,6 +426,7 @@ mod tests {
                 units: Vec::new(),
                 time: times,
                 begins: None,
+                about: About::default(),
                 force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),
                 displacement: (motion != 0).then(|| rows.iter().map(|r| r.2).collect()),
                 velocity: (motion != 1).then(|| rows.iter().map(|r| f64::from(r.1)).collect()),
