@@ -83,7 +83,14 @@ fn page(case: &Case, language: Language) -> String {
         found: &case.found,
         records: &records,
         reading: Vec::new(),
-        over_whole_records: OfDiagnosis::of(&base(), &case.found.base, &case.found.improved, &case.found.measured, &records).unwrap(),
+        over_whole_records: OfDiagnosis::of(
+            &base(),
+            &case.found.base,
+            &case.found.improved,
+            &case.found.measured,
+            &records,
+        )
+        .unwrap(),
         parameters: parameters::of_diagnosis(&case.found, words),
         made: Made { version: "9.9".into(), command: "dashpot diagnose".into(), files: vec![file], ..Made::default() },
         print: dashpot_report::Print::Brief,

@@ -5,6 +5,7 @@ use crate::model::Model;
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Options, Scales, Version};
 use dashpot_simulation::chatter::{self, Host};
+use dashpot_simulation::stiffness;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -37,7 +38,8 @@ pub fn export_fmu(
         let corners = fmu::corners(&params, four)?;
         let scales = Scales::checked(corners.len(), motion_scale, force_scale, position_offset)?;
         let from_source = library.as_deref();
-        let mut remarks: Vec<String> = params.iter().flat_map(|p| chatter::remarks(p, Host::USUAL)).collect();
+        let of_one = |p: &Params| chatter::remarks(p, Host::USUAL).into_iter().chain(stiffness::remarks(p));
+        let mut remarks: Vec<String> = params.iter().flat_map(of_one).collect();
         remarks.dedup();
         let more = &[];
         fmu::fmu(

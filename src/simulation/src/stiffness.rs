@@ -4,7 +4,7 @@
 //! method is so only while the step times the fastest rate lies inside the method's region, and beyond it may well answer a wrong force without an error.
 
 use dashpot_core::evaluate::partials;
-use dashpot_core::{Input, Model};
+use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
 /// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis (Hairer & Wanner, *Solving Ordinary
@@ -36,6 +36,11 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
+/// [`remark`] of parameters: what stands in the description of an FMU, which has model exchange too.
+pub fn remarks(params: &Params) -> Vec<String> {
+    Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
+}
+
 /// What a host must know that integrates the states itself, in a sentence; nothing where a step of 1 ms does.
 pub fn remark(model: &Model) -> Option<String> {
     let rate = fastest_rate(model);
@@ -52,7 +57,7 @@ pub fn remark(model: &Model) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::{Params, State, element, evaluate, number};
+    use dashpot_core::{State, element, evaluate, number};
 
     fn model(stiffness: f64, mass: f64) -> Model {
         let mut params = Params::new();

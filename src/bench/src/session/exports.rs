@@ -6,7 +6,7 @@ use dashpot_core::{Model, Params};
 use dashpot_hosts::{fmu, handed_out, runtimes};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_simulation::chatter;
+use dashpot_simulation::{chatter, stiffness};
 use std::path::Path;
 
 /// A host that a model is exported to.
@@ -71,7 +71,8 @@ impl Export {
             bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
         }
         let name = handed_out::fmu_name(Path::new(&self.name), four);
-        let remarks = chatter::remarks(&self.params, chatter::Host::USUAL);
+        let mut remarks = chatter::remarks(&self.params, chatter::Host::USUAL);
+        remarks.extend(stiffness::remarks(&self.params));
         let corners = fmu::corners(&[self.params], four)?;
         let options = fmu::Options {
             version,

@@ -25,7 +25,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
         let all: Vec<String> = found
             .corrections
             .iter()
-            .map(|(name, value)| format!("{} {}", words.named(name), words.number(&with_unit(*value, unit_of(found, name)))))
+            .map(|(name, value)| {
+                format!("{} {}", words.named(name), words.number(&with_unit(*value, unit_of(found, name))))
+            })
             .collect();
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }

@@ -10,6 +10,7 @@ use dashpot_hosts::{handed_out, runtimes};
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
 use dashpot_report::replace_file;
+use dashpot_simulation::stiffness;
 use std::path::{Path, PathBuf};
 
 /// A functional mock-up unit: co-simulation and model exchange in one file
@@ -100,6 +101,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let ready = args.host.ready(&file.params)?;
         notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
         remarks.extend(ready.notes());
+        remarks.extend(stiffness::remarks(&ready.params));
         models.push(ready.params);
     }
     let corners = fmu::corners(&models, args.four)?;
