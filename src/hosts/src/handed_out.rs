@@ -144,7 +144,7 @@ pub fn run_folder(
     for file in texts {
         let is_first = file.name == "README.txt";
         let text = if is_first {
-            missing.clone() + &folder::above(replaced, &folder::below(&file.text, chatters))
+            folder::above(replaced, &(missing.clone() + &folder::below(&file.text, chatters)))
         } else {
             file.text
         };

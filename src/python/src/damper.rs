@@ -238,7 +238,8 @@ impl Dampers {
             let mut rows = rows.as_array_mut();
             for (mut row, state) in rows.outer_iter_mut().zip(&self.states) {
                 let own = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
-                row.iter_mut().zip(own.into_iter().chain(state.memory)).for_each(|(to, from)| *to = from);
+                let own = own.into_iter().chain(state.memory).chain([state.layout, state.reserved]);
+                row.iter_mut().zip(own).for_each(|(to, from)| *to = from);
             }
         }
         Ok(array)
@@ -266,6 +267,8 @@ impl Dampers {
                 mass_displacement: at(2),
                 mass_velocity: at(3),
                 memory: std::array::from_fn(|m| at(4 + m)),
+                layout: at(12),
+                reserved: at(13),
             };
         }
         Ok(())

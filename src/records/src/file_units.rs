@@ -9,6 +9,7 @@ use super::at_speed::{Level, Levels, apart, levels, velocity};
 use super::channel::Channel;
 use super::error::{FilesUnit, RecordError};
 use super::options::Options;
+use super::plausibility::shows_noise_alone;
 use super::record::Record;
 use super::samples::{median, sample_time};
 use super::unit::Unit;
@@ -79,6 +80,8 @@ struct Slip {
 pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>) -> Result<(), RecordError> {
     let seen: Vec<Seen<'_>> = records
         .iter()
+        // Where the force is noise no unit makes it another: that is told for itself.
+        .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
             Some(Seen { record, reading: readings.get(&record.source)?, levels })

@@ -104,7 +104,7 @@ pub(crate) fn remark(records: &[Record], notes: &mut Vec<Note>) -> Result<(), Re
 }
 
 /// Whether the force of a moving damper does not stand out of its noise.
-fn shows_noise_alone(record: &Record) -> bool {
+pub(crate) fn shows_noise_alone(record: &Record) -> bool {
     let noise = record.noise.force_rms;
     let n = record.force.len() as f64;
     let mean = record.force.iter().sum::<f64>() / n;

@@ -82,7 +82,7 @@ fn exports_say_it_too_and_take_the_same_option() {
     assert!(readme("soft").starts_with("coulomb_friction was replaced"));
     // Adams takes the force with its slopes in steps of its own: what a fixed step does stands below, with whom it concerns.
     let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
-    assert!(text.starts_with("A damper for Adams"), "{text}");
+    assert!(text.contains("A damper for Adams"), "{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(flat.find(below).unwrap() < flat.find("At a host step of 1 ms").unwrap(), "{text}");
 }
