@@ -12,7 +12,8 @@ class Model(c.Structure):
 
 class State(c.Structure):
     _fields_ = [("displacement", c.c_double), ("velocity", c.c_double), ("mass_displacement", c.c_double),
-                ("mass_velocity", c.c_double), ("memory", c.c_double * 8)]
+                ("mass_velocity", c.c_double), ("memory", c.c_double * 8),
+                ("layout", c.c_double), ("reserved", c.c_double)]
 
 
 class Input(c.Structure):

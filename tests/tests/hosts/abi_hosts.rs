@@ -74,6 +74,7 @@ fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
         }
         hex(&mut text, &[state.displacement, state.velocity, state.mass_displacement, state.mass_velocity]);
         hex(&mut text, &state.memory);
+        hex(&mut text, &[state.layout, state.reserved]);
         text.push('\n');
     }
     text
