@@ -132,7 +132,7 @@ pub fn load(
     let mut motions =
         mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
     sieve.refuse_most(motions.len())?;
-    tell_gaps(&motions, &mut notes);
+    tell_splits(&motions, &mut notes);
     let mut of_the_sign = Vec::new();
     let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
     let finished: Vec<Result<Record, RecordError>> = motions
@@ -158,15 +158,15 @@ pub fn load(
     Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 
-/// Gaps concern what counts as a test, so the campaign says them, before anything else.
-fn tell_gaps(motions: &[cleaning::Motion], notes: &mut Vec<Note>) {
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+fn tell_splits(motions: &[cleaning::Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
-        if let Some(note) = motion.notes.iter().find(|n| n.kind == "gap") {
+        for note in motion.notes.iter().filter(|n| ["gap", "rests"].contains(&n.kind)) {
             let file = motion.at.file.display().to_string();
             let text = Sentence::from(phrases::OF_FILE).with("file", file).with_said("text", note.text.clone());
             if told.iter().all(|n| n.text != text) {
-                told.push(Note { kind: "gap", text });
+                told.push(Note { kind: note.kind, text });
             }
         }
     }

@@ -32,6 +32,7 @@ crate::phrases! {
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
     TOO_FEW_BETWEEN: "; {count} samples between gaps are too few for a test";
+    AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
     FILLED: "{count} missing values of {channel} filled by straight lines";

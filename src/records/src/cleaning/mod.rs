@@ -12,6 +12,7 @@ mod gaps;
 mod missing;
 mod order;
 mod outliers;
+mod rests;
 mod still;
 mod trim;
 
@@ -80,17 +81,17 @@ fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
     }
 }
 
-/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps.
+/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, and at rests between tests.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped::refuse(&samples, options)?;
     missing::drop_rows(&mut samples)?;
     duplicates::remove(&mut samples);
     order::restore(&mut samples)?;
-    Ok(gaps::split(samples))
+    Ok(gaps::split(samples).into_iter().flat_map(rests::split).collect())
 }
 
-/// First half, before the sign is known, of a test without gaps.
+/// First half, before the sign is known, of a test without gaps and rests between tests.
 #[cfg(test)]
 pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     let mut pieces = sort_out(samples, options)?;

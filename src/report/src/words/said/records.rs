@@ -104,6 +104,12 @@ pub const ALL: &[Said] = &[
         " ; {count} échantillons entre des trous sont trop peu pour un essai",
         "；间断之间的 {count} 个采样不足以构成一个试验",
     ],
+    [
+        "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over",
+        "{count} Versuche hintereinander, an den Ruhezeiten dazwischen getrennt nach der Bewegung davor und danach; um ganze Zyklen herum ist die Ruhe abgeschnitten, und die Uhr läuft weiter, so dass Wärme mitgeht",
+        "{count} essais l’un après l’autre, séparés aux repos entre eux d’après le mouvement avant et après ; le repos est coupé autour des cycles entiers, et l’horloge continue, de sorte que la chaleur se transmet",
+        "{count} 个试验前后相接，按静止前后运动的不同在静止处分开；完整循环前后的静止已切除，时钟连续，热量由此延续",
+    ],
     // Rows.
     [
         "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})",

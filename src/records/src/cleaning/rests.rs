@@ -1,0 +1,357 @@
+//! Several tests one after the other in one record, without a column that tells them apart: rigs that run through a list write so. They are
+//! told apart at rests, where what comes before moves otherwise than what follows. A pause between equal cycles parts nothing.
+
+use super::super::noise::difference_noise;
+use super::super::phrases;
+use super::super::record::Note;
+use super::super::samples::{Samples, median, quantile, quantum, sample_time};
+use super::super::sentence::Sentence;
+use super::cycles::{self, turning_points};
+use super::{Cycle, FEWEST};
+use std::ops::Range;
+
+/// Shortest rest between tests, s, in so many pieces that each must be still. A shorter pause is one within a test, or the turn of a slow one.
+const REST: f64 = 1.0;
+const PIECES: usize = 4;
+/// Range of a channel at rest in standard deviations of its noise: ten thousand samples stay within eight.
+const STILL: f64 = 10.0;
+/// Share of a piece's samples on either side that may be spikes.
+const SPIKES: f64 = 0.02;
+/// Share of the stroke by which the ends of two motions may differ, and of the mean speed, to be the same motion again: amplitudes and
+/// frequencies of a list differ by more, what a drive makes of one setting by less.
+const SAME_ENDS: f64 = 0.1;
+const SAME_SPEED: f64 = 0.15;
+/// Samples of the rest on either side that stay with a motion: a cycle that begins out of rest is found so.
+const MARGIN: usize = 2;
+/// Share of its range that a motion goes to count as a stroke.
+const STROKE: f64 = 0.3;
+
+/// A motion between two rests.
+#[derive(Debug, Clone)]
+struct Moves {
+    samples: Range<usize>,
+    low: f64,
+    high: f64,
+    /// Way from turn to turn over the time that it takes, m/s.
+    speed: f64,
+    returns: bool,
+    /// Whether it is made of strokes one way with rests between them.
+    in_strokes: bool,
+}
+
+/// Splits a record into its tests; says so first.
+pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
+    let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
+        return vec![samples];
+    };
+    let still = STILL * difference_noise(x).max(quantum(x) / STILL);
+    let moving = between(&rests(&samples.time, x, still), x.len());
+    if moving.len() < 2 {
+        return vec![samples];
+    }
+    let (tests, found) = tests(&samples.time, x, moving, still);
+    // Where nothing goes round, as on a road with stops, nothing tells one test from the next.
+    if tests.len() < 2 || found.iter().all(Vec::is_empty) {
+        return vec![samples];
+    }
+    let of = tests.len();
+    samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_RESTS).with("count", of) });
+    let digits = of.to_string().len();
+    // A test without cycles keeps half of the rest on either side, for the force at standstill; where there are cycles, rest is cut off in any
+    // case.
+    let middle = |k: usize| match k {
+        0 => 0,
+        k if k == of => samples.len(),
+        k => (tests[k - 1].samples.end + tests[k].samples.start) / 2,
+    };
+    (0..of)
+        .map(|k| {
+            let whole = middle(k)..middle(k + 1);
+            let span = if found[k].is_empty() { whole } else { tests[k].samples.clone() };
+            let (from, to) = (span.start, span.end);
+            let mut piece = samples.clone();
+            piece.select(&(from..to).collect::<Vec<_>>());
+            let mut strokes: Vec<f64> = found[k].iter().map(Cycle::stroke).collect();
+            let stroke = if strokes.is_empty() { tests[k].high - tests[k].low } else { median(&mut strokes) };
+            let amplitude = 1e3 * 0.5 * stroke;
+            piece.name = format!("{} {:0digits$} {}mm", samples.name, k + 1, figures(amplitude));
+            let seconds: f64 = found[k].iter().map(Cycle::period).sum();
+            if seconds > 0.0 {
+                piece.name += &format!(" {}Hz", figures(found[k].len() as f64 / seconds));
+            }
+            let (begin, end) = (samples.time[from], samples.time[to - 1]);
+            let part = format!("{} of {of}, {begin:.1} to {end:.1} s", k + 1);
+            piece.at.part = Some(samples.at.part.as_ref().map_or(part.clone(), |p| format!("{p}, {part}")));
+            piece
+        })
+        .collect()
+}
+
+/// A number to two figures, as it stands in a name.
+fn figures(value: f64) -> String {
+    let digits = (1.0 - value.abs().max(1e-6).log10().floor()).clamp(0.0, 6.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Where the damper stands still for long enough.
+fn rests(time: &[f64], x: &[f64], still: f64) -> Vec<Range<usize>> {
+    let length = ((REST / PIECES as f64 / sample_time(time).max(1e-9)).ceil() as usize).max(5);
+    let mut rests: Vec<Range<usize>> = Vec::new();
+    let mut run: Option<(Range<usize>, f64, f64)> = None;
+    let end = |run: &mut Option<(Range<usize>, f64, f64)>, rests: &mut Vec<Range<usize>>| {
+        if let Some((span, ..)) = run.take()
+            && span.len() >= PIECES * length
+        {
+            rests.push(span);
+        }
+    };
+    for from in (0..x.len() / length).map(|k| k * length) {
+        let mut piece = x[from..from + length].to_vec();
+        let (low, high) = (quantile(&mut piece, SPIKES), quantile(&mut piece, 1.0 - SPIKES));
+        if let Some((span, lowest, highest)) = &mut run
+            && high.max(*highest) - low.min(*lowest) <= still
+        {
+            (span.end, *lowest, *highest) = (from + length, low.min(*lowest), high.max(*highest));
+            continue;
+        }
+        end(&mut run, &mut rests);
+        run = (high - low <= still).then_some((from..from + length, low, high));
+    }
+    end(&mut run, &mut rests);
+    rests
+}
+
+/// What lies between these.
+fn between(rests: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
+    let ends = rests.iter().map(|r| r.start).chain([samples]);
+    let starts = std::iter::once(0).chain(rests.iter().map(|r| r.end));
+    starts.zip(ends).filter(|(from, to)| to > from).map(|(from, to)| from..to).collect()
+}
+
+/// The motion in a range of samples; nothing where it is hardly more than rest.
+fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Moves> {
+    // Rests are found in pieces: what stands still at the ends of a motion belongs to them, but for a little.
+    let stands = |at: f64| move |i: &usize| (x[*i] - at).abs() <= still;
+    let from = span.clone().find(|i| !stands(x[span.start])(i))?;
+    let to = span.clone().rev().find(|i| !stands(x[span.end - 1])(i))? + 1;
+    if to <= from {
+        return None;
+    }
+    let span = from.saturating_sub(MARGIN).max(span.start)..(to + MARGIN).min(span.end);
+    let inside = &x[span.clone()];
+    // Spikes are still in it: of hundreds of samples they are a few.
+    let spikes = (5.0 / inside.len() as f64).min(0.002);
+    let ends = |q: f64| quantile(&mut inside.to_vec(), q);
+    let (low, high) = (ends(spikes), ends(1.0 - spikes));
+    if high - low <= still {
+        return None;
+    }
+    let turns = turning_points(inside, STROKE * (high - low));
+    let way: f64 = turns.windows(2).map(|w| (inside[w[1]] - inside[w[0]]).abs()).sum();
+    let [first, last] = [turns.first(), turns.last()].map(|turn| time[span.start + turn.copied().unwrap_or(0)]);
+    let seconds = last - first;
+    let speed = if seconds > 0.0 { way / seconds } else { 0.0 };
+    let returns = turns.len() >= 3;
+    Some(Moves { samples: span, low, high, speed, returns, in_strokes: !returns })
+}
+
+impl Moves {
+    fn is_like(&self, other: &Moves, still: f64) -> bool {
+        let near = SAME_ENDS * (self.high - self.low).max(other.high - other.low) + still;
+        let same_ends = (self.low - other.low).abs() <= near && (self.high - other.high).abs() <= near;
+        // Strokes may be fast one way and slow the other.
+        same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
+    }
+
+    fn is_as_fast_as(&self, other: &Moves) -> bool {
+        (self.speed - other.speed).abs() <= SAME_SPEED * self.speed.max(other.speed)
+    }
+
+    /// Whether a stroke belongs to this motion: the way into it or out of it.
+    fn takes(&self, stroke: &Moves, still: f64) -> bool {
+        let near = SAME_ENDS * (self.high - self.low) + still;
+        stroke.low >= self.low - near && stroke.high <= self.high + near && self.is_as_fast_as(stroke)
+    }
+}
+
+/// The tests among the motions, and the whole cycles of each.
+fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec<Moves>, Vec<Vec<Cycle>>) {
+    let whole = |a: &Moves, b: &Moves| moves(time, x, a.samples.start..b.samples.end, still);
+    // The same motion again. So strokes one way with a hold at each end are one test, as is a slow one that seems to rest at its turns.
+    let mut runs: Vec<Moves> = Vec::new();
+    for next in moving.into_iter().filter_map(|span| moves(time, x, span, still)) {
+        let joined = runs.last().filter(|last| last.is_like(&next, still));
+        match joined.and_then(|last| whole(last, &next)) {
+            // The time of the rest between them is no time of the motion.
+            Some(both) => {
+                let last = runs.pop().unwrap_or_else(|| next.clone());
+                let speed = 0.5 * (last.speed + next.speed);
+                runs.push(Moves { speed, in_strokes: last.in_strokes && next.in_strokes, ..both });
+            }
+            None => runs.push(next),
+        }
+    }
+    // A stroke one way is the way into a test or out of one.
+    let mut groups: Vec<Moves> = Vec::new();
+    let mut way_in: Option<Moves> = None;
+    for run in runs {
+        let few = run.samples.len() < FEWEST;
+        match groups.last_mut() {
+            Some(last) if (few || !run.returns) && (few || last.takes(&run, still)) => {
+                last.samples.end = run.samples.end
+            }
+            _ if few || !run.returns => way_in = Some(way_in.take().unwrap_or(run)),
+            _ => {
+                let start = way_in.take().map_or(run.samples.start, |way| way.samples.start);
+                groups.push(Moves { samples: start..run.samples.end, ..run });
+            }
+        }
+    }
+    if let (Some(way), Some(last)) = (way_in, groups.last_mut()) {
+        last.samples.end = way.samples.end;
+    }
+    let mut found: Vec<Vec<Cycle>> = Vec::new();
+    let mut tests: Vec<Moves> = Vec::new();
+    for group in groups {
+        let cycles = cycles::find(&time[group.samples.clone()], &x[group.samples.clone()]);
+        match tests.last_mut() {
+            // Of two motions without cycles it is not known whether they are two.
+            Some(last) if cycles.is_empty() && found.last().is_some_and(Vec::is_empty) => {
+                last.samples.end = group.samples.end;
+                (last.low, last.high) = (last.low.min(group.low), last.high.max(group.high));
+            }
+            _ => {
+                tests.push(group);
+                found.push(cycles);
+            }
+        }
+    }
+    (tests, found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::error::Place;
+    use super::super::super::fixtures::Random;
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A course in pieces: rests (amplitude 0), sines (amplitude and frequency in mm and Hz, for so many cycles) and ways to another place.
+    struct Course {
+        x: Vec<f64>,
+        at: f64,
+        rate: f64,
+    }
+
+    impl Course {
+        fn new() -> Course {
+            Course { x: Vec::new(), at: 0.0, rate: 500.0 }
+        }
+
+        fn rest(mut self, seconds: f64) -> Self {
+            self.x.extend(std::iter::repeat_n(self.at, (seconds * self.rate) as usize));
+            self
+        }
+
+        fn sine(mut self, amplitude: f64, frequency: f64, cycles: f64) -> Self {
+            let n = (cycles / frequency * self.rate) as usize;
+            self.x.extend((0..n).map(|i| self.at + amplitude * (TAU * frequency * i as f64 / self.rate).sin()));
+            self
+        }
+
+        fn to(mut self, place: f64, speed: f64) -> Self {
+            let n = ((place - self.at).abs() / speed * self.rate) as usize;
+            self.x.extend((0..n).map(|i| self.at + (place - self.at) * i as f64 / n as f64));
+            self.at = place;
+            self
+        }
+
+        fn parts(self) -> Vec<Samples> {
+            let mut random = Random::new(3);
+            let n = self.x.len();
+            split(Samples {
+                at: Place::file("long.txt"),
+                name: "long".into(),
+                lines: (1..=n).collect(),
+                time: (0..n).map(|i| i as f64 / self.rate).collect(),
+                begins: None,
+                force: vec![0.0; n],
+                displacement: Some(self.x.iter().map(|x| 1e-3 * x + 3e-6 * random.normal()).collect()),
+                velocity: None,
+                side_force: None,
+                temperature: None,
+                headings: Vec::new(),
+                units: Vec::new(),
+                notes: Vec::new(),
+            })
+        }
+
+        fn names(self) -> Vec<String> {
+            self.parts().into_iter().map(|part| part.name).collect()
+        }
+    }
+
+    #[test]
+    fn tests_one_after_the_other_are_told_apart_and_named() {
+        let course = Course::new()
+            .rest(3.0)
+            .sine(25.0, 1.0, 5.0)
+            .rest(3.0)
+            .sine(25.0, 2.0, 6.0)
+            .rest(2.0)
+            // The same again is the same test.
+            .sine(25.0, 2.0, 6.0)
+            .rest(3.0)
+            .sine(2.0, 8.0, 20.0)
+            .rest(1.5)
+            // At another place, with the way there, and slow enough to seem to rest at its turns.
+            .to(20.0, 5.0)
+            .rest(2.0)
+            .sine(8.0, 0.02, 3.0)
+            .rest(2.0);
+        let n = course.x.len() - (18.0 * course.rate) as usize;
+        let parts = course.parts();
+        let names: Vec<&str> = parts.iter().map(|p| p.name.as_str()).collect();
+        assert_eq!(names, ["long 1 25mm 1Hz", "long 2 25mm 2Hz", "long 3 2mm 8Hz", "long 4 8mm 0.02Hz"]);
+        assert!(parts.iter().map(Samples::len).sum::<usize>() > n * 9 / 10);
+        assert!(parts.windows(2).all(|w| w[0].time.last() < w[1].time.first()), "one clock goes on");
+        assert!(parts[1].at.to_string().starts_with("long.txt (2 of 4, 1"), "{}", parts[1].at);
+        assert!(parts.iter().all(|p| p.notes[0].kind == "rests"));
+    }
+
+    #[test]
+    fn pauses_between_equal_cycles_part_nothing() {
+        let mut dwell = Course::new();
+        let mut strokes = Course::new();
+        let mut stairs = Course::new();
+        for k in 0..6 {
+            dwell = dwell.rest(2.0).sine(10.0, 1.0, 1.0);
+            strokes = strokes.to(10.0, 50.0).rest(2.0).to(-10.0, 5.0).rest(2.0);
+            stairs = stairs.to(5.0 * f64::from(k), 20.0).rest(3.0);
+        }
+        for course in [dwell, strokes, stairs, Course::new().rest(5.0).sine(10.0, 1.0, 5.0).rest(5.0)] {
+            assert_eq!(course.names(), ["long"]);
+        }
+        // A slow sine rests at no turn.
+        assert_eq!(Course::new().rest(2.0).sine(10.0, 0.01, 2.0).rest(2.0).names(), ["long"]);
+    }
+
+    #[test]
+    fn a_road_with_stops_is_one_test() {
+        let mut random = Random::new(5);
+        let mut course = Course::new();
+        for _ in 0..3 {
+            course = course.rest(2.0);
+            let waves: Vec<[f64; 3]> =
+                (0..20).map(|k| [0.5 * 1.2_f64.powi(k), random.uniform(), random.uniform()]).collect();
+            let n = (5.0 * course.rate) as usize;
+            course.x.extend((0..n).map(|i| {
+                let t = i as f64 / 500.0;
+                let swing = |w: &[f64; 3]| 5.0 * w[2] / w[0] * ((TAU * (w[0] * t + w[1])).sin() - (TAU * w[1]).sin());
+                (t * (5.0 - t)).min(1.0) * waves.iter().map(swing).sum::<f64>()
+            }));
+        }
+        assert_eq!(course.rest(2.0).names(), ["long"]);
+    }
+}
