@@ -215,7 +215,7 @@ pub const DE: Words = Words {
     in_vehicle: "im Fahrzeug",
     rig_tests: "Prüfstand",
     vehicle_section: "Fahrzeug",
-    vehicle_caption: "Das gefahrene Fahrzeug. Mit --vehicle car.toml kann jeder dieser Namen einen anderen Wert bekommen.",
+    vehicle_caption: "Das simulierte Fahrzeug. Mit --vehicle car.toml kann jeder dieser Namen einen anderen Wert bekommen.",
     wheel_left: "links",
     wheel_right: "rechts",
     coupling_unstable: "c h / m erreicht {moving} am Rad von {mass} kg (c: Steigung der Kraft über der Geschwindigkeit, h: Schritt): ein Simulator, der Kraft und Bewegung mit einem Schritt Verzug austauscht, ist über 1 instabil, ohne Verzug über 2; ein kürzerer Schritt hilft.",
