@@ -1,6 +1,5 @@
 //! A case: a parameter set and a motion, and how it is run through the C interface.
 
-use crate::random::Random;
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian, dashpot_partials};
 use dashpot_abi::input::{
     DASHPOT_KNOWS_DISPLACEMENT, DASHPOT_KNOWS_SIDE_FORCE, DASHPOT_KNOWS_TEMPERATURE, dashpot_input,
@@ -15,6 +14,7 @@ use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use dashpot_core::elements::{GROUPS, names};
 use dashpot_core::parameter::Element;
 use dashpot_core::parameter::{Shape, table};
+use dashpot_test_support::Random;
 use std::ffi::CString;
 use std::fmt::Write as _;
 use std::mem::{MaybeUninit, size_of, zeroed};

@@ -11,11 +11,10 @@ mod case;
 mod known;
 mod minimise;
 mod motion;
-mod random;
 
 use case::{Case, Failure, prepare};
 use dashpot_core::elements::names;
-use random::Random;
+use dashpot_test_support::Random;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 fn number(name: &str) -> Option<u64> {

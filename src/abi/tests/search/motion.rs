@@ -1,7 +1,7 @@
 //! Motions, ordinary and not.
 
 use crate::case::{Case, Given};
-use crate::random::Random;
+use dashpot_test_support::Random;
 use std::f64::consts::TAU;
 
 /// Lengths of steps that hosts have, s.

@@ -1,10 +1,10 @@
 //! Random dampers at random instants.
 
-use crate::random::Random;
 use dashpot_core::elements::names;
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::{Input, Model, Params, State};
 use dashpot_core::{element, list, number};
+use dashpot_test_support::Random;
 
 /// A damper at an instant.
 pub struct Case {

@@ -7,15 +7,14 @@ mod exchange;
 mod kernel;
 mod page;
 mod python;
-mod random;
 
 use dashpot_core::elements::names;
 use dashpot_core::parameter::{Element, Shape, table};
+use dashpot_test_support::Random;
 use dashpot_test_support::drawn;
 use draw::Case;
 use exchange::{Constant, Question, answers};
 use proptest::test_runner::RngSeed;
-use random::Random;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What two programs may differ by, as a share of a number and 1: both round.
