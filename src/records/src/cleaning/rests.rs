@@ -282,6 +282,7 @@ mod tests {
                 side_force: None,
                 temperature: None,
                 headings: Vec::new(),
+                about: crate::about::About::default(),
                 units: Vec::new(),
                 notes: Vec::new(),
             })
