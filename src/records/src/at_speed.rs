@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn a_sine_shows_force_against_motion_and_between_at_its_velocities() {
         let time: Vec<f64> = (0..4000).map(|i| 1e-3 * f64::from(i)).collect();
-        let velocity: Vec<f64> = time.iter().map(|t| 0.5 * (6.28 * t).sin()).collect();
+        let velocity: Vec<f64> = time.iter().map(|t| 0.5 * (6.0 * t).sin()).collect();
         let force = velocity.iter().map(|v| 1000.0 * v - 150.0 + if *v > 0.0 { 500.0 * v } else { 0.0 }).collect();
         let record = Record { time, velocity, force, peak_velocity: 0.5, ..Record::default() };
         let seen = levels(&record, |_| true);

@@ -24,6 +24,7 @@ crate::phrases! {
     SOME_WITHOUT_DATE: "only {count} of {all} files bear the time at which the test began";
     TOO_FAR_APART: "by the times that their files bear they are too far apart to be one campaign";
     CLOCKS_OVERLAP: "by the times that their files bear they overlap; these may be the times of an export";
+    RESAMPLED: "measured at another rate, and put onto the times of force and motion by straight lines: {names}";
     BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
     BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
     // Gaps in time.
@@ -74,6 +75,7 @@ crate::phrases! {
     SMALL_AMPLITUDE: "the largest amplitude is {amplitude} mm: is the unit of displacement right?";
     SLOW: "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
     SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
+    TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} m/s of at most {peak} m/s; if the file broke off, export it again, or leave it out with --exclude";
     TWINS: "{test} holds the same samples as {twin} and counts twice";
     // A force that comes late.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
@@ -92,7 +94,8 @@ crate::phrases! {
     CONTRADICT: "gas force and asymmetry contradict each other; the stronger of the two was followed";
     NOT_DISSIPATING: "no test dissipates energy clearly, so it is not certain that force and motion go together";
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
-    OTHER_SIGN: "the force at standstill of {tests} has the opposite sign of the other tests'; check whether these files count in another direction";
+    TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
+    ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer";
     GIVEN: "{direction} positive was given";
     AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";
     // What a campaign does without.

@@ -303,14 +303,6 @@ fn direction(
     if options.positive.is_none() && sure < 0.8 {
         reasons.push(phrases::WEAK.into());
     }
-    // Tests whose own gas force says the opposite of the campaign's.
-    let odd: Vec<&Evidence> = evidence
-        .iter()
-        .filter(|e| e.standstill.is_some_and(|(f, u)| f.abs() > 4.0 * u && (f < 0.0) != (found == Positive::Rebound)))
-        .collect();
-    if !odd.is_empty() && gas.abs() > 1.0 {
-        notes.push(Note { kind: "sign", text: Sentence::from(phrases::OTHER_SIGN).with_said("tests", list(&odd)) });
-    }
     let (positive, given, confidence) = match options.positive {
         Some(positive) => {
             if positive != found && sure > 0.9 {

@@ -32,7 +32,7 @@ use super::taken_out::{Off, take_mass};
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
-pub(crate) use cycles::{Cycle, robust_peak};
+pub(crate) use cycles::{Cycle, robust_peak, turning_points};
 pub(crate) use drift::time_mean;
 pub(crate) use earlier::Earlier;
 

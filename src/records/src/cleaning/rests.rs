@@ -198,9 +198,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
     for run in runs {
         let few = run.samples.len() < FEWEST;
         match groups.last_mut() {
-            Some(last) if (few || !run.returns) && (few || last.takes(&run, still)) => {
-                last.samples.end = run.samples.end
-            }
+            Some(last) if few || !run.returns && last.takes(&run, still) => last.samples.end = run.samples.end,
             _ if few || !run.returns => way_in = Some(way_in.take().unwrap_or(run)),
             _ => {
                 let start = way_in.take().map_or(run.samples.start, |way| way.samples.start);

@@ -72,6 +72,12 @@ pub const ALL: &[Said] = &[
         "按其文件所载的时间，它们互相重叠；这些时间可能是导出的时间",
     ],
     [
+        "measured at another rate, and put onto the times of force and motion by straight lines: {names}",
+        "mit anderer Rate gemessen und durch gerade Linien auf die Zeiten von Kraft und Bewegung gebracht: {names}",
+        "mesuré à une autre cadence, et ramené par droites aux instants de force et de mouvement : {names}",
+        "以其他采样率测得，已按直线插值到力与运动的时刻：{names}",
+    ],
+    [
         "line {line}, below the heading, holds no figures: {text}",
         "Zeile {line} unter der Überschrift enthält keine Zahlen: {text}",
         "la ligne {line}, sous l’en-tête, ne contient pas de chiffres : {text}",
@@ -327,6 +333,12 @@ pub const ALL: &[Said] = &[
         "力的变化从未超过 {force} N：其单位是否正确？",
     ],
     [
+        "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} m/s of at most {peak} m/s; if the file broke off, export it again, or leave it out with --exclude",
+        "{test}: enthält weniger als einen Zyklus und endet mitten im Hub, bei {velocity} m/s von höchstens {peak} m/s; ist die Datei abgebrochen, sie neu exportieren oder mit --exclude weglassen",
+        "{test} : contient moins d’un cycle et finit au milieu d’une course, à {velocity} m/s sur {peak} m/s au plus ; si le fichier est tronqué, l’exporter à nouveau, ou le laisser de côté par --exclude",
+        "{test}：不足一个循环，且在行程中途结束，结束时速度为 {velocity} m/s，最大为 {peak} m/s；若文件中断，请重新导出，或用 --exclude 排除",
+    ],
+    [
         "{test} holds the same samples as {twin} and counts twice",
         "{test} enthält dieselben Messwerte wie {twin} und zählt doppelt",
         "{test} contient les mêmes échantillons que {twin} et compte double",
@@ -420,10 +432,16 @@ pub const ALL: &[Said] = &[
         "依据不足；请用 --positive rebound 或 --positive compression 说明",
     ],
     [
-        "the force at standstill of {tests} has the opposite sign of the other tests'; check whether these files count in another direction",
-        "die Kraft im Stillstand hat in {tests} das andere Vorzeichen als in den übrigen Versuchen; prüfen, ob diese Dateien in anderer Richtung zählen",
-        "l’effort à l’arrêt de {tests} a le signe opposé à celui des autres essais ; vérifier si ces fichiers comptent dans l’autre sens",
-        "{tests} 静止时的力与其他试验符号相反；请检查这些文件是否按另一方向计数",
+        "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude",
+        "In Bewegung und Kraft zugleich umgedreht, passten {tests} zu den anderen Versuchen, wie gelesen nicht: bei gleichen Geschwindigkeiten ist die Kraft mitten zwischen Zug und Druck in {test} {own} N, in den anderen {usual} N. Prüfen, ob diese Dateien in anderer Richtung zählen, und den Export berichtigen oder sie mit --exclude weglassen",
+        "retournés à la fois en mouvement et en force, {tests} iraient avec les autres essais, tels que lus non : à vitesses pareilles, la force à mi-chemin entre détente et compression est de {own} N dans {test} et de {usual} N dans les autres. Vérifier si ces fichiers comptent dans un autre sens, et corriger l’export ou les laisser de côté par --exclude",
+        "若将运动与力同时反号，{tests} 便与其他试验相符，按原样读取则不符：在相同速度下，复原与压缩之间的中间力在 {test} 中为 {own} N，在其他试验中为 {usual} N。请检查这些文件的正方向是否不同，并更正导出或用 --exclude 排除",
+    ],
+    [
+        "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer",
+        "Die Kraft von {tests} liegt bei gleichen Geschwindigkeiten {low} bis {high} N neben der der anderen Versuche, in beiden Richtungen gleich: der Nullpunkt der Kraftmessdose hat sich verschoben, oder das Gas war wärmer. Den Nullpunkt vor jedem Versuch setzen; Reibung und Gaskraft leiden darunter",
+        "la force de {tests} s’écarte de {low} à {high} N de celle des autres essais à vitesses pareilles, autant dans les deux sens : le zéro du capteur de force s’est déplacé, ou le gaz était plus chaud. Régler le zéro avant chaque essai ; frottement et force de gaz en souffrent",
+        "在相同速度下，{tests} 的力与其他试验相差 {low} 至 {high} N，两个方向相同：力传感器零点已移动，或气体更热。请在每次试验前调零；否则摩擦力与气体力会受影响",
     ],
     [
         "{direction} positive was given",
