@@ -75,6 +75,15 @@ fn names(wanted: &str, text: &str) -> bool {
     }
 }
 
+/// The channel that a heading stands for, by itself or because the user names it.
+pub(crate) fn channel_of(text: &str, options: &Options) -> Option<Channel> {
+    let named = options.columns.iter().find(|(_, wanted)| names(wanted, text)).map(|(channel, _)| *channel);
+    named.or_else(|| match heading(text.trim()) {
+        Heading::Channel(channel, _) => Some(channel),
+        _ => None,
+    })
+}
+
 /// The number of a column, from 1, that the user gives in place of a heading.
 pub(crate) fn column_number(wanted: &str) -> Option<usize> {
     wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)

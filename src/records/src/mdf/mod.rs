@@ -9,7 +9,7 @@
 //! | this file | groups and channels, and which of them make a test |
 //!
 //! A group of channels with one time axis is a test; groups whose time axes are equal belong together, as loggers write one
-//! group a channel.
+//! group a channel. A slow channel of another time axis, such as a temperature, is put onto the times of the test.
 
 mod blocks;
 mod conversion;
@@ -18,10 +18,13 @@ mod version3;
 
 use std::path::Path;
 
+use super::channel::Channel as Kind;
 use super::error::{Place, RecordError};
 use super::options::Options;
+use super::phrases;
 use super::samples::Samples;
-use super::table::{Layout, Rows, is_header, no_header};
+use super::sentence::Sentence;
+use super::table::{Layout, Rows, channel_of, is_header, no_header};
 use blocks::{Block, Mdf};
 use conversion::Conversion;
 
@@ -52,7 +55,9 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         Mdf::new(&bytes).and_then(|mdf| Ok((groups(&mdf)?, begins(&mdf).ok().flatten())))
     };
     let (groups, begins) = found.map_err(wrong)?;
-    let joined = joined(groups);
+    let mut joined = joined(groups);
+    let slow = take_slow(&mut joined, options);
+    let resampled: Vec<Vec<String>> = joined.iter_mut().map(|test| with_slow(test, &slow, options)).collect();
     let headers: Vec<Vec<&str>> = joined.iter().map(|g| g.channels.iter().map(|c| c.name.as_str()).collect()).collect();
     let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
     if recorded.is_empty() {
@@ -72,6 +77,10 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         let layout = Layout::new(&at, 1, &headers[*k], Some(&units), options, false)?;
         let mut rows = Rows::new(at, name, layout);
         rows.begins = begins;
+        if !resampled[*k].is_empty() {
+            let text = Sentence::from(phrases::RESAMPLED).with_names("names", &resampled[*k], phrases::COMMA);
+            rows.note("resampled", text);
+        }
         let columns: Vec<usize> = rows.layout().columns.iter().map(|c| c.index).collect();
         for row in 0..joined[*k].rows {
             rows.push(row + 1, columns.iter().map(|c| channels[*c].values[row]), None);
@@ -277,6 +286,73 @@ impl Format {
     }
 }
 
+/// Channels that may be slower than the motion, for they change slowly or are for a look beside it.
+const SLOW: [Kind; 2] = [Kind::Temperature, Kind::SideForce];
+
+/// Takes out the groups that hold none of force and motion but a slow channel.
+fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
+    let holds = |group: &Group, kinds: &[Kind]| {
+        group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
+    };
+    let is_slow = |group: &Group| {
+        group.channels.iter().any(|c| c.is_time)
+            && holds(group, &SLOW)
+            && !holds(group, &[Kind::Force, Kind::Displacement, Kind::Velocity])
+    };
+    if groups.iter().all(is_slow) {
+        return Vec::new();
+    }
+    let (slow, tests) = std::mem::take(groups).into_iter().partition(is_slow);
+    *groups = tests;
+    slow
+}
+
+/// Puts the slow channels that a test lacks onto its times, by straight lines; their names.
+fn with_slow(test: &mut Group, slow: &[Group], options: &Options) -> Vec<String> {
+    let Some(time) = test.channels.iter().find(|c| c.is_time).map(|c| c.values.clone()) else { return Vec::new() };
+    let mut names = Vec::new();
+    for group in slow {
+        let Some(theirs) = group.channels.iter().find(|c| c.is_time) else { continue };
+        let (Some(from), Some(to), Some(begin), Some(end)) =
+            (theirs.values.first(), theirs.values.last(), time.first(), time.last())
+        else {
+            continue;
+        };
+        // Of another test of the file.
+        if from > end || to < begin {
+            continue;
+        }
+        for channel in group.channels.iter().filter(|c| !c.is_time) {
+            let Some(kind) = channel_of(&channel.name, options).filter(|kind| SLOW.contains(kind)) else { continue };
+            if test.channels.iter().any(|c| channel_of(&c.name, options) == Some(kind)) {
+                continue;
+            }
+            let values = time.iter().map(|t| at_time(&theirs.values, &channel.values, *t)).collect();
+            names.push(channel.name.clone());
+            test.channels.push(Channel {
+                name: channel.name.clone(),
+                unit: channel.unit.clone(),
+                is_time: false,
+                values,
+            });
+        }
+    }
+    names
+}
+
+/// The value at a time between two samples; before the first and after the last, that of these.
+fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
+    let next = times.partition_point(|t| *t < time);
+    match (next.checked_sub(1), values.get(next)) {
+        (None, _) => values[0],
+        (Some(last), None) => values[last],
+        (Some(last), Some(value)) => {
+            let share = (time - times[last]) / (times[next] - times[last]);
+            values[last] + share * (value - values[last])
+        }
+    }
+}
+
 /// Groups whose time axes are the same as one group; those without a time axis stay alone.
 fn joined(groups: Vec<Group>) -> Vec<Group> {
     let mut joined: Vec<Group> = Vec::new();
@@ -298,4 +374,37 @@ fn joined(groups: Vec<Group>) -> Vec<Group> {
         }
     }
     joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn group(channels: &[(&str, &str, &[f64])]) -> Group {
+        let channel = |(name, unit, values): &(&str, &str, &[f64])| Channel {
+            name: (*name).into(),
+            unit: (*unit).into(),
+            is_time: *name == "time",
+            values: values.to_vec(),
+        };
+        Group { rows: channels[0].2.len(), channels: channels.iter().map(channel).collect() }
+    }
+
+    #[test]
+    fn a_slow_temperature_is_put_onto_the_times_of_the_test() {
+        let mut options = Options::default();
+        options.columns.insert(Kind::Temperature, "Rohr".into());
+        let times = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let test = || group(&[("time", "s", &times), ("force", "N", &times), ("displacement", "mm", &times)]);
+        let slow = || group(&[("time", "s", &[1.0, 3.0]), ("Rohr", "degC", &[20.0, 24.0])]);
+        let mut groups = vec![slow(), test()];
+        let taken = take_slow(&mut groups, &options);
+        assert_eq!((taken.len(), groups.len()), (1, 1));
+        assert_eq!(with_slow(&mut groups[0], &taken, &options), ["Rohr"]);
+        assert_eq!(groups[0].channels[3].values, [20.0, 20.0, 22.0, 24.0, 24.0]);
+        // One that nobody asks for stays where it is, as does one of another time.
+        assert!(take_slow(&mut vec![slow(), test()], &Options::default()).is_empty());
+        let later = group(&[("time", "s", &[8.0, 9.0]), ("Rohr", "degC", &[20.0, 24.0])]);
+        assert!(with_slow(&mut test(), &[later], &options).is_empty());
+    }
 }
