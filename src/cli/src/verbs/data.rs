@@ -181,8 +181,21 @@ impl DataArgs {
 
 /// Whether a note was said when the records were read.
 pub fn is_said_first(note: &Note) -> bool {
-    ["gap", "rests", "left_out", "subfolders", "late", "profile", "clock", "duplicated", "no_force", "small", "zero", "torn"]
-        .contains(&note.kind)
+    [
+        "gap",
+        "rests",
+        "left_out",
+        "subfolders",
+        "late",
+        "profile",
+        "clock",
+        "duplicated",
+        "no_force",
+        "small",
+        "zero",
+        "torn",
+    ]
+    .contains(&note.kind)
 }
 
 /// The name of a file without its folder.

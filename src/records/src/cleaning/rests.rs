@@ -21,6 +21,8 @@ const SPIKES: f64 = 0.02;
 /// frequencies of a list differ by more, what a drive makes of one setting by less.
 const SAME_ENDS: f64 = 0.1;
 const SAME_SPEED: f64 = 0.15;
+/// Share of the time of a stroke, of the faster of both tests, that a rest must last. A sine stays for 0.28 of the time from turn to turn within a tenth of its amplitude of a turn.
+const OF_A_STROKE: f64 = 0.5;
 /// Samples of the rest on either side that stay with a motion: a cycle that begins out of rest is found so.
 const MARGIN: usize = 2;
 /// Share of its range that a motion goes to count as a stroke.
@@ -39,6 +41,13 @@ struct Moves {
     in_strokes: bool,
 }
 
+impl Moves {
+    /// Time from turn to turn, s.
+    fn stroke(&self) -> f64 {
+        if self.speed > 0.0 { (self.high - self.low) / self.speed } else { f64::INFINITY }
+    }
+}
+
 /// Splits a record into its tests; says so first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
@@ -50,6 +59,14 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         return vec![samples];
     }
     let (tests, found) = tests(&samples.time, x, moving, still);
+    // A slow motion stands still for a while at each of its turns: nothing is a rest there.
+    let pause = |pair: &[Moves]| {
+        let at = |i: usize| samples.time.get(i).copied().unwrap_or(f64::NAN);
+        at(pair[1].samples.start) - at(pair[0].samples.end.saturating_sub(1))
+    };
+    if tests.windows(2).any(|pair| !(pause(pair) >= OF_A_STROKE * pair[0].stroke().min(pair[1].stroke()))) {
+        return vec![samples];
+    }
     // Where nothing goes round, as on a road with stops, nothing tells one test from the next.
     if tests.len() < 2 || found.iter().all(Vec::is_empty) {
         return vec![samples];
