@@ -8,6 +8,7 @@ use super::super::samples::{Samples, median, quantile, quantum, sample_time};
 use super::super::sentence::Sentence;
 use super::cycles::{self, turning_points};
 use super::{Cycle, FEWEST};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Shortest rest between tests, s, in so many pieces that each must be still. A shorter pause is one within a test, or the turn of a slow one.
@@ -21,10 +22,10 @@ const SPIKES: f64 = 0.02;
 /// frequencies of a list differ by more, what a drive makes of one setting by less.
 const SAME_ENDS: f64 = 0.1;
 const SAME_SPEED: f64 = 0.15;
-/// Share of the time of a stroke, of the faster of both tests, that a rest must last. A sine stays for 0.28 of the time from turn to turn within a tenth of its amplitude of a turn.
-const OF_A_STROKE: f64 = 0.5;
 /// Samples of the rest on either side that stay with a motion: a cycle that begins out of rest is found so.
 const MARGIN: usize = 2;
+/// How many times as long as a turn a pause must be to be a rest: it is found in pieces, and noise keeps it still for longer.
+const TURN: f64 = 3.0;
 /// Share of its range that a motion goes to count as a stroke.
 const STROKE: f64 = 0.3;
 
@@ -41,13 +42,6 @@ struct Moves {
     in_strokes: bool,
 }
 
-impl Moves {
-    /// Time from turn to turn, s.
-    fn stroke(&self) -> f64 {
-        if self.speed > 0.0 { (self.high - self.low) / self.speed } else { f64::INFINITY }
-    }
-}
-
 /// Splits a record into its tests; says so first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
@@ -59,14 +53,6 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         return vec![samples];
     }
     let (tests, found) = tests(&samples.time, x, moving, still);
-    // A slow motion stands still for a while at each of its turns: nothing is a rest there.
-    let pause = |pair: &[Moves]| {
-        let at = |i: usize| samples.time.get(i).copied().unwrap_or(f64::NAN);
-        at(pair[1].samples.start) - at(pair[0].samples.end.saturating_sub(1))
-    };
-    if tests.windows(2).any(|pair| !(pause(pair) >= OF_A_STROKE * pair[0].stroke().min(pair[1].stroke()))) {
-        return vec![samples];
-    }
     // Where nothing goes round, as on a road with stops, nothing tells one test from the next.
     if tests.len() < 2 || found.iter().all(Vec::is_empty) {
         return vec![samples];
@@ -181,6 +167,14 @@ impl Moves {
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
+    /// Whether a rest is no longer than this motion takes to turn within what counts as still: a sine of amplitude a and frequency f stays
+    /// within d of its end for sqrt(2 d / a) / (pi f).
+    fn only_turns(&self, rest: f64, still: f64) -> bool {
+        let amplitude = 0.5 * (self.high - self.low);
+        let frequency = self.speed / (4.0 * amplitude);
+        rest * PI * frequency < TURN * (2.0 * still / amplitude).sqrt()
+    }
+
     fn is_as_fast_as(&self, other: &Moves) -> bool {
         (self.speed - other.speed).abs() <= SAME_SPEED * self.speed.max(other.speed)
     }
@@ -198,7 +192,12 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
     // The same motion again. So strokes one way with a hold at each end are one test, as is a slow one that seems to rest at its turns.
     let mut runs: Vec<Moves> = Vec::new();
     for next in moving.into_iter().filter_map(|span| moves(time, x, span, still)) {
-        let joined = runs.last().filter(|last| last.is_like(&next, still));
+        let goes_on = |last: &&Moves| {
+            let rest = last.samples.end..next.samples.start;
+            let seconds = time[rest.end] - time[rest.start - 1];
+            last.is_like(&next, still) || last.only_turns(seconds, still) || next.only_turns(seconds, still)
+        };
+        let joined = runs.last().filter(goes_on);
         match joined.and_then(|last| whole(last, &next)) {
             // The time of the rest between them is no time of the motion.
             Some(both) => {
@@ -349,8 +348,13 @@ mod tests {
         for course in [dwell, strokes, stairs, Course::new().rest(5.0).sine(10.0, 1.0, 5.0).rest(5.0)] {
             assert_eq!(course.names(), ["long"]);
         }
-        // A slow sine rests at no turn.
-        assert_eq!(Course::new().rest(2.0).sine(10.0, 0.01, 2.0).rest(2.0).names(), ["long"]);
+        // A slow sine rests at no turn, wherever it ends.
+        for (frequency, cycles) in [(0.01, 2.0), (0.0146, 3.0), (0.0096, 2.3), (0.004, 1.6), (0.02, 4.75)] {
+            for amplitude in [10.0, 60.0] {
+                let course = Course::new().rest(2.0).sine(amplitude, frequency, cycles).rest(2.0);
+                assert_eq!(course.names(), ["long"], "{amplitude} mm, {frequency} Hz, {cycles}");
+            }
+        }
     }
 
     #[test]
