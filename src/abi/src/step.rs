@@ -7,7 +7,7 @@
 //! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
 //! that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
 
-use dashpot_core::step::{force_in_place, step_in_place};
+use dashpot_core::step::{LONG_STEP, force_in_place, step_in_place};
 use dashpot_core::{Input, Model, Output, State};
 
 use crate::input::{self, dashpot_input, sane};
@@ -19,8 +19,6 @@ use crate::status::{
     DASHPOT_OUTSIDE_RANGE, Refused, status,
 };
 
-/// Steps longer than this get a warning, s.
-const LONG_STEP: f64 = 0.01;
 /// Longer steps are a mistake in the unit, s.
 const LONGEST_STEP: f64 = 100.0;
 /// Shorter steps cannot be told from 0, s.

@@ -28,6 +28,9 @@ use crate::parameter::{Parameter, Params};
 use crate::paths::acting::{self, Bends};
 use crate::state::{Output, State};
 
+/// Steps longer than this, s, hide fast motion between their ends: a wheel hops in a tenth of a second.
+pub const LONG_STEP: f64 = 0.01;
+
 /// How a host step is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integration {

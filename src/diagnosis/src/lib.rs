@@ -46,6 +46,7 @@ mod tree;
 mod unbent;
 mod untestable;
 mod vocabulary;
+mod warmer;
 
 pub use changes::{Change, CurveMoved, MovedBy};
 pub use effects::{CARDS, Card, EFFECTS, meaning};
@@ -220,7 +221,7 @@ pub fn diagnose(
         calibration::confidence(of(SUSPECTED), of(SURE), reference.is_some())
     });
     let confidence = confidence.collect();
-    let warmer = warmer(records, &options.reference);
+    let warmer = warmer::warmer(records, &options.reference);
     let answer = Answer {
         warmer,
         records,
@@ -579,35 +580,6 @@ fn with_the_numbers(said: Template, changed: &Changes) -> Option<Sentence> {
         Sentence::from(said)
             .with_list("numbers", told, phrases::COMMA)
             .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))
-    })
-}
-
-/// Difference of the mean temperatures of a test, K, from which it is told: gas force differs by 3 % then, as much as valves of one series do.
-const WARMER: f64 = 8.0;
-
-/// How warm a record was in the mean, °C, where it says so.
-fn mean_temperature(record: &Record) -> Option<f64> {
-    let known: Vec<f64> = record.temperature.as_ref()?.iter().copied().filter(|t| t.is_finite()).collect();
-    (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
-}
-
-/// That tests of a damper were warmer or colder than those of the same name on the reference.
-fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
-    let pair = |record: &Record| {
-        let there = reference.iter().find(|other| other.name == record.name)?;
-        Some((record.name.clone(), mean_temperature(record)?, mean_temperature(there)?))
-    };
-    let apart = |(_, here, there): &(String, f64, f64)| (here - there).abs();
-    let furthest = records.iter().copied().filter_map(pair).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-    let (test, here, there) = &furthest;
-    let sense = if here > there { phrases::WARMER_SENSE } else { phrases::COLDER_SENSE };
-    (apart(&furthest) > WARMER).then(|| {
-        Sentence::from(phrases::WARMER)
-            .with("kelvin", format!("{:.0}", apart(&furthest)))
-            .with_said("sense", sense)
-            .with("test", test)
-            .with("here", format!("{here:.0}"))
-            .with("there", format!("{there:.0}"))
     })
 }
 

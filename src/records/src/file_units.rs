@@ -283,38 +283,19 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixtures::Random;
+    use crate::fixtures::{Random, sine_record};
 
     /// Sines of (amplitude, peak velocity) on a damper with gas, friction and a mount that takes its share of short strokes.
     fn campaign(strength: f64, tests: &[(f64, f64)]) -> Vec<Record> {
         let mut random = Random::new(7);
-        tests
-            .iter()
-            .enumerate()
-            .map(|(k, &(amplitude, speed))| {
-                let omega = speed / amplitude;
-                let time: Vec<f64> =
-                    (0..1500).map(|i| f64::from(i) * 3.0 * std::f64::consts::TAU / omega / 1500.0).collect();
-                let velocity: Vec<f64> = time.iter().map(|t| speed * (omega * t).cos()).collect();
-                let displacement: Vec<f64> = time.iter().map(|t| amplitude * (omega * t).sin()).collect();
-                // Up to 30 % softer for the oil is warm, and softer in short strokes.
-                let warm = 1.0 - 0.3 * random.uniform();
-                let share = amplitude / (amplitude + 3e-4);
-                let law = |v: f64| strength * if v > 0.0 { 1.6 * v.powf(0.8) } else { -0.8 * (-v).powf(0.8) };
-                let force = velocity.iter().map(|v| warm * share * law(*v) + 25.0 * (v / 0.002).tanh() - 180.0);
-                Record {
-                    name: format!("t{k}"),
-                    source: format!("t{k}.csv"),
-                    force: force.collect(),
-                    amplitude,
-                    peak_velocity: speed,
-                    time,
-                    velocity,
-                    displacement,
-                    ..Record::default()
-                }
-            })
-            .collect()
+        let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
+            // Up to 30 % softer for the oil is warm, and softer in short strokes.
+            let warm = 1.0 - 0.3 * random.uniform();
+            let share = amplitude / (amplitude + 3e-4);
+            let law = |v: f64| strength * if v > 0.0 { 1.6 * v.powf(0.8) } else { -0.8 * (-v).powf(0.8) };
+            sine_record(k, amplitude, speed, |_, v| warm * share * law(v) + 25.0 * (v / 0.002).tanh() - 180.0)
+        };
+        tests.iter().enumerate().map(test).collect()
     }
 
     const PLAN: [(f64, f64); 9] = [

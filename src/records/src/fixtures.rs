@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use super::error::Place;
+use super::record::Record;
 use super::samples::Samples;
 
 /// Uniform and normal random numbers from a seed (xorshift64*; Vigna 2016).
@@ -23,6 +24,25 @@ impl Random {
 
     pub fn normal(&mut self) -> f64 {
         (-2.0 * self.uniform().max(1e-300).ln()).sqrt() * (TAU * self.uniform()).cos()
+    }
+}
+
+/// Test number `k` of a campaign: three cycles of a sine of this amplitude and peak velocity, whose force follows displacement and velocity.
+pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl FnMut(f64, f64) -> f64) -> Record {
+    let omega = speed / amplitude;
+    let time: Vec<f64> = (0..1500).map(|i| f64::from(i) * 0.002 * TAU / omega).collect();
+    let velocity: Vec<f64> = time.iter().map(|t| speed * (omega * t).cos()).collect();
+    let displacement: Vec<f64> = time.iter().map(|t| amplitude * (omega * t).sin()).collect();
+    Record {
+        name: format!("t{k}"),
+        source: format!("t{k}.csv"),
+        force: displacement.iter().zip(&velocity).map(|(x, v)| force(*x, *v)).collect(),
+        amplitude,
+        peak_velocity: speed,
+        time,
+        velocity,
+        displacement,
+        ..Record::default()
     }
 }
 

@@ -138,29 +138,16 @@ fn beside(own: usize, seen: &Levels, turn: f64, at: &Others) -> Option<Beside> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::sine_record;
 
     /// Sines of (amplitude, peak velocity) on a damper with gas, and a rebound stop from 45 mm on.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
-            let omega = speed / amplitude;
-            let time: Vec<f64> = (0..1500).map(|i| f64::from(i) * 0.002 * std::f64::consts::TAU / omega).collect();
-            let velocity: Vec<f64> = time.iter().map(|t| speed * (omega * t).cos()).collect();
-            let displacement: Vec<f64> = time.iter().map(|t| amplitude * (omega * t).sin()).collect();
-            let force = displacement.iter().zip(&velocity).map(|(x, v)| {
-                let damping = if *v > 0.0 { 1600.0 } else { 1000.0 };
+            sine_record(k, amplitude, speed, |x, v| {
+                let damping = if v > 0.0 { 1600.0 } else { 1000.0 };
                 let stop = 4e5 * (x - 0.045).max(0.0);
                 damping * v + 20.0 * (v / 0.002).tanh() - gas + 300.0 * x + stop + 2.0 * (k as f64).sin()
-            });
-            Record {
-                name: format!("t{k}"),
-                force: force.collect(),
-                amplitude,
-                peak_velocity: speed,
-                time,
-                velocity,
-                displacement,
-                ..Record::default()
-            }
+            })
         };
         tests.iter().enumerate().map(test).collect()
     }

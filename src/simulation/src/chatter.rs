@@ -283,6 +283,19 @@ pub enum Softer {
 }
 
 impl Softer {
+    /// What tells a damper that was made softer from the one that it was.
+    fn all(before: &Params, soft: &Params) -> Vec<Softer> {
+        let (force, length) = (soft.number(number!("presliding_force")), soft.number(number!("presliding_length")));
+        let replaced = FRICTION.iter().filter(|(element, _)| before.is_on(*element) && !soft.is_on(*element));
+        let mut all: Vec<Softer> =
+            replaced.map(|(element, _)| Softer::Replaced { element: *element, force, length }).collect();
+        let [before, after] = [before, soft].map(|params| params.number(number!("side_force_steepness")));
+        if after < before {
+            all.push(Softer::LessSteep { before, after });
+        }
+        all
+    }
+
     /// The element that it was done to.
     pub fn element(&self) -> Element {
         match self {
@@ -307,21 +320,25 @@ const MOST: usize = FRICTION.len() + 1;
 /// # Errors
 /// Parameters that make no model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
-    let (mut soft, mut softer) = (*params, Vec::new());
+    let mut soft = *params;
     let mut found = chatter(&soft, host)?;
     for _ in 0..MOST {
         let Some((element, _)) = found.element.filter(|_| found.rings()) else { break };
-        let done = if element == element!("side_force_friction") {
-            less_steep(&mut soft, host)?
-        } else {
-            presliding_instead(&mut soft, element, host, &softer)?
+        let done = match FRICTION.iter().find(|(friction, _)| *friction == element) {
+            _ if element == element!("side_force_friction") => less_steep(&mut soft, host)?,
+            // Where the damper has presliding friction of its own there is no room for another.
+            Some(friction) if !params.is_on(element!("presliding_friction")) => {
+                presliding_instead(&mut soft, *friction, host)?;
+                true
+            }
+            _ => false,
         };
-        let Some(done) = done else { break };
-        softer
-            .retain(|before: &Softer| !matches!((before, done), (Softer::LessSteep { .. }, Softer::LessSteep { .. })));
-        softer.push(done);
+        if !done {
+            break;
+        }
         found = chatter(&soft, host)?;
     }
+    let softer = Softer::all(params, &soft);
     if softer.is_empty() || found.rings() {
         return Ok(None);
     }
@@ -350,52 +367,40 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     Ok(Some(Softened { params: soft, softer, rms_error, largest_error, gain: found.gain }))
 }
 
-/// Puts presliding friction in the place of an element; nothing where the damper has some of its own.
-fn presliding_instead(
-    soft: &mut Params,
-    element: Element,
-    host: Host,
-    softer: &[Softer],
-) -> Result<Option<Softer>, Fault> {
-    let Some((_, level)) = FRICTION.iter().find(|(friction, _)| *friction == element) else { return Ok(None) };
-    let is_ours = softer.iter().any(|one| matches!(one, Softer::Replaced { .. }));
-    if soft.is_on(element!("presliding_friction")) && !is_ours {
-        return Ok(None);
-    }
-    let before = if is_ours { soft.number(number!("presliding_force")) } else { 0.0 };
-    let force = before + soft.number(*level);
+/// Puts presliding friction in the place of an element, beside what it has replaced before.
+fn presliding_instead(soft: &mut Params, (element, level): (Element, Number), host: Host) -> Result<(), Fault> {
+    let presliding = element!("presliding_friction");
+    let before = if soft.is_on(presliding) { soft.number(number!("presliding_force")) } else { 0.0 };
+    let force = before + soft.number(level);
     soft.enable(element, false);
-    soft.enable(element!("presliding_friction"), true);
+    soft.enable(presliding, true);
     soft.set(number!("presliding_force"), force)?;
     let turns = number!("presliding_length");
     soft.set(turns, LENGTH)?;
-    let (mut length, mut gain) = (LENGTH, chatter(soft, host)?.gain);
-    while 0.5 * length >= turns.bounds().0 {
+    let mut gain = chatter(soft, host)?.gain;
+    while 0.5 * soft.number(turns) >= turns.bounds().0 {
         let mut shorter = *soft;
-        shorter.set(turns, 0.5 * length)?;
+        shorter.set(turns, 0.5 * soft.number(turns))?;
         let there = chatter(&shorter, host)?.gain;
         if there > QUIET.max(gain) {
             break;
         }
-        (*soft, gain, length) = (shorter, there, 0.5 * length);
+        (*soft, gain) = (shorter, there);
     }
-    Ok(Some(Softer::Replaced { element, force, length }))
+    Ok(())
 }
 
-/// Halves the steepness of side-force friction until it is quiet under the side force looked at.
-fn less_steep(soft: &mut Params, host: Host) -> Result<Option<Softer>, Fault> {
+/// Halves the steepness of side-force friction until it is quiet under the side force looked at; whether that was possible.
+fn less_steep(soft: &mut Params, host: Host) -> Result<bool, Fault> {
     let steepness = number!("side_force_steepness");
-    let before = soft.number(steepness);
-    let (least, _) = steepness.bounds();
-    let mut after = before;
     while chatter(soft, host)?.element.is_some_and(|(element, _)| element == element!("side_force_friction")) {
-        if 0.5 * after < least {
-            return Ok(None);
+        let half = 0.5 * soft.number(steepness);
+        if half < steepness.bounds().0 {
+            return Ok(false);
         }
-        after *= 0.5;
-        soft.set(steepness, after)?;
+        soft.set(steepness, half)?;
     }
-    Ok((after < before).then_some(Softer::LessSteep { before, after }))
+    Ok(true)
 }
 
 impl Chatter {

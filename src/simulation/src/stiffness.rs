@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 /// Differential Equations II*, IV.2).
 const RUNGE_KUTTA: f64 = 2.785;
 /// Rate, 1/s, from which a host's usual step, 1 ms, is too long for that method.
-pub const STIFF: f64 = RUNGE_KUTTA / 1e-3;
+const STIFF: f64 = RUNGE_KUTTA / 1e-3;
 /// Velocities at which a damper is looked at, m/s, in both directions: from standstill, where FV curves are steepest, to a pothole.
 const SPEEDS: [f64; 7] = [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.5];
 

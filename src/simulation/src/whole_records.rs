@@ -50,9 +50,14 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
 /// # Errors
 /// As [`deviation`].
 pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
-    let off = off(&fit.measured);
+    without(&fit.measured, &fit.params, records)
+}
+
+/// Over the records without what the measurement was found to be off by.
+fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
+    let off = off(measured);
     let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
-    deviation(&fit.params, &right.iter().collect::<Vec<_>>())
+    deviation(params, &right.iter().collect::<Vec<_>>())
 }
 
 /// The three models of a diagnosis, over every sample of every record.
@@ -80,9 +85,7 @@ impl OfDiagnosis {
         records: &[&Record],
     ) -> Result<OfDiagnosis, WholeRecordsError> {
         let of = |params: &Params| deviation(params, records);
-        let off = off(measured);
-        let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
-        let improved = deviation(improved, &right.iter().collect::<Vec<_>>())?;
+        let improved = without(measured, improved, records)?;
         Ok(OfDiagnosis { as_it_came: of(as_it_came)?, refitted: of(refitted)?, improved })
     }
 }

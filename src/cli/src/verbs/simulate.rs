@@ -3,6 +3,7 @@
 use super::data::ColumnArgs;
 use crate::progress::Progress;
 use dashpot_core::Model;
+use dashpot_core::step::LONG_STEP;
 use dashpot_identification::model_file::{self, prepared};
 use dashpot_records::read_motion;
 use dashpot_simulation::imposed_motion::{Answer, ImposedMotion};
@@ -70,9 +71,6 @@ fn csv(answers: &[Answer]) -> String {
     }
     out
 }
-
-/// Steps longer than this, s, hide fast motion: what the C interface warns of too (`DASHPOT_LONG_STEP`).
-const LONG_STEP: f64 = 0.01;
 
 /// A remark where rows are so far apart that the motion between them is a guess.
 fn coarse(answers: &[Answer]) -> Option<String> {

@@ -6,8 +6,8 @@ use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use std::fmt::Write as _;
 
-/// Longest damper, m: above that a length is in mm.
-const LONGEST: f64 = 3.0;
+/// Longest damper, m: above that a length is in mm. A heavy truck's reaches 1 m, with room.
+pub const LONGEST: f64 = 3.0;
 
 impl Scales {
     /// Those of CarMaker, which hands over the length of the damper, its velocity positive in extension, and takes a force that is positive where

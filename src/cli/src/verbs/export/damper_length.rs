@@ -1,9 +1,10 @@
 //! The length of a damper as an option: Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is
 //! taken for one in the other unit and refused.
 
-/// Shortest and longest damper, m: a model car's has 50 mm and a heavy truck's reaches 1 m, both with room.
+use dashpot_hosts::fmu::LONGEST;
+
+/// Shortest damper, m: a model car's has 50 mm, with room.
 const SHORTEST: f64 = 0.03;
-const LONGEST: f64 = 3.0;
 
 /// A length in mm; the number alone is one.
 pub fn in_millimetres(text: &str) -> Result<f64, String> {

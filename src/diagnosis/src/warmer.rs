@@ -1,0 +1,33 @@
+//! Whether a damper was as warm as the reference: heat changes gas and oil, and looks like a change of the damper or of its rig.
+
+use super::phrases;
+use dashpot_records::{Record, Sentence};
+
+/// Difference of the mean temperatures of a test, K, from which it is told: gas force differs by 3 % then, as much as valves of one series do.
+const WARMER: f64 = 8.0;
+
+/// How warm a record was in the mean, °C, where it says so.
+fn mean_temperature(record: &Record) -> Option<f64> {
+    let known: Vec<f64> = record.temperature.as_ref()?.iter().copied().filter(|t| t.is_finite()).collect();
+    (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
+}
+
+/// That tests of a damper were warmer or colder than those of the same name on the reference.
+pub(super) fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
+    let pair = |record: &Record| {
+        let there = reference.iter().find(|other| other.name == record.name)?;
+        Some((record.name.clone(), mean_temperature(record)?, mean_temperature(there)?))
+    };
+    let apart = |(_, here, there): &(String, f64, f64)| (here - there).abs();
+    let furthest = records.iter().copied().filter_map(pair).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+    let (test, here, there) = &furthest;
+    let sense = if here > there { phrases::WARMER_SENSE } else { phrases::COLDER_SENSE };
+    (apart(&furthest) > WARMER).then(|| {
+        Sentence::from(phrases::WARMER)
+            .with("kelvin", format!("{:.0}", apart(&furthest)))
+            .with_said("sense", sense)
+            .with("test", test)
+            .with("here", format!("{here:.0}"))
+            .with("there", format!("{there:.0}"))
+    })
+}
