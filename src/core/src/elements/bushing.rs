@@ -8,6 +8,9 @@ use crate::parameter::{Parameter, View};
 
 /// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the straight series spring's force φ.
 ///
+/// Behind free play the deflection d is that of the spring, φ/k_s, here and in the stop; the branches below are bent by that of
+/// the whole path.
+///
 /// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is what the deflection d goes beyond the stop at L, which adds the stiffness k_e.
 ///
 /// *Losses*: beside the spring a branch of stiffness k_1 that gives way in time (Maxwell) and with deflection, as friction in

@@ -7,7 +7,7 @@ use crate::parameter::own::own;
 use crate::parameter::{Parameter, View};
 use crate::paths::bypass::{law, per_stated};
 
-/// Three forms.
+/// Three forms. F is counted from the force at standstill, which no stroke makes: it keeps its size.
 ///
 /// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p: the share a follows with a lag.
 ///

@@ -11,8 +11,8 @@ use crate::parameter::{Parameter, View};
 ///
 /// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
 ///
-/// *Groove*: oil flows past the piston beside the valves, as a velocity q_b p(x) √(F_h / 1 kN); see
-/// [`crate::paths::bypass`].
+/// *Groove*: oil flows past the piston beside the valves, as a velocity q_b p(x) r(F_h)/√(1 kN), the root but for
+/// forces of a few newtons; see [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
     pub(crate) is_groove: bool,

@@ -1,6 +1,7 @@
 //! Oil that flows past the valves: through grooves in the tube, or through the open bypass of frequency-selective damping.
 //!
-//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: in proportion to the force far below F_l, to its root far above.
+//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: in proportion to the force far below F_l, to its root far above. A groove's
+//! is stated by the root alone, b = q r(F_h)/√(1 kN), of which r(1 kN) misses a ten thousandth.
 //! Flows through parallel passages add, so a bypass takes more force where the FV curve is steep than where a blow-off valve
 //! holds it.
 

@@ -54,11 +54,11 @@ pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<
         let stands = [states[place::VALVE], states[place::VALVE_RATE]];
         (above, valve_rates) = e.valve_hysteresis.now(&e.fv_curve, above, stands);
     }
-    let mut force = above + standing;
     if e.has_frequency_selective() {
-        selective_target = e.frequency_selective_damping.target(force, w);
-        force = e.frequency_selective_damping.force(force, w, states[place::SELECTIVE]);
+        selective_target = e.frequency_selective_damping.target(above, w);
+        above = e.frequency_selective_damping.force(above, w, states[place::SELECTIVE]);
     }
+    let mut force = above + standing;
     if e.has_column() {
         force = force + w * LEAKAGE;
     }
@@ -181,12 +181,12 @@ impl Valves {
         }
         if acts::<ON>(e, SELECTIVE) {
             let element = &e.frequency_selective_damping;
-            let (before, w) = (Dual::<3>::along(force, 0), Dual::<3>::along(w, 1));
+            let (before, w) = (Dual::<3>::along(force - standing, 0), Dual::<3>::along(w, 1));
             let per = g * element.per_time;
             let state = Dual::<3>::along(valves.selective, 2) + element.target(before, w) * per;
             let state = state * (1.0 / (1.0 + per));
             let selected = element.force(before, w, state);
-            (force, valves.selected_by) = (selected.value, selected.slopes);
+            (force, valves.selected_by) = (selected.value + standing, selected.slopes);
             (valves.selective, valves.selective_by) = (state.value, state.slopes);
             by_curve *= selected.slope(0);
             by_w = selected.slope(1);
@@ -220,9 +220,10 @@ impl Valves {
             force = all(self.late_by) + by.standing;
         }
         if acts::<ON>(e, SELECTIVE) {
-            let all = |[by_force, by_w, by_state]: [f64; 3]| by_force * force + by_w * by.w + by_state * by.selective;
+            let above = force - by.standing;
+            let all = |[by_force, by_w, by_state]: [f64; 3]| by_force * above + by_w * by.w + by_state * by.selective;
             selective = all(self.selective_by);
-            force = all(self.selected_by);
+            force = all(self.selected_by) + by.standing;
         }
         if leaks {
             force += LEAKAGE * by.w;

@@ -320,15 +320,15 @@ class Damper:
         if "temperature_fade" in self.on:
             a_2 = self.faded(a_2, temperature, states.get("oil_temperature_rise", 0.0))
         a_3 = self.late(a_2, states["valve_hysteresis"]) if "valve_hysteresis" in self.on else a_2
-        a_4 = a_3 + self.standing
-        n = a_4
+        a_4 = a_3
         if "frequency_selective_damping" in self.on:
             a, z = p["fsd_share"], states["frequency_selective_damping"]
             if p["fsd_form"] == "filter":
-                n = (1 - a) * a_4 + a * z
+                a_4 = (1 - a) * a_3 + a * z
             elif p["fsd_form"] == "stroke":
                 g = min(max(z * math.tanh(w / p["fsd_velocity"]), 0.0), 1.0)
-                n = a_4 * (1 - a * (1 - g * g * (3 - 2 * g)))
+                a_4 = a_3 * (1 - a * (1 - g * g * (3 - 2 * g)))
+        n = a_4 + self.standing
         if self.has_column:
             n += self.c["The hydraulic path"]["LEAKAGE"] * w
         return a_2, a_3, a_4, n
@@ -354,10 +354,10 @@ class Damper:
             return c["EMPTIES"]
         return c["EMPTIES"] / (1 + (f_h / (c["IDLE"] * self.p["fsd_force"])) ** 2)
 
-    def selective_rate(self, w, f_h, a_4, z):
+    def selective_rate(self, w, f_h, a_3, z):
         p = self.p
         if p["fsd_form"] == "filter":
-            return (a_4 - z) / p["fsd_time"]
+            return (a_3 - z) / p["fsd_time"]
         if p["fsd_form"] == "stroke":
             return (math.tanh(w / p["fsd_velocity"]) - z) / p["fsd_time"]
         t = math.tanh(f_h / p["fsd_force"])
@@ -558,12 +558,12 @@ class Damper:
             if self.flows():
                 w = root_of(lambda w: w + self.beside(n(w), x, states) + void(n(w)) - u, u)
             f_h = n(w)
-        a_2, a_3, a_4, _ = self.valves(w, x, temperature, states)
+        a_2, a_3 = self.valves(w, x, temperature, states)[:2]
         if "cavitation" in self.on:
             rates["cavitation_void"] = self.into_void(f_h, v, states) + self.lags(v)
         if "frequency_selective_damping" in self.on:
             z = states["frequency_selective_damping"]
-            rates["frequency_selective_damping"] = self.selective_rate(w, f_h, a_4, z)
+            rates["frequency_selective_damping"] = self.selective_rate(w, f_h, a_3, z)
         if "valve_hysteresis" in self.on:
             rates.update(self.valve_rates(a_2, a_3, states))
         if "oil_temperature_rise" in states:
@@ -625,9 +625,9 @@ class Damper:
                 states["cavitation_void"] = self.resting_void(n(w))
             whole = lambda w: without(w) + self.sigma * self.into_void(n(w), v, states)
             w = root_of(whole, v) if self.flows() else v
-            a_2, _, a_4, f_h = self.valves(w, x, temperature, states)
+            a_2, a_3, _, f_h = self.valves(w, x, temperature, states)
             if "frequency_selective_damping" in on:
-                states["frequency_selective_damping"] = self.resting_selective(w, f_h, a_4)
+                states["frequency_selective_damping"] = self.resting_selective(w, f_h, a_3)
             if "valve_hysteresis" in on:
                 y = states["valve_hysteresis"]
                 states["valve_hysteresis"] = self.opening(a_2, y)[0] if p["valve_form"] == "opening" else a_2
@@ -674,10 +674,10 @@ class Damper:
             return p["cavitation_expansion"] * ((1 - alpha) / (1 - share) - 1)
         return 0.0
 
-    def resting_selective(self, w, f_h, a_4):
+    def resting_selective(self, w, f_h, a_3):
         p = self.p
         if p["fsd_form"] == "filter":
-            return a_4
+            return a_3
         if p["fsd_form"] == "stroke":
             return math.tanh(w / p["fsd_velocity"])
         t = math.tanh(f_h / p["fsd_force"])

@@ -166,19 +166,19 @@ def selective(page):
         model, book, p = dampers(page, ["fv_curve", element], fsd_form=form)
         w, z = one(), one()
         states = {element: z}
-        a_4, n = model.valves(w, 0.0, 20.0, states)[2:]
+        a_3, a_4 = model.valves(w, 0.0, 20.0, states)[1:3]
         force = 5 * one()
         t = book.value(element, "t", int(form == "bypass"), w=w, F_h=force)
         opposite = t * z < 0
         E = book.value(element, "E", int(not opposite), F_h=force)
-        yield model.selective_rate(w, force, a_4, z), book.value(element, "dz/dt", which, A_4=a_4, z=z, t=t, E=E)
+        yield model.selective_rate(w, force, a_3, z), book.value(element, "dz/dt", which, A_3=a_3, z=z, t=t, E=E)
         if form != "bypass":
-            yield n, book.value(element, "N", which, A_4=a_4, z=z, t=t)
+            yield a_4, book.value(element, "A_4", which, A_3=a_3, z=z, t=t)
             continue
         full = book.value(element, "full", int(force < 0), z=z)
         yield model.beside(force, 0.0, states), book.value(element, "b(F_h)", F_h=force, full=full)
         resting = book.value(element, "E", 1, F_h=force)
-        yield model.resting_selective(w, force, a_4), book.value(element, "z", t=t, E=resting)
+        yield model.resting_selective(w, force, a_3), book.value(element, "z", t=t, E=resting)
 
 
 def valve(page):
