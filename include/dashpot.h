@@ -718,6 +718,10 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // gas_preload (element, on by default): constant gas force
 //   gas_force                    gas force, positive where it pushes the rod out [N, -10000 to 10000, default 80]
 //
+// gas_warming (element, off by default): gas force that grows with the temperature of the damper
+//   gas_warming_rate             growth of the gas force per kelvin, c [N/K, 0 to 50, default 0.8]
+//   gas_warming_reference        temperature at which the gas force is that of the other elements, T_0 [degC, -60 to 200, default 20]
+//
 // lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag whose time constant ramps with speed
 //   polynomial                   coefficients of v^0, v^1, ... [N (s/m)^k, -1e9 to 1e9, at most 12 numbers]
 //   lag_slow                     time constant at low speed [s, 1e-5 to 1, default 0.004]

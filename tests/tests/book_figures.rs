@@ -53,6 +53,7 @@ const CASES: &[Case] = &[
     case("viscous_friction", &[("viscous_coefficient", 400.0)], (25.0, 6.0), Velocity),
     case("side_force_friction", &[], (10.0, 0.5), Velocity),
     case("gas_preload", &[("gas_force", 250.0)], (25.0, 1.0), Velocity),
+    case("gas_warming", &[("gas_warming_rate", 2.0)], (25.0, 1.0), Velocity),
     case("lagged_polynomial", &[], (5.0, 15.0), Velocity),
     case("presliding_friction", &[("presliding_force", 80.0)], (1.0, 0.5), Displacement),
     case("gas_spring", &[("gas_stiffness", 4e3), ("gas_length", 0.15)], (50.0, 0.5), Displacement),

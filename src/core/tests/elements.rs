@@ -142,6 +142,15 @@ proptest! {
 }
 
 #[test]
+fn warm_gas_pushes_the_rod_out_harder() {
+    let model = only(&["gas_warming"], &[("gas_warming_rate", 0.7), ("gas_warming_reference", 25.0)]);
+    for (temperature, force) in [(25.0, 0.0), (85.0, -42.0), (-15.0, 28.0)] {
+        let output = evaluate(&model, &State::ZERO, &Input { temperature, ..Input::motion(0.01, 0.2) }).0;
+        assert!((output.force - force).abs() < 1e-12 && output.gas_force == output.force, "{temperature}");
+    }
+}
+
+#[test]
 fn lag_answers_a_velocity_step_as_the_exponential() {
     let mut p = Params::new();
     p.disable_all();

@@ -57,6 +57,13 @@ pub const CARDS: &[Card] = &[
         missing: nothing,
     },
     Card {
+        name: element!("gas_warming").name(),
+        path: "gas and springs",
+        family: "gas temperature",
+        remedy: phrases::SHOW_GAS_WARMING,
+        missing: |s| (!s.temperature_measured).then(|| phrases::NEEDS_MEASURED_TEMPERATURE.into()),
+    },
+    Card {
         name: element!("coulomb_friction").name(),
         path: "friction",
         family: "dry friction",

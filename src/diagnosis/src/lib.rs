@@ -253,6 +253,11 @@ struct Answer<'a> {
 }
 
 impl Answer<'_> {
+    /// What a drift of the load cell's zero may as well be where no temperature tells.
+    fn or_warm_gas(&self, names: &[&str]) -> Option<Sentence> {
+        (names.contains(&"force_drift") && !self.situation.temperature_measured).then(|| phrases::OR_WARM_GAS.into())
+    }
+
     fn diagnosis(&self) -> Diagnosis {
         let found = self.found;
         let (base, first) = &found.base;
@@ -318,7 +323,14 @@ impl Answer<'_> {
             shifts: self.shifts(),
             changed: changed.numbers,
             curve_moved: changed.curve,
-            notes: judged.notes.iter().chain(&about_the_reference).chain(&self.warmer).cloned().collect(),
+            notes: judged
+                .notes
+                .iter()
+                .chain(&about_the_reference)
+                .chain(&self.warmer)
+                .cloned()
+                .chain(self.or_warm_gas(&names))
+                .collect(),
             about_the_reference,
             tests: Vec::new(),
             rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),

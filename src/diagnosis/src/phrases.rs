@@ -79,6 +79,7 @@ dashpot_records::phrases! {
     SHOW_MORE: "more amplitudes and frequencies";
     SHOW_SLOW: "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures";
     SHOW_SPRING: "stroke the whole travel slowly, and once at 1 Hz, at two mean positions";
+    SHOW_GAS_WARMING: "the force at rest in the middle of the stroke, cold and after hard work, with the temperature recorded";
     SHOW_MOUNT: "0.05 to 0.5 mm sines at 1 to 30 Hz";
     SHOW_ZERO: "read the force at rest, with and without the damper hooked in";
     SHOW_PRESLIDING: "strokes of 0.1 to 2 mm at 0.1 and 1 Hz: equal loops speak for it";
@@ -101,6 +102,7 @@ dashpot_records::phrases! {
     NEEDS_FIXED_CURVE: "a free FV curve takes a v² term up: it needs the curve fixed by a specification";
     NEEDS_SIDE_FORCE: "the side force does not vary: run the same sine under two or more side forces, with the channel recorded";
     NEEDS_TEMPERATURE: "no temperature channel varies, and the records' clocks show no heating: record the oil or tube temperature, or repeat one test cold and after hard work";
+    NEEDS_MEASURED_TEMPERATURE: "no temperature channel varies: record the temperature of the oil or the tube in all tests";
     NEEDS_PLACES: "all tests pass the same places at the same speeds: run one small sine at five or more mean positions, or one peak velocity at several strokes";
     ONLY_WITHIN_COMPRESSION: "only within the {reach} mm of compression that the tests reach: push slowly further to see a stop beyond";
     ONLY_WITHIN_EXTENSION: "only within the {reach} mm of extension that the tests reach: pull slowly further to see a stop beyond";
@@ -111,6 +113,7 @@ dashpot_records::phrases! {
     DIAGNOSIS: "diagnosis: {answer}";
     ADDED: "{effect} ({percent} sure) added to this model";
     OF_THE_RIG: "{effect} ({percent} sure) of the rig: corrected in the comparison, not in the damper of this model";
+    OR_WARM_GAS: "no temperature varies in all records: gas that warms through a campaign lets the force at rest fall as a zero that drifts does, and cannot be told from it. Record the temperature of the oil or the tube";
     ALL_FITTED_TESTS: "all fitted tests";
     // How the comparison was made.
     WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";

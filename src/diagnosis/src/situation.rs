@@ -4,6 +4,7 @@ use dashpot_core::Params;
 use dashpot_core::{element, list, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::samples::Test;
+use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
 
 /// Sizes that matter.
@@ -31,7 +32,7 @@ pub struct Situation {
     pub frequency_ratio: f64,
     /// Whether a temperature channel varies.
     pub temperature_measured: bool,
-    /// Mean temperature, °C.
+    /// The middle of its range, °C; 20 where none varies.
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
@@ -77,9 +78,6 @@ fn places_span(tests: &[Test]) -> f64 {
     SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
 }
 
-/// Temperature span, K, and side-force span, N, from which a channel says something.
-const WARM: f64 = 3.0;
-
 impl Situation {
     /// From a model and tests.
     pub fn new(base: &Params, records: &[&Record], tests: &[Test]) -> Situation {
@@ -89,7 +87,7 @@ impl Situation {
             if low <= high { (low, high) } else { (0.0, 0.0) }
         };
         let reach = span(&mut inputs().filter_map(|i| i.displacement));
-        let temperatures = span(&mut inputs().map(|i| i.temperature));
+        let temperatures = temperatures(records);
         let side = span(&mut inputs().map(|i| i.side_force.abs()));
         let clock = span(&mut tests.iter().map(|t| t.segment.clock));
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
@@ -136,9 +134,8 @@ impl Situation {
             top_compression: (-at(v, f, fastest.0)).max(1.0),
             knee_force: knee.unwrap_or(0.3 * forces.1).max(1.0),
             reach,
-            temperature_measured: records.iter().all(|r| r.temperature.is_some())
-                && temperatures.1 - temperatures.0 > WARM,
-            temperature: 0.5 * (temperatures.0 + temperatures.1),
+            temperature_measured: temperatures.is_some(),
+            temperature: temperatures.map_or(20.0, |(low, high)| 0.5 * (low + high)),
             clock_span: clock.1 - clock.0,
             pauses,
             side_force_span: side.1 - side.0,

@@ -17,6 +17,7 @@
 //! | [`deviations`] | how far the records leave numbers open |
 //! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
 //! | [`campaign_clock`] | whether the records were measured on one clock |
+//! | [`warmth`] | between which temperatures they were measured |
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
@@ -39,3 +40,4 @@ pub mod smooth_curve;
 pub mod solve;
 pub mod spring_end;
 pub mod unknowns;
+pub mod warmth;

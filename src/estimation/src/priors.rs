@@ -43,6 +43,7 @@ const SEALS: &str =
 const OIL: &str = "β 1.2 to 1.7 GPa, less with air, columns of 8 to 50 cm: Duym & Reybrouck 1998; Segel & Lang 1981";
 const RUBBER: &str = "eyes and top mounts: García Tárrago 2007; Sjöberg, KTH 2002";
 const GAS: &str = "monotube 20 to 30 bar on rods of 11 to 14 mm, twin tube 3 to 8 bar: Dixon 2007, chapter 7";
+const WARM_GAS: &str = "0.34 % of 80 to 400 N a kelvin (Gay-Lussac), to three times that where oil that expands takes the gas its room: Dixon 2007, chapter 5";
 const VALVES: &str = "shim and spring valves of passenger-car dampers: Talbott & Starkey 2002; Dixon 2007, chapter 6";
 const STOPS: &str = "stops of cars at 20 to 80 mm from standing height: Dixon 2007, chapter 2";
 const RIG: &str = "clamps, eyes and adapters of hydraulic rigs";
@@ -112,6 +113,7 @@ pub const PRIORS: &[Prior] = &[
     row(number!("viscous_coefficient"), Place(0.0, 50.0), THESIS),
     row(number!("side_force_coefficient"), Strength(0.05, 2.0), SEALS),
     row(number!("gas_force"), Place(150.0, 400.0), GAS),
+    row(number!("gas_warming_rate"), Strength(0.8, 2.5), WARM_GAS),
     row(number!("gas_stiffness"), Strength(1000.0, 3.0), GAS),
     row(number!("gas_length"), Size(0.25, 2.2), GAS),
     row(number!("gas_thermal_time"), Size(2.0, 3.0), GAS),

@@ -120,7 +120,7 @@ pub struct RunFolder {
     /// Names and contents of its files.
     pub files: Vec<(String, Vec<u8>)>,
     /// Why there is no native.adm, where there is none.
-    pub no_native: Option<&'static str>,
+    pub no_native: Option<String>,
 }
 
 /// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm. In README.txt, what was

@@ -20,6 +20,7 @@ use dashpot_estimation::samples::segments;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
 use dashpot_records::sentence::{Sentence, Template};
 use dashpot_records::taken_out::Off;
@@ -200,7 +201,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
-        Family::Thesis => fit_thesis(&guess, &segments, options, clock_runs_on(records), &progress),
+        Family::Thesis => fit_thesis(&guess, &segments, options, &About::of(records), &progress),
         Family::Fv => as_found(&segments, fv_unknowns(&fv_only)),
         Family::Piecewise => fit_piecewise(&segments, &progress)?,
         Family::Lag => fit_lag(&segments, &progress)?,
@@ -219,6 +220,13 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let given = Off::given(records);
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
+    if params.is_on(element!("gas_warming")) {
+        let reference = params.number(number!("gas_warming_reference"));
+        notes.push(Sentence::from(phrases::GAS_AT).with("temperature", format!("{reference:.1}")));
+    }
+    if measured.iter().any(|m| m.name == "drift" && m.value < 0.0) && temperatures(records).is_none() {
+        notes.push(phrases::OR_WARM_GAS.into());
+    }
     Ok(Fit {
         params,
         estimates,
@@ -243,11 +251,26 @@ fn fv_unknowns(from: &Params) -> Unknowns {
     Unknowns { base, list, rig: Vec::new() }
 }
 
+/// What the records say beside motion and force.
+struct About {
+    /// Whether their clocks run through the campaign.
+    clock_runs_on: bool,
+    /// Temperature in the middle of those that were measured, °C; nothing where none was, or where it hardly varies.
+    temperature: Option<f64>,
+}
+
+impl About {
+    fn of(records: &[&Record]) -> About {
+        let temperature = temperatures(records).map(|(low, high)| 0.5 * (low + high));
+        About { clock_runs_on: clock_runs_on(records), temperature }
+    }
+}
+
 fn fit_thesis(
     guess: &Params,
     segments: &[Segment],
     options: &FitOptions,
-    clock_runs_on: bool,
+    about: &About,
     progress: &impl Fn(Stage),
 ) -> Found {
     let allowed =
@@ -267,6 +290,7 @@ fn fit_thesis(
         spring: find_variant(&springs, "linear"),
         series: allowed(element!("series_compliance")),
         gas: allowed(element!("gas_preload")),
+        warming: None,
         side_force: varied_side_force && allowed(element!("side_force_friction")),
         rig: OfTheRig::NONE,
     };
@@ -295,10 +319,11 @@ fn fit_thesis(
         let variants = (&frictions[..], &springs[..], &physical[..]);
         (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         let before = structure;
-        let ways = OfTheRig::ways(segments, options.late, clock_runs_on);
-        (structure, from) = look_at_the_measurement(structure, from, segments, ways, &mut choices, progress);
-        if structure.rig != before.rig {
-            // What the measurement did was taken for friction or a spring until now.
+        let ways = OfTheRig::ways(segments, options.late, about.clock_runs_on);
+        let warms = about.temperature.filter(|_| structure.gas && allowed(element!("gas_warming")));
+        (structure, from) = look_at_the_measurement(structure, from, segments, ways, warms, &mut choices, progress);
+        if structure.rig != before.rig || structure.warming.is_some() {
+            // What the measurement or the gas did was taken for friction or a spring until now.
             choices.retain(|choice| choice.of == MEASUREMENT);
             (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         }
@@ -331,10 +356,11 @@ const MEASUREMENT: &str = "measurement";
 /// Whether the FV curve has points where only slow tests are, and whether the records are what they seem.
 const WITHOUT_SLOW: &str = "without slow tests";
 const WITH_SLOW: &str = "with slow tests";
+const GAS_WARMS: &str = "gas that warms";
 const AS_RECORDED: &str = "as recorded";
 /// What a choice is of and what is chosen, beside the variants and what may be off in the measurement.
-pub(super) const WORDS: [&str; 8] =
-    [FRICTIONS, SPRINGS, CURVED, POINTS, MEASUREMENT, WITHOUT_SLOW, WITH_SLOW, AS_RECORDED];
+pub(super) const WORDS: [&str; 9] =
+    [FRICTIONS, SPRINGS, CURVED, POINTS, MEASUREMENT, WITHOUT_SLOW, WITH_SLOW, GAS_WARMS, AS_RECORDED];
 /// Passes through friction and spring. Each is judged with the other as it stands, and the wrong spring hides every friction behind what
 /// it leaves: so the friction is chosen again once the spring has changed, and the spring once the friction has. It settles after one
 /// or two passes; the bound is there for records in which each undoes the other.
@@ -405,14 +431,22 @@ fn look_at_the_measurement(
     from: Params,
     segments: &[Segment],
     ways: Vec<(&'static str, OfTheRig)>,
+    warms: Option<f64>,
     choices: &mut Vec<Choice>,
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
     let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
-    list.extend(ways.into_iter().map(|(name, rig)| Candidate {
+    let with = |&(name, rig): &(&'static str, OfTheRig)| Candidate {
         name,
         structure: Structure { rig, ..structure },
+        starts: vec![from],
+    };
+    list.extend(ways.iter().map(with));
+    // Gas that warms moves the force at rest as a zero that drifts does, but with the temperature instead of the clock.
+    list.extend(warms.map(|_| Candidate {
+        name: GAS_WARMS,
+        structure: Structure { warming: warms, ..structure },
         starts: vec![from],
     }));
     if list.len() == 1 {
@@ -423,7 +457,29 @@ fn look_at_the_measurement(
     if chosen.place == 0 {
         return (structure, from);
     }
-    (Structure { rig: chosen.rig, ..structure }, chosen.params)
+    let found = Structure { rig: chosen.rig, ..list[chosen.place].structure };
+    if warms.is_none() {
+        return (found, chosen.params);
+    }
+    // What hid behind the one may show beside it: a late channel beside gas that warms, and the gas beside a late channel.
+    let mut list = vec![Candidate { name: list[chosen.place].name, structure: found, starts: vec![chosen.params] }];
+    if found.warming.is_some() {
+        let beside = |&(name, rig): &(&'static str, OfTheRig)| Candidate {
+            name,
+            structure: Structure { rig, ..found },
+            starts: vec![chosen.params],
+        };
+        list.extend(ways.iter().map(beside));
+    } else {
+        list.push(Candidate {
+            name: GAS_WARMS,
+            structure: Structure { warming: warms, rig: found.rig.without_drift(), ..found },
+            starts: vec![chosen.params],
+        });
+    }
+    let chosen = choose(MEASUREMENT, &list, segments, Keep::First);
+    choices.push(chosen.choice);
+    (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.

@@ -95,6 +95,11 @@ impl OfTheRig {
         self.delay.map_or(0.0, |delay| delay.start)
     }
 
+    /// The same without what moves the zero.
+    pub fn without_drift(self) -> OfTheRig {
+        OfTheRig { force_drift: None, ..self }
+    }
+
     /// Whether a late force channel is all that is looked for.
     pub fn is_delay_alone(self) -> bool {
         self.delay.is_some() && self.all().count() == 1

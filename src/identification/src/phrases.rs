@@ -41,6 +41,8 @@ dashpot_records::phrases! {
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
     FOUND_GAIN_DRIFT: "the gain of the force channel drifts by {value} % a minute (95 %: {low} to {high})";
     FOUND_DRIFT: "the zero of the force channel drifts by {value} N a minute (95 %: {low} to {high})";
+    OR_WARM_GAS: "no temperature was recorded in all tests: gas that warms through a campaign lets the force at rest fall as well. The temperature tells the two apart";
+    GAS_AT: "gas_force is that at {temperature} °C, the middle of the temperatures that were measured; by gas_warming_rate it grows with them";
     TAKEN_OUT_HERE: "{finding}: taken out here, not in the model; validate and diagnose take it out of these records too{option}";
     GIVE_OPTION: "; for other records of this rig give {option}, or write it into their campaign.toml";
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";

@@ -298,6 +298,7 @@ pub fn identified() -> Vec<Element> {
         element!("fv_curve"),
         element!("series_compliance"),
         element!("gas_preload"),
+        element!("gas_warming"),
         element!("side_force_friction"),
     ];
     for element in FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|v| v.elements) {
@@ -319,6 +320,8 @@ pub struct Structure {
     pub series: bool,
     /// Constant gas force.
     pub gas: bool,
+    /// Gas force that grows with the temperature from this one on, °C.
+    pub warming: Option<f64>,
     /// Friction growing with side force.
     pub side_force: bool,
     /// What is looked for in the measurement itself.
@@ -344,6 +347,11 @@ impl Structure {
         if self.gas {
             base.enable(element!("gas_preload"), true);
             list.push(Unknown::Linear(number!("gas_force")));
+        }
+        if let Some(reference) = self.warming {
+            base.enable(element!("gas_warming"), true);
+            let _ = base.set(number!("gas_warming_reference"), reference);
+            list.push(Unknown::Linear(number!("gas_warming_rate")));
         }
         if self.side_force {
             base.enable(element!("side_force_friction"), true);

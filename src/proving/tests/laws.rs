@@ -18,6 +18,7 @@ const KERNEL: &[(&str, usize, &[&str])] = &[
     ("cavitation", 8, &["capped_void", "expanding_void", "unfilled_foot_valve"]),
     ("parallel_spring", 6, &["polynomial", "table"]),
     ("gas_preload", 1, &["constant"]),
+    ("gas_warming", 2, &["in_proportion"]),
     ("gas_spring", 4, &["polytropic_wall_loss"]),
     ("coulomb_friction", 2, &["hyperbolic_tangent"]),
     ("stribeck_friction", 8, &["gaussian_peak", "generalised_stribeck"]),

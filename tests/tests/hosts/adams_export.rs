@@ -433,6 +433,40 @@ fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
     points
 }
 
+/// A spline holds few elements: of each other one it is said, beside the files, that it is the reason why there is no native.adm, and one of an
+/// earlier export is not taken for this model's.
+#[test]
+fn no_element_is_left_out_of_the_native_elements_without_a_word() {
+    const HELD: [&str; 7] = [
+        "fv_curve",
+        "series_compliance",
+        "parallel_spring",
+        "coulomb_friction",
+        "stribeck_friction",
+        "viscous_friction",
+        "gas_preload",
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let export = |elements: &[&str], more: &str| {
+        let text = format!("format = 1\nelements = {elements:?}\n{more}");
+        std::fs::write(folder.path().join("damper.toml"), text).unwrap();
+        let said = done(folder.path(), &["export", "adams", "damper.toml", "-o", "run"]);
+        let read_me = std::fs::read_to_string(folder.path().join("run/README.txt")).unwrap();
+        (said, read_me.replace('\n', " "))
+    };
+    let (said, read_me) = export(&HELD, "");
+    assert!(!said.contains("native.adm") && read_me.contains("native.adm  "), "{said}");
+    for element in dashpot_core::elements::names().filter(|name| !HELD.contains(name)) {
+        let (said, read_me) = export(&["fv_curve", "series_compliance", element], "");
+        let why = format!("no native.adm, because splines of velocity and displacement cannot hold {element}");
+        assert!(said.contains(&why), "{said}");
+        assert!(said.contains("is of an earlier export"), "{said}");
+        assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
+    }
+    let (said, _) = export(&HELD, "series_load = \"whole\"\n");
+    assert!(said.contains("act on the internal mass"), "{said}");
+}
+
 /// The functions of the file are evaluated as they stand there, between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {

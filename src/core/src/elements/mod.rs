@@ -25,6 +25,7 @@ mod frequency_selective_damping;
 mod fv_curve;
 mod gas_preload;
 mod gas_spring;
+mod gas_warming;
 mod lagged_polynomial;
 mod moving_mass;
 mod oil_compressibility;
@@ -653,6 +654,7 @@ elements! {
     }
     preload {
         gas_preload: gas_preload::GasPreload,
+        gas_warming: gas_warming::GasWarming,
     }
     memory {
         lagged_polynomial: lagged_polynomial::LaggedPolynomial,

@@ -475,6 +475,10 @@ class Damper:
     def gas_preload(self):
         return -self.p["gas_force"] if "gas_preload" in self.on else 0.0
 
+    def gas_warming(self, temperature):
+        warmer = temperature - self.p["gas_warming_reference"]
+        return -self.p["gas_warming_rate"] * warmer if "gas_warming" in self.on else 0.0
+
     def gas_power(self, x, a):
         xi, smallest = 1 + x / self.p["gas_length"], self.c["gas_spring"]["SMALLEST"]
         if xi > smallest:
@@ -570,7 +574,7 @@ class Damper:
             heat = f_h * (w + self.beside(f_h, x, states)) - p["heat_transfer"] * states["oil_temperature_rise"]
             rates["oil_temperature_rise"] = heat / p["heat_capacity"]
         spring = self.parallel_spring(x_m)
-        friction, gas = self.friction(u if self.is_whole else v, side_force), self.gas_preload()
+        friction, gas = self.friction(u if self.is_whole else v, side_force), self.gas_preload() + self.gas_warming(temperature)
         f_in = spring + friction + gas if self.is_whole else spring
         rates["internal_mass"], rates["internal_mass_velocity"] = 0.0, 0.0
         if self.has_series:
@@ -651,7 +655,7 @@ class Damper:
                 states["bushing_slow"] = 0.0
         x_m = x
         if self.has_series:
-            on_mass = self.friction(v, side_force) + self.gas_preload() if self.is_whole else 0.0
+            on_mass = self.friction(v, side_force) + self.gas_preload() + self.gas_warming(temperature) if self.is_whole else 0.0
             x_m = root_of(
                 lambda x_m: self.parallel_spring(x_m) + on_mass + f_h - self.hardened(self.elastic(x - x_m)[0]), x
             )

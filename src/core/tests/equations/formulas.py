@@ -236,6 +236,9 @@ def springs_and_friction(page):
         yield model.friction(v, side), book.value("stribeck_friction", "stribeck_friction(v)", which, v=v, e=math.e)
     model, book, p = dampers(page, ["gas_preload"])
     yield model.gas_preload(), book.value("gas_preload", "gas_preload")
+    model, book, p = dampers(page, ["gas_warming"])
+    temperature = 50 * one()
+    yield model.gas_warming(temperature), book.value("gas_warming", "gas_warming", T_host=temperature)
 
 
 def with_state(page):

@@ -148,7 +148,7 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
 /// All effects that could be added in a situation: those of elements that are not on, and those of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
     let mut all = Vec::new();
-    springs::springs(&mut all);
+    springs::springs(&mut all, s);
     friction::friction(s, &mut all);
     series::series(s, &mut all);
     oil::oil(s, &mut all);
@@ -174,6 +174,7 @@ mod tests {
         base.enable(element!("gas_preload"), false);
         let mut situation = Situation::new(&base, &[], &[]);
         (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
+        situation.temperature_measured = true;
         let all = candidates(&situation);
         for c in &all {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);

@@ -1,5 +1,6 @@
 //! Gas and springs beside the valves.
 
+use super::Situation;
 use super::{Candidate, Fresh, Start, candidate, held, linear};
 use dashpot_core::{element, number};
 
@@ -9,12 +10,22 @@ fn length() -> Fresh {
 }
 
 /// Adds them.
-pub(super) fn springs(all: &mut Vec<Candidate>) {
+pub(super) fn springs(all: &mut Vec<Candidate>, s: &Situation) {
     all.push(candidate(
         &[element!("gas_preload")],
         vec![linear(number!("gas_force"), (20.0, 1200.0))],
         vec![Start::at(&[100.0])],
     ));
+    if s.temperature_measured {
+        all.push(Candidate {
+            fixed: vec![(number!("gas_warming_reference"), s.temperature)],
+            ..candidate(
+                &[element!("gas_warming")],
+                vec![linear(number!("gas_warming_rate"), (0.1, 10.0))],
+                vec![Start::at(&[0.8])],
+            )
+        });
+    }
     all.push(Candidate {
         form: "isothermal",
         fixed: vec![(number!("gas_adiabatic_index"), 1.0)],

@@ -21,7 +21,7 @@ pub fn files(
     model_file: &str,
     length: f64,
     matrix: &Matrix,
-) -> (Vec<File>, Option<&'static str>) {
+) -> (Vec<File>, Option<String>) {
     let states = model.states();
     let fill = |template: &str| {
         let zeros = vec!["0.0"; states].join(", ");
@@ -31,14 +31,20 @@ pub fn files(
             .replace("{zeros}", &zeros)
             .replace("{model_file}", model_file)
     };
+    let native = native::fragment(params, model, length);
+    let about_native = match &native {
+        Ok(_) => NATIVE.to_owned(),
+        Err(reason) => wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}.")),
+    };
+    let read_me = fill(include_str!("templates/README.txt")).replace("{native}", about_native.trim_end());
     let mut files = vec![
         File { name: "damper.cmd", text: fill(include_str!("templates/damper.cmd")) },
         File { name: "damper.adm", text: fill(include_str!("templates/damper.adm")) },
         File { name: "rig.adm", text: fill(include_str!("templates/rig.adm")) },
         File { name: "rig.acf", text: acf(matrix) },
-        File { name: "README.txt", text: fill(include_str!("templates/README.txt")) },
+        File { name: "README.txt", text: read_me },
     ];
-    match native::fragment(params, model, states, length) {
+    match native {
         Ok(text) => {
             files.push(File { name: "native.adm", text });
             (files, None)
@@ -46,6 +52,11 @@ pub fn files(
         Err(reason) => (files, Some(reason)),
     }
 }
+
+/// What README.txt says of native.adm.
+const NATIVE: &str = "\
+native.adm        the same damper from Adams's own elements, without the library: paste it into a model, put in the model's two
+                  markers, the length and free ids; the lines at its head say where";
 
 /// What must be known before anything else, above the text of README.txt: who opens the folder later has not seen what was said when it
 /// was written.

@@ -14,6 +14,7 @@ mod free_play;
 mod frequency_selective_damping;
 mod gas_preload;
 mod gas_spring;
+mod gas_warming;
 mod moving_mass;
 mod oil_compressibility;
 mod parallel_spring;
@@ -171,6 +172,7 @@ pub const KNOWN: &[Effect] = &[
     channel_delay::EFFECT,
     force_offset::EFFECT,
     force_drift::EFFECT,
+    gas_warming::EFFECT,
 ];
 
 /// Effects that a diagnosis should not give a name of the others.

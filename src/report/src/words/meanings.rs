@@ -111,6 +111,12 @@ const MEANINGS: &[Meaning] = &[
     ],
     ["constant gas force", "konstante Gaskraft", "effort du gaz constant", "恒定气体力"],
     [
+        "gas force that grows with the temperature of the damper",
+        "Gaskraft, die mit der Temperatur des Dämpfers wächst",
+        "effort du gaz qui croît avec la température de l’amortisseur",
+        "随减振器温度增大的气体力",
+    ],
+    [
         "polynomial FV curve with a first-order lag whose time constant ramps with speed",
         "FV-Kurve als Polynom mit Verzögerung erster Ordnung, deren Zeitkonstante mit der Geschwindigkeit übergeht",
         "courbe FV polynomiale avec un retard du premier ordre dont la constante de temps varie avec la vitesse",
@@ -640,6 +646,18 @@ const MEANINGS: &[Meaning] = &[
         "Gaskraft, positiv, wo sie die Stange hinausdrückt",
         "effort du gaz, positif s’il pousse la tige dehors",
         "气体力，把活塞杆推出为正",
+    ],
+    [
+        "growth of the gas force per kelvin, c",
+        "Zuwachs der Gaskraft je Kelvin, c",
+        "accroissement de l’effort du gaz par kelvin, c",
+        "每开尔文的气体力增量，c",
+    ],
+    [
+        "temperature at which the gas force is that of the other elements, T_0",
+        "Temperatur, bei der die Gaskraft die der anderen Elemente ist, T_0",
+        "température à laquelle l’effort du gaz est celui des autres éléments, T_0",
+        "气体力等于其他元件给出值时的温度，T_0",
     ],
     [
         "coefficients of v^0, v^1, ...",

@@ -104,6 +104,13 @@ const NAMES: &[Named] = &[
     ["aeration", "air in the oil", "Luft im Öl", "air dans l’huile", "油中含气"],
     ["cavitation", "cavitation", "Kavitation", "cavitation", "空化"],
     [
+        "gas_warming",
+        "gas force over temperature",
+        "Gaskraft über der Temperatur",
+        "effort du gaz selon la température",
+        "气体力随温度的变化",
+    ],
+    [
         "temperature_fade",
         "fading with temperature",
         "Nachlassen mit der Temperatur",
@@ -560,6 +567,20 @@ const NAMES: &[Named] = &[
     ["presliding_creep", "creep velocity", "Kriechgeschwindigkeit", "vitesse de fluage", "蠕动速度"],
     // Gas.
     ["gas_force", "gas force", "Gaskraft", "effort de gaz", "气体力"],
+    [
+        "gas_warming_rate",
+        "growth of the gas force per kelvin",
+        "Zuwachs der Gaskraft je Kelvin",
+        "hausse de l’effort de gaz par kelvin",
+        "每开尔文的气体力增量",
+    ],
+    [
+        "gas_warming_reference",
+        "reference temperature of the gas force",
+        "Bezugstemperatur der Gaskraft",
+        "température de référence du gaz",
+        "气体力参考温度",
+    ],
     ["gas_stiffness", "gas stiffness", "Gassteifigkeit", "raideur du gaz", "气体刚度"],
     ["gas_length", "length of the gas column", "Länge der Gassäule", "longueur de la colonne de gaz", "气柱长度"],
     ["gas_adiabatic_index", "adiabatic index", "Adiabatenexponent", "exposant adiabatique", "绝热指数"],

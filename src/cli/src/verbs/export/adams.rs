@@ -49,6 +49,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
     if let Some(reason) = folder.no_native {
         dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
+        if args.output.join("native.adm").exists() {
+            let path = args.output.join("native.adm");
+            let stale = format!("note: {} is of an earlier export and not of this model: delete it", path.display());
+            dashpot_output::say(None, &stale)?;
+        }
     }
     if missing {
         let how = handed_out::no_adams_library();

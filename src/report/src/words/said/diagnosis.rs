@@ -337,6 +337,12 @@ pub const ALL: &[Said] = &[
         "慢速走完全行程，并以 1 Hz 走一次，取两个平均位置",
     ],
     [
+        "the force at rest in the middle of the stroke, cold and after hard work, with the temperature recorded",
+        "die Kraft in Ruhe in Hubmitte, kalt und nach starker Belastung, mit aufgezeichneter Temperatur",
+        "l’effort au repos au milieu de la course, à froid et après une forte sollicitation, en enregistrant la température",
+        "在行程中点静止时的力：冷态与剧烈工作后各测一次，并记录温度",
+    ],
+    [
         "0.05 to 0.5 mm sines at 1 to 30 Hz",
         "Sinus von 0,05 bis 0,5 mm bei 1 bis 30 Hz",
         "sinus de 0,05 à 0,5 mm de 1 à 30 Hz",
@@ -464,6 +470,18 @@ pub const ALL: &[Said] = &[
         "没有变化的温度通道，记录的时钟也显示没有升温：请记录油温或筒温，或在冷态和剧烈工作后重复同一试验",
     ],
     [
+        "no temperature varies in all records: gas that warms through a campaign lets the force at rest fall as a zero that drifts does, and cannot be told from it. Record the temperature of the oil or the tube",
+        "keine Temperatur ändert sich in allen Messungen: Gas, das sich während der Messreihe erwärmt, lässt die Kraft in Ruhe fallen wie ein wandernder Nullpunkt und ist davon nicht zu unterscheiden. Die Temperatur des Öls oder des Rohrs aufzeichnen",
+        "aucune température ne varie dans toutes les mesures : un gaz qui chauffe au fil de la campagne fait baisser l’effort au repos comme un zéro qui dérive, et ne s’en distingue pas. Enregistrer la température de l’huile ou du tube",
+        "并非所有记录中温度都有变化：气体在测试过程中升温会使静止力下降，与零点漂移无法区分。请记录油温或筒温",
+    ],
+    [
+        "no temperature channel varies: record the temperature of the oil or the tube in all tests",
+        "kein Temperaturkanal ändert sich: in allen Versuchen die Temperatur des Öls oder des Rohrs aufzeichnen",
+        "aucune voie de température ne varie : enregistrer la température de l’huile ou du tube dans tous les essais",
+        "没有变化的温度通道：请在所有试验中记录油温或筒温",
+    ],
+    [
         "all tests pass the same places at the same speeds: run one small sine at five or more mean positions, or one peak velocity at several strokes",
         "alle Versuche durchfahren dieselben Stellen mit denselben Geschwindigkeiten: einen kleinen Sinus in fünf oder mehr Mittellagen fahren oder eine Spitzengeschwindigkeit bei mehreren Hüben",
         "tous les essais passent aux mêmes endroits aux mêmes vitesses : réaliser un petit sinus à cinq positions moyennes ou plus, ou une même vitesse de pointe à plusieurs courses",
@@ -544,6 +562,7 @@ pub const ALL: &[Said] = &[
     // Families of effects.
     ["constant force", "konstante Kraft", "effort constant", "恒力"],
     ["spring", "Feder", "ressort", "弹簧"],
+    ["gas temperature", "Gastemperatur", "température du gaz", "气体温度"],
     ["dry friction", "Trockenreibung", "frottement sec", "干摩擦"],
     ["viscous friction", "viskose Reibung", "frottement visqueux", "粘性摩擦"],
     ["friction under load", "Reibung unter Last", "frottement sous charge", "受载摩擦"],
@@ -624,6 +643,12 @@ pub const ALL: &[Said] = &[
         "Kavitation: die hydraulische Kraft einer Richtung ist begrenzt, und ein Hohlraum muss erst wieder geschlossen werden",
         "cavitation : l’effort hydraulique d’une course est plafonné et un vide reste à refermer",
         "空化：一个行程方向的液压力被限制，留下的空穴需要先闭合",
+    ],
+    [
+        "gas force that grows with the temperature of the damper",
+        "Gaskraft, die mit der Temperatur des Dämpfers wächst",
+        "effort du gaz qui croît avec la température de l’amortisseur",
+        "随减振器温度增大的气体力",
     ],
     [
         "damping that falls with the temperature of the oil, measured or by its own heat",

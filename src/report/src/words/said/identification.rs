@@ -245,6 +245,19 @@ pub const ALL: &[Said] = &[
         "力传感器上的质量",
     ],
     ["a gain that drifts", "eine wandernde Verstärkung", "un gain qui dérive", "增益漂移"],
+    [
+        "no temperature was recorded in all tests: gas that warms through a campaign lets the force at rest fall as well. The temperature tells the two apart",
+        "nicht in allen Versuchen wurde eine Temperatur aufgezeichnet: Gas, das sich während der Messreihe erwärmt, lässt die Kraft in Ruhe ebenso fallen. Die Temperatur trennt beides",
+        "aucune température n’a été enregistrée dans tous les essais : un gaz qui chauffe au fil de la campagne fait aussi baisser l’effort au repos. La température les distingue",
+        "并非所有试验都记录了温度：气体在测试过程中升温同样会使静止力下降。温度可以区分二者",
+    ],
+    [
+        "gas_force is that at {temperature} °C, the middle of the temperatures that were measured; by gas_warming_rate it grows with them",
+        "gas_force gilt bei {temperature} °C, der Mitte der gemessenen Temperaturen; mit gas_warming_rate wächst sie mit ihnen",
+        "gas_force vaut à {temperature} °C, milieu des températures mesurées ; avec gas_warming_rate il croît avec elles",
+        "gas_force 为 {temperature} °C（实测温度范围的中点）时的值；按 gas_warming_rate 随温度增大",
+    ],
+    ["gas that warms", "sich erwärmendes Gas", "un gaz qui chauffe", "升温的气体"],
     ["a zero that drifts", "ein wandernder Nullpunkt", "un zéro qui dérive", "零点漂移"],
     ["all of these", "alle zusammen", "tous ensemble", "以上全部"],
     // Variants of friction and spring, in a damper with a series path and in one that is rigid.

@@ -1,0 +1,50 @@
+//! Gas that warms with the damper: it pushes the rod out harder.
+
+use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::fault::Fault;
+use crate::parameter::own::own;
+use crate::parameter::{Parameter, View};
+
+/// F = −c (T − T_0) with the temperature T that the host gives; T_0 is that of the gas force.
+///
+/// The pressure of a gas that is shut in grows with its absolute temperature, 0.34 % a kelvin at 20 °C, and oil that expands
+/// leaves it less room, which is as much again in a mono-tube (Dixon, *The Shock Absorber Handbook*, 2007, ch. 5).
+#[derive(Clone, Copy, Debug)]
+pub struct GasWarming {
+    rate: f64,
+    reference: f64,
+}
+
+impl Describe for GasWarming {
+    const MEANING: &'static str = "gas force that grows with the temperature of the damper";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::scalar("gas_warming_rate", "N/K", &[0.8], (0.0, 50.0), "growth of the gas force per kelvin, c"),
+        Parameter::scalar(
+            "gas_warming_reference",
+            "degC",
+            &[20.0],
+            (-60.0, 200.0),
+            "temperature at which the gas force is that of the other elements, T_0",
+        ),
+    ];
+}
+
+impl Prepare for GasWarming {
+    const OFF: Self = GasWarming { rate: 0.0, reference: 20.0 };
+
+    fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(GasWarming { rate: p.number(own!("gas_warming_rate")), reference: p.number(own!("gas_warming_reference")) })
+    }
+}
+
+impl Force for GasWarming {
+    #[inline(always)]
+    fn force(&self, at: &Motion) -> Response {
+        Response { force: -self.rate * (at.temperature - self.reference), by_x: 0.0, by_v: 0.0 }
+    }
+
+    #[inline(always)]
+    fn at_once(&self, at: &Motion) -> Option<Response> {
+        Some(self.force(at))
+    }
+}
