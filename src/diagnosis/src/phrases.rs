@@ -34,7 +34,7 @@ dashpot_records::phrases! {
     WARMER_SENSE: "warmer";
     COLDER_SENSE: "colder";
     CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
-    OTHER_NUMBER: "{name} {reference} -> {value} {unit}";
+    OTHER_NUMBER: "{name} {reference} -> {value}";
     OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N{everywhere}";
     OTHER_COMPRESSION: "compression force at {velocity} m/s {reference} -> {value} N{everywhere}";
     MORE_EVERYWHERE: " ({percent} % more at every speed)";

@@ -160,6 +160,17 @@ impl Found {
     }
 }
 
+/// Widens the intervals until they hold what another fit of the same numbers, which the records do not rule out, makes of them.
+fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
+    for estimate in estimates {
+        let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
+        let Some(other) = others.iter().find(same) else { continue };
+        if let (Some(low), Some(high), Some(from), Some(to)) = (estimate.low, estimate.high, other.low, other.high) {
+            (estimate.low, estimate.high) = (Some(low.min(from)), Some(high.max(to)));
+        }
+    }
+}
+
 /// Starting values of the series stiffness, N/m: soft mount, oil column, stiff oil column.
 const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
 
@@ -255,6 +266,8 @@ fn fv_unknowns(from: &Params) -> Unknowns {
 struct About {
     /// Whether their clocks run through the campaign.
     clock_runs_on: bool,
+    /// What the user gave of the measurement.
+    given: Off,
     /// Temperature in the middle of those that were measured, °C; nothing where none was, or where it hardly varies.
     temperature: Option<f64>,
 }
@@ -262,7 +275,7 @@ struct About {
 impl About {
     fn of(records: &[&Record]) -> About {
         let temperature = temperatures(records).map(|(low, high)| 0.5 * (low + high));
-        About { clock_runs_on: clock_runs_on(records), temperature }
+        About { clock_runs_on: clock_runs_on(records), given: Off::given(records), temperature }
     }
 }
 
@@ -330,7 +343,7 @@ fn fit_thesis(
     }
     progress(Stage { done: 0.85, text: phrases::REFINING });
     let unknowns = structure.unknowns(&from, segments);
-    let mut found = finish(segments, unknowns, choices);
+    let mut found = finish(segments, unknowns, choices, &about.given);
     if few {
         let few = Sentence::from(phrases::TOO_FEW_TESTS).with("fewest", FEWEST_TESTS);
         found.notes.push(few.with_word("friction", structure.friction.name));
@@ -483,7 +496,7 @@ fn look_at_the_measurement(
 }
 
 /// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
-fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) -> Found {
+fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>, given: &Off) -> Found {
     let mut notes = Vec::new();
     let refs: Vec<&Segment> = segments.iter().collect();
     // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
@@ -523,12 +536,15 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
         notes.push(of_number(phrases::HELD, estimate));
     }
     let mut estimates = estimates;
+    if unknowns.base.is_on(element!("series_compliance")) {
+        hold_too(&mut estimates, &with_the_rest_of_the_measurement(segments, &unknowns, &theta, given));
+    }
     let mut measured = of_the_rig::measured(segments, &unknowns, &theta, Accuracy::Full);
     if let Some(nothing) = measured.iter().position(|m| !m.is_there()) {
         // Chance chose it: the model is what it is without.
         unknowns = unknowns.starting_at(&theta);
         unknowns.rig.remove(nothing);
-        let mut again = finish(segments, unknowns, choices);
+        let mut again = finish(segments, unknowns, choices, given);
         again.estimates.extend(left_out);
         return again;
     }
@@ -541,6 +557,26 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>) ->
     estimates.extend(left_out);
     notes.extend(choices.iter().filter_map(|choice| choice.open.clone()));
     Found { params, estimates, choices, measured, notes, misfit }
+}
+
+/// The estimates where what was not looked for in the measurement, or not believed, is free too. A late force channel, or a mass on the load
+/// cell, is believed only where the records make it nine times likelier; below that both are possible, and a series path that is soft under
+/// the one is stiff under the other.
+fn with_the_rest_of_the_measurement(
+    segments: &[Segment],
+    unknowns: &Unknowns,
+    theta: &[f64],
+    given: &Off,
+) -> Vec<Estimate> {
+    let mut freed = unknowns.clone().starting_at(theta);
+    let open = OfTheRig::left_open(&freed.rig, given);
+    if open.is_empty() {
+        return Vec::new();
+    }
+    freed.rig.extend(open);
+    let refs: Vec<&Segment> = segments.iter().collect();
+    let theta = solve(&refs, &freed, &freed.start(), Effort::FINE).theta;
+    estimates(segments, &freed, &theta, Accuracy::Full).0
 }
 
 /// What is said of a number of the model.

@@ -85,6 +85,15 @@ impl OfTheRig {
         ways
     }
 
+    /// What the measurement may still be off by where it was not looked for, or not believed, and nobody gave it: how late the force channel of
+    /// a rig usually is, and what usually hangs on its load cell. A soft series path looks like either.
+    pub fn left_open(looked_for: &[RigNumber], given: &Off) -> Vec<RigNumber> {
+        let open = [(Artefact::Delay, DELAY, given.delay_s), (Artefact::Mass, MASS, given.mass_kg)];
+        let is_open = |artefact: Artefact| looked_for.iter().all(|number| number.artefact != artefact);
+        let open = open.into_iter().filter(|(artefact, _, given)| *given == 0.0 && is_open(*artefact));
+        open.map(|(artefact, spread, _)| RigNumber { artefact, start: 0.0, usual: (0.0, spread) }).collect()
+    }
+
     /// Whether it ended at a mass below nothing.
     pub fn has_less_than_no_mass(self) -> bool {
         self.mass.is_some_and(|mass| mass.start < 0.0)

@@ -21,7 +21,7 @@ dashpot_records::phrases! {
     OTHER: "{name} {error}";
     NO_OTHER_IS_BETTER: "no other is better by what its parameters cost";
     NO_OTHER_IS_LIKELIER: "no other is so much likelier that it is not as well an error of the model's form";
-    PERHAPS_LATE: "these records do not decide whether the force channel is late: a delay of {delay} ms is {odds} times as likely as none, where nine times are asked for; with it series_stiffness is {with} instead of {without} N/m, whose interval does not hold that. Give --delay where the delay is known, or add small strokes at high frequency";
+    PERHAPS_LATE: "these records do not decide whether the force channel is late: a delay of {delay} ms is {odds} times as likely as none, where nine times are asked for; with it series_stiffness is {with} instead of {without} N/m, and the intervals hold both. Give --delay where the delay is known, or add small strokes at high frequency";
     SIMPLEST: "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper";
     // What the data does not determine.
     NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";

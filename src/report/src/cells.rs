@@ -1,7 +1,8 @@
 //! Cells of tables: the text that a page shows, with the number behind it, which a workbook takes in full.
 
-use super::numbers::{self, digits, usual};
+use super::numbers::{self, digits};
 use crate::words::Words;
+use dashpot_records::reading_unit;
 
 /// A cell of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,13 +54,13 @@ impl Cell {
 
     /// A value in the unit that engineers use for it.
     pub fn measured(value: f64, unit: &str) -> Self {
-        let (factor, usual) = usual(value, unit);
+        let (factor, usual) = reading_unit(value, unit);
         Self { text: numbers::with_unit(value, unit), value: Value::Measured(factor * value, usual) }
     }
 
     /// A value and the ends of its interval, in one unit.
     pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> [Self; 2] {
-        let (factor, usual) = usual(value, unit);
+        let (factor, usual) = reading_unit(value, unit);
         let (text, ends) = numbers::with_interval(value, low, high, unit, words);
         [
             Self { text, value: Value::Measured(factor * value, usual.clone()) },

@@ -2,6 +2,7 @@
 
 use crate::plot::ticks::number;
 use crate::words::{Words, fill};
+use dashpot_records::reading_unit;
 
 /// A force, N.
 pub fn force(newton: f64) -> String {
@@ -52,13 +53,13 @@ pub fn beside(value: f64, reference: f64) -> String {
 
 /// A value in the unit that engineers use for it: mm, N/mm, ms; four digits.
 pub fn with_unit(value: f64, unit: &str) -> String {
-    let (factor, unit) = usual(value, unit);
+    let (factor, unit) = reading_unit(value, unit);
     spaced(digits(factor * value, 4), &unit)
 }
 
 /// A value with the ends of its interval, all in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
 pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
-    let (factor, unit) = usual(value, unit);
+    let (factor, unit) = reading_unit(value, unit);
     let [value, low, high] = [value, low, high].map(|v| factor * v);
     // Digits beyond the first two of the interval's half width say nothing.
     let half = 0.5 * (high - low).abs();
@@ -76,23 +77,6 @@ pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words)
 
 fn spaced(figures: String, unit: &str) -> String {
     if unit.is_empty() { figures } else { format!("{figures}\u{a0}{unit}") }
-}
-
-/// The unit used for a quantity of an SI unit, and the factor to it.
-pub(crate) fn usual(value: f64, unit: &str) -> (f64, String) {
-    let small = value.abs() < 1.0;
-    match unit {
-        "m" if small => (1e3, "mm".into()),
-        "s" if small => (1e3, "ms".into()),
-        "m/s" if small => (1e3, "mm/s".into()),
-        "N/m" => (1e-3, "N/mm".into()),
-        "N/m^3" => (1e-9, "N/mm³".into()),
-        "-" => (1.0, String::new()),
-        _ => {
-            let raised = ["^2", "^3", "^4"].iter().zip(["²", "³", "⁴"]);
-            (1.0, raised.fold(unit.replace(' ', "\u{b7}"), |text, (from, to)| text.replace(from, to)))
-        }
-    }
 }
 
 /// A share in percent, whole.

@@ -14,7 +14,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::{CurveName, Unknown};
-use dashpot_records::Sentence;
+use dashpot_records::{Sentence, reading_unit};
 use nalgebra::{DMatrix, DVector};
 use pattern::Point;
 use serde::Serialize;
@@ -63,21 +63,25 @@ impl Change {
     /// In words, with how its side of the FV curve moved as a whole.
     fn sentence(&self, curve: &[CurveMoved]) -> Sentence {
         // Four digits that count.
-        let of = |value: f64| match value {
+        let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
+        let of = |value: f64| match factor * value {
             0.0 => "0".to_owned(),
-            _ => format!("{value:.*}", (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize),
+            value => format!("{value:.*}", (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize),
         };
         let said = match self.velocity_m_s {
             Some(v) if v > 0.0 => Sentence::from(phrases::OTHER_REBOUND).with("velocity", format!("{v:.3}")),
             Some(v) => Sentence::from(phrases::OTHER_COMPRESSION).with("velocity", format!("{:.3}", -v)),
-            None => Sentence::from(phrases::OTHER_NUMBER).with("name", self.parameter).with("unit", self.unit),
+            None => Sentence::from(phrases::OTHER_NUMBER).with("name", self.parameter),
         };
         let everywhere = curve.iter().find(|moved| self.velocity_m_s.is_some_and(|v| moved.is_of(v)));
         let said = match self.velocity_m_s {
             Some(_) => said.with_any("everywhere", everywhere.map(CurveMoved::sentence)),
             None => said,
         };
-        said.with("reference", of(self.reference)).with("value", of(self.value))
+        let value = of(self.value);
+        // The sentences on forces bear their unit.
+        let value = if self.velocity_m_s.is_some() || unit.is_empty() { value } else { format!("{value} {unit}") };
+        said.with("reference", of(self.reference)).with("value", value)
     }
 }
 
@@ -311,6 +315,10 @@ mod tests {
         let alone = |reference, value| of(reference, value, 1.0, None).sentence(&[]).to_string();
         assert_eq!(alone(179.219_4, 0.012_852_4), "gas_force 179.2 -> 0.01285 N");
         assert_eq!(alone(627.627, 0.0), "gas_force 627.6 -> 0 N");
+        let number =
+            |parameter, unit| Change { parameter, unit, ..of(2e-4, 3.5e-4, 1.0, None) }.sentence(&[]).to_string();
+        assert_eq!(number("free_play_gap", "m"), "free_play_gap 0.2000 -> 0.3500 mm");
+        assert_eq!(number("presliding_power", "-"), "presliding_power 0.0002000 -> 0.0003500");
     }
 
     #[test]

@@ -123,10 +123,10 @@ pub const ALL: &[Said] = &[
         "与参考减振器不同：{numbers}{more}；{besides}",
     ],
     [
-        "{name} {reference} -> {value} {unit}",
-        "{name} {reference} → {value} {unit}",
-        "{name} {reference} → {value} {unit}",
-        "{name} {reference} → {value} {unit}",
+        "{name} {reference} -> {value}",
+        "{name} {reference} → {value}",
+        "{name} {reference} → {value}",
+        "{name} {reference} → {value}",
     ],
     [
         "rebound force at {velocity} m/s {reference} -> {value} N{everywhere}",

@@ -26,10 +26,10 @@ pub const ALL: &[Said] = &[
         "其他方案的改善都抵不过其参数的代价",
     ],
     [
-        "these records do not decide whether the force channel is late: a delay of {delay} ms is {odds} times as likely as none, where nine times are asked for; with it series_stiffness is {with} instead of {without} N/m, whose interval does not hold that. Give --delay where the delay is known, or add small strokes at high frequency",
-        "diese Aufzeichnungen entscheiden nicht, ob der Kraftkanal spät kommt: eine Verzögerung von {delay} ms ist {odds}-mal so wahrscheinlich wie keine, verlangt wird das Neunfache; mit ihr ist series_stiffness {with} statt {without} N/m, was deren Intervall nicht enthält. Geben Sie --delay an, wo die Verzögerung bekannt ist, oder messen Sie kleine Hübe bei hoher Frequenz dazu",
-        "ces enregistrements ne décident pas si la voie de force est en retard : un retard de {delay} ms est {odds} fois plus probable qu’aucun, alors que neuf fois sont demandées ; avec lui series_stiffness vaut {with} au lieu de {without} N/m, ce que son intervalle ne contient pas. Donnez --delay si le retard est connu, ou ajoutez de petites courses à haute fréquence",
-        "这些记录无法判定力通道是否滞后：滞后 {delay} ms 的可能性是无滞后的 {odds} 倍，而判定需要九倍；若有滞后，series_stiffness 为 {with} 而非 {without} N/m，其区间不包含这一点。已知滞后时请给出 --delay，或补做高频小行程试验",
+        "these records do not decide whether the force channel is late: a delay of {delay} ms is {odds} times as likely as none, where nine times are asked for; with it series_stiffness is {with} instead of {without} N/m, and the intervals hold both. Give --delay where the delay is known, or add small strokes at high frequency",
+        "diese Aufzeichnungen entscheiden nicht, ob der Kraftkanal spät kommt: eine Verzögerung von {delay} ms ist {odds}-mal so wahrscheinlich wie keine, verlangt wird das Neunfache; mit ihr ist series_stiffness {with} statt {without} N/m, und die Intervalle enthalten beides. Geben Sie --delay an, wo die Verzögerung bekannt ist, oder messen Sie kleine Hübe bei hoher Frequenz dazu",
+        "ces enregistrements ne décident pas si la voie de force est en retard : un retard de {delay} ms est {odds} fois plus probable qu’aucun, alors que neuf fois sont demandées ; avec lui series_stiffness vaut {with} au lieu de {without} N/m, et les intervalles contiennent les deux. Donnez --delay si le retard est connu, ou ajoutez de petites courses à haute fréquence",
+        "这些记录无法判定力通道是否滞后：滞后 {delay} ms 的可能性是无滞后的 {odds} 倍，而判定需要九倍；若有滞后，series_stiffness 为 {with} 而非 {without} N/m，区间已包含两者。已知滞后时请给出 --delay，或补做高频小行程试验",
     ],
     [
         "no other is so much likelier that it is not as well an error of the model's form",

@@ -1,0 +1,34 @@
+//! The units in which people read a quantity that is kept in SI units.
+
+/// Factor from the SI unit, and the unit that is read: lengths and times below one in thousandths, stiffnesses a millimetre. `size` is the
+/// largest value that stands beside it.
+pub fn reading_unit(size: f64, si: &str) -> (f64, String) {
+    let small = size.abs() < 1.0;
+    match si {
+        "m" if small => (1e3, "mm".into()),
+        "s" if small => (1e3, "ms".into()),
+        "m/s" if small => (1e3, "mm/s".into()),
+        "N/m" => (1e-3, "N/mm".into()),
+        "N/m^3" => (1e-9, "N/mm³".into()),
+        "-" => (1.0, String::new()),
+        _ => {
+            let raised = ["^2", "^3", "^4"].iter().zip(["²", "³", "⁴"]);
+            (1.0, raised.fold(si.replace(' ', "\u{b7}"), |text, (from, to)| text.replace(from, to)))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reading_unit;
+
+    #[test]
+    fn lengths_of_a_damper_are_read_in_millimetres() {
+        let of = |size, si| reading_unit(size, si);
+        assert_eq!(of(2.24e-4, "m"), (1e3, "mm".into()));
+        assert_eq!(of(3.5, "m"), (1.0, "m".into()));
+        assert_eq!(of(2e6, "N/m"), (1e-3, "N/mm".into()));
+        assert_eq!(of(0.3, "-"), (1.0, String::new()));
+        assert_eq!(of(70.0, "N s^2/m^2"), (1.0, "N·s²/m²".into()));
+    }
+}
