@@ -517,11 +517,13 @@ fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>, gi
         let mut estimate = list[worst].clone();
         unknowns = unknowns.starting_at(&theta);
         let left = unknowns.list.remove(worst);
-        // Held where the fit left it, or at its default if that is as good.
+        // Held where the fit left it, or at its default if that is as good. A force that the records do not tell is none: any other one
+        // stands in the FV curve with the other sign.
         let mut held = solve(&refs, &unknowns, &unknowns.start(), effort);
         if let Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) = left {
             let mut by_default = unknowns.clone();
-            let _ = by_default.base.set(number, number.default());
+            let is_force = matches!(left, Unknown::Linear(_)) && number.parameter().unit == "N";
+            let _ = by_default.base.set(number, if is_force { 0.0 } else { number.default() });
             let found = solve(&refs, &by_default, &by_default.start(), effort);
             if found.cost <= AS_GOOD * held.cost {
                 (held, unknowns) = (found, by_default);

@@ -30,6 +30,7 @@ mod not_read;
 mod off_the_others;
 mod one_clock;
 mod options;
+mod other_settings;
 mod peak_table;
 mod phrases;
 mod plausibility;

@@ -33,6 +33,7 @@ crate::phrases! {
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
     TOO_FEW_BETWEEN: "; {count} samples between gaps are too few for a test";
+    AT_SETTINGS: "{count} tests one after the other without a rest, told apart where stroke or frequency changes and stays; the clock goes on, so that heat carries over";
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
@@ -95,6 +96,7 @@ crate::phrases! {
     NOT_DISSIPATING: "no test dissipates energy clearly, so it is not certain that force and motion go together";
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
+    OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). The harder ones: {hard}. The softer ones: {soft}";
     ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer";
     GIVEN: "{direction} positive was given";
     AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";

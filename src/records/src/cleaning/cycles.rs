@@ -220,7 +220,7 @@ fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f6
 }
 
 /// Everything between two upward crossings, alike or not.
-fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
+pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
     let turns = turning_points(x, threshold);
     let crossings = crossings(time, x, &turns);
     crossings

@@ -13,6 +13,7 @@ mod missing;
 mod order;
 mod outliers;
 mod rests;
+mod settings;
 mod still;
 mod trim;
 
@@ -81,14 +82,15 @@ fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
     }
 }
 
-/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, and at rests between tests.
+/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where the
+/// setting of a motion that goes on changes.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped::refuse(&samples, options)?;
     missing::drop_rows(&mut samples)?;
     duplicates::remove(&mut samples);
     order::restore(&mut samples)?;
-    Ok(gaps::split(samples).into_iter().flat_map(rests::split).collect())
+    Ok(gaps::split(samples).into_iter().flat_map(rests::split).flat_map(settings::split).collect())
 }
 
 /// First half, before the sign is known, of a test without gaps and rests between tests.

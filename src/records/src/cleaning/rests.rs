@@ -59,7 +59,6 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     }
     let of = tests.len();
     samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_RESTS).with("count", of) });
-    let digits = of.to_string().len();
     // A test without cycles keeps half of the rest on either side, for the force at standstill; where there are cycles, rest is cut off in any
     // case.
     let middle = |k: usize| match k {
@@ -71,23 +70,34 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .map(|k| {
             let whole = middle(k)..middle(k + 1);
             let span = if found[k].is_empty() { whole } else { tests[k].samples.clone() };
-            let (from, to) = (span.start, span.end);
-            let mut piece = samples.clone();
-            piece.select(&(from..to).collect::<Vec<_>>());
-            let mut strokes: Vec<f64> = found[k].iter().map(Cycle::stroke).collect();
-            let stroke = if strokes.is_empty() { tests[k].high - tests[k].low } else { median(&mut strokes) };
-            let amplitude = 1e3 * 0.5 * stroke;
-            piece.name = format!("{} {:0digits$} {}mm", samples.name, k + 1, figures(amplitude));
-            let seconds: f64 = found[k].iter().map(Cycle::period).sum();
-            if seconds > 0.0 {
-                piece.name += &format!(" {}Hz", figures(found[k].len() as f64 / seconds));
-            }
-            let (begin, end) = (samples.time[from], samples.time[to - 1]);
-            let part = format!("{} of {of}, {begin:.1} to {end:.1} s", k + 1);
-            piece.at.part = Some(samples.at.part.as_ref().map_or(part.clone(), |p| format!("{p}, {part}")));
-            piece
+            part(&samples, span, (k, of), &found[k], tests[k].high - tests[k].low)
         })
         .collect()
+}
+
+/// The samples of a test as a record of its own: the `place`-th of so many, named by its cycles, or by its `stroke` where it has none.
+pub(super) fn part(
+    samples: &Samples,
+    span: Range<usize>,
+    (place, of): (usize, usize),
+    cycles: &[Cycle],
+    stroke: f64,
+) -> Samples {
+    let (from, to) = (span.start, span.end);
+    let mut piece = samples.clone();
+    piece.select(&span.collect::<Vec<_>>());
+    let mut strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
+    let stroke = if strokes.is_empty() { stroke } else { median(&mut strokes) };
+    let (digits, amplitude) = (of.to_string().len(), 1e3 * 0.5 * stroke);
+    piece.name = format!("{} {:0digits$} {}mm", samples.name, place + 1, figures(amplitude));
+    let seconds: f64 = cycles.iter().map(Cycle::period).sum();
+    if seconds > 0.0 {
+        piece.name += &format!(" {}Hz", figures(cycles.len() as f64 / seconds));
+    }
+    let (begin, end) = (samples.time[from], samples.time[to - 1]);
+    let part = format!("{} of {of}, {begin:.1} to {end:.1} s", place + 1);
+    piece.at.part = Some(samples.at.part.as_ref().map_or(part.clone(), |p| format!("{p}, {part}")));
+    piece
 }
 
 /// A number to two figures, as it stands in a name.

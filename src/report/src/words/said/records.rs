@@ -111,6 +111,12 @@ pub const ALL: &[Said] = &[
         "；间断之间的 {count} 个采样不足以构成一个试验",
     ],
     [
+        "{count} tests one after the other without a rest, told apart where stroke or frequency changes and stays; the clock goes on, so that heat carries over",
+        "{count} Versuche hintereinander ohne Pause, getrennt, wo sich Hub oder Frequenz ändert und so bleibt; die Uhr läuft weiter, damit die Wärme mitgeht",
+        "{count} essais l’un après l’autre sans pause, séparés là où la course ou la fréquence change et se maintient ; l’horloge continue, pour que la chaleur se transmette",
+        "{count} 个试验连续进行，中间没有停顿；在行程或频率改变并保持之处分开；时钟连续，因此热量会延续",
+    ],
+    [
         "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over",
         "{count} Versuche hintereinander, an den Ruhezeiten dazwischen getrennt nach der Bewegung davor und danach; um ganze Zyklen herum ist die Ruhe abgeschnitten, und die Uhr läuft weiter, so dass Wärme mitgeht",
         "{count} essais l’un après l’autre, séparés aux repos entre eux d’après le mouvement avant et après ; le repos est coupé autour des cycles entiers, et l’horloge continue, de sorte que la chaleur se transmet",
@@ -436,6 +442,12 @@ pub const ALL: &[Said] = &[
         "In Bewegung und Kraft zugleich umgedreht, passten {tests} zu den anderen Versuchen, wie gelesen nicht: bei gleichen Geschwindigkeiten ist die Kraft mitten zwischen Zug und Druck in {test} {own} N, in den anderen {usual} N. Prüfen, ob diese Dateien in anderer Richtung zählen, und den Export berichtigen oder sie mit --exclude weglassen",
         "retournés à la fois en mouvement et en force, {tests} iraient avec les autres essais, tels que lus non : à vitesses pareilles, la force à mi-chemin entre détente et compression est de {own} N dans {test} et de {usual} N dans les autres. Vérifier si ces fichiers comptent dans un autre sens, et corriger l’export ou les laisser de côté par --exclude",
         "若将运动与力同时反号，{tests} 便与其他试验相符，按原样读取则不符：在相同速度下，复原与压缩之间的中间力在 {test} 中为 {own} N，在其他试验中为 {usual} N。请检查这些文件的正方向是否不同，并更正导出或用 --exclude 排除",
+    ],
+    [
+        "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). The harder ones: {hard}. The softer ones: {soft}",
+        "{first} hat bei gleicher Bewegung die {times}-fache Kraft von {second}: das sind mehrere Dämpfer oder mehrere Einstellungen eines Dämpfers (Klicks, Strom), und ein Modell kann sie nicht alle wiedergeben. Getrennt identifizieren (Ordner oder --exclude). Die härteren: {hard}. Die weicheren: {soft}",
+        "{first} a {times} fois l’effort de {second} dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). Les plus durs : {hard}. Les plus souples : {soft}",
+        "相同运动下 {first} 的力是 {second} 的 {times} 倍：这是多个减振器，或同一减振器的多种设置（档位、电流），一个模型无法同时表示。请分开拟合（分文件夹，或用 --exclude）。较硬的：{hard}。较软的：{soft}",
     ],
     [
         "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer",

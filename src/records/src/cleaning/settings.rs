@@ -1,0 +1,183 @@
+//! Several tests one after the other without a rest between them, as a drive writes that steps through amplitudes or frequencies: they are
+//! told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is one test.
+
+use super::super::noise::difference_noise;
+use super::super::phrases;
+use super::super::record::Note;
+use super::super::samples::{Samples, median, range};
+use super::super::sentence::Sentence;
+use super::cycles::{self, candidates};
+use super::rests::part;
+use super::{Cycle, FEWEST};
+use std::ops::Range;
+
+/// Share of the whole range below which a swing is no cycle of a test: small tests beside large ones are found down to it.
+const SMALLEST: f64 = 0.01;
+/// By how much, as a logarithm, stroke and period of the cycles of one setting may lie off their median: drives keep both to a few percent.
+const SAME: f64 = 0.05;
+/// Fewest cycles of a setting: a drive that makes four of each goes on to the next within the first and the last. On a road two alike are rare, and
+/// nearly all would have to be.
+const STAYS: usize = 2;
+/// Cycles by which the next one is judged.
+const BEFORE: usize = 3;
+/// Share of all cycles that must keep a setting: what changes all the time, as a road does, has none.
+const COVERED: f64 = 0.7;
+/// How many times the scatter from cycle to cycle a jump is.
+const JUMPS: f64 = 5.0;
+
+/// What a drive was set to, as logarithms: stroke and period.
+fn setting(cycle: &Cycle) -> [f64; 2] {
+    [cycle.stroke().ln(), cycle.period().ln()]
+}
+
+/// Splits a record into its tests; says so first.
+pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
+    let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
+        return vec![samples];
+    };
+    let noise = difference_noise(x);
+    let all = candidates(&samples.time, x, (10.0 * noise).max(SMALLEST * range(x)));
+    let found = settings(&all, noise);
+    // Each lasts to the middle of what lies between it and the next.
+    let middle = |k: usize| match k {
+        0 => 0,
+        k if k == found.len() => x.len(),
+        k => (all[found[k - 1].end - 1].end + all[found[k].start].start) / 2,
+    };
+    let cycles_of = |span: &Range<usize>| cycles::find(&samples.time[span.clone()], &x[span.clone()]);
+    let test = |(k, run): (usize, &Range<usize>)| {
+        let whole = middle(k)..middle(k + 1);
+        // Rest and run-down at the ends of the record may be longer than the test.
+        let own = all[run.start].start..all[run.end - 1].end;
+        [whole, own].into_iter().map(|span| (cycles_of(&span), span)).find(|(cycles, _)| !cycles.is_empty())
+    };
+    let tests: Option<Vec<(Vec<Cycle>, Range<usize>)>> = found.iter().enumerate().map(test).collect();
+    let Some(tests) = tests.filter(|tests| tests.len() > 1 && tests.iter().all(|(_, span)| span.len() >= FEWEST))
+    else {
+        return vec![samples];
+    };
+    let count = tests.len();
+    samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_SETTINGS).with("count", count) });
+    let tests = tests.into_iter().enumerate();
+    tests.map(|(k, (cycles, span))| part(&samples, span, (k, count), &cycles, 0.0)).collect()
+}
+
+/// The cycles of each setting; none where there are not two of them.
+fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
+    let near = |a: &Cycle, b: [f64; 2]| {
+        let [stroke, period] = setting(a);
+        (stroke - b[0]).abs() <= SAME + 6.0 * noise / a.stroke() && (period - b[1]).abs() <= SAME
+    };
+    let typical =
+        |cycles: &[Cycle]| [0, 1].map(|k| median(&mut cycles.iter().map(|c| setting(c)[k]).collect::<Vec<_>>()));
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    let mut start = 0;
+    while start < all.len() {
+        let mut end = start + 1;
+        // By the cycles just before, so that a drive that wanders stays in one.
+        while end < all.len() && near(&all[end], typical(&all[end.saturating_sub(BEFORE).max(start)..end])) {
+            end += 1;
+        }
+        if end - start >= STAYS {
+            let joined = runs.last().filter(|last| !jumps(&all[(*last).clone()], &all[start..end], noise)).is_some();
+            match runs.last_mut() {
+                Some(last) if joined => last.end = end,
+                _ => runs.push(start..end),
+            }
+        }
+        start = end;
+    }
+    let covered: usize = runs.iter().map(Range::len).sum();
+    if runs.len() < 2 || (covered as f64) < COVERED * all.len() as f64 { Vec::new() } else { runs }
+}
+
+/// Whether the cycles that follow are of another setting: by the last of the one and the first of the other, which a sweep or a wandering drive has
+/// alike.
+fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
+    let scatter = |cycles: &[Cycle], k: usize| {
+        let mut steps: Vec<f64> =
+            cycles.windows(2).map(|pair| (setting(&pair[1])[k] - setting(&pair[0])[k]).abs()).collect();
+        if steps.is_empty() { 0.0 } else { median(&mut steps) }
+    };
+    let (last, first) = (&before[before.len() - 1], &after[0]);
+    (0..2).any(|k| {
+        let usual = scatter(before, k).max(scatter(after, k));
+        let of_noise = if k == 0 { 6.0 * noise / last.stroke().min(first.stroke()) } else { 0.0 };
+        (setting(first)[k] - setting(last)[k]).abs() > SAME.max(JUMPS * usual) + of_noise
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::error::Place;
+    use super::super::super::fixtures::Random;
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A motion whose amplitude, mm, and frequency, Hz, are given at each moment.
+    fn driven(seconds: f64, at: impl Fn(f64) -> (f64, f64)) -> Vec<Samples> {
+        const RATE: f64 = 500.0;
+        let (mut phase, mut random) = (0.0, Random::new(5));
+        let n = (seconds * RATE) as usize;
+        let x = (0..n).map(|i| {
+            let (amplitude, frequency) = at(i as f64 / RATE);
+            phase += frequency / RATE;
+            1e-3 * amplitude * (TAU * phase).sin() + 3e-6 * random.normal()
+        });
+        let x: Vec<f64> = x.collect();
+        split(Samples {
+            at: Place::file("long.txt"),
+            name: "long".into(),
+            lines: (1..=n).collect(),
+            time: (0..n).map(|i| i as f64 / RATE).collect(),
+            begins: None,
+            force: vec![0.0; n],
+            displacement: Some(x),
+            velocity: None,
+            side_force: None,
+            temperature: None,
+            headings: Vec::new(),
+            about: crate::about::About::default(),
+            units: Vec::new(),
+            notes: Vec::new(),
+        })
+    }
+
+    fn names(parts: Vec<Samples>) -> Vec<String> {
+        parts.into_iter().map(|part| part.name).collect()
+    }
+
+    #[test]
+    fn frequencies_and_amplitudes_that_are_stepped_through_are_tests_of_their_own() {
+        let frequencies = |t: f64| match t {
+            t if t < 20.0 => (25.0, 0.2),
+            t if t < 26.0 => (25.0, 1.0),
+            t if t < 29.0 => (25.0, 2.0),
+            _ => (25.0, 4.0),
+        };
+        let parts = driven(31.0, frequencies);
+        assert_eq!(parts.iter().map(|part| part.time.len()).sum::<usize>(), 15_500, "nothing is left out");
+        assert!(parts.iter().all(|part| part.notes[0].kind == "rests"));
+        assert_eq!(names(parts), ["long 1 25mm 0.2Hz", "long 2 25mm 1Hz", "long 3 25mm 2Hz", "long 4 25mm 4Hz"]);
+        // As drives do it: in half a second from one to the next.
+        let steps = |t: f64| (if t % 6.0 > 5.5 { 2.0 * (t % 6.0 - 5.5) } else { 0.0 } + (t / 6.0).floor() + 1.0) * 4.0;
+        let found = names(driven(18.0, |t| (steps(t), 3.0)));
+        assert_eq!(found, ["long 1 4mm 3Hz", "long 2 8mm 3Hz", "long 3 12mm 3Hz"]);
+    }
+
+    #[test]
+    fn what_changes_little_by_little_or_all_the_time_is_one_test() {
+        for seconds in [20.0, 60.0] {
+            // A sweep of frequency, one of amplitude, and a drive that wanders by a tenth.
+            assert_eq!(driven(seconds, |t| (10.0, 0.5 * 16f64.powf(t / seconds))).len(), 1);
+            assert_eq!(driven(seconds, |t| (2.0 + 20.0 * t / seconds, 3.0)).len(), 1);
+            assert_eq!(driven(seconds, |t| (10.0, 2.0 * (1.0 + 0.1 * (TAU * t / 10.0).sin()))).len(), 1);
+            // A beat, as of two sines.
+            assert_eq!(driven(seconds, |t| (10.0 * (1.2 + (TAU * t / 4.0).sin()), 3.0)).len(), 1);
+        }
+        assert_eq!(driven(10.0, |_| (10.0, 2.0)).len(), 1);
+        // Run-up and run-down, and a hiccup.
+        assert_eq!(driven(12.0, |t| (10.0 * t.min(12.0 - t).min(1.0), 2.0)).len(), 1);
+        assert_eq!(driven(20.0, |t| (if (10.0..10.4).contains(&t) { 6.0 } else { 10.0 }, 2.0)).len(), 1);
+    }
+}
