@@ -168,7 +168,9 @@ impl Integration {
         let mean = |from: f64, to: f64| if to > from { (at(to) - at(from)) / (to - from) } else { f64::INFINITY };
         let (compression, rebound) = (mean(low, 0.0), mean(0.0, high));
         let damping = if compression < rebound { compression } else { rebound };
-        let swings = (SLACK * libm::sqrt(impedance) / damping.max(1e-3)).clamp(0.25, 10.0);
+        // Without a curve nothing damps the mass.
+        let damping = if damping < f64::INFINITY { damping.max(1e-3) } else { 1e-3 };
+        let swings = (SLACK * libm::sqrt(impedance) / damping).clamp(0.25, 10.0);
         // What bends the force does so as sharply where the mass does not swing.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;

@@ -4,12 +4,13 @@ use crate::case::{Case, Failure, Given, Run, prepare};
 use dashpot_core::parameter::Number;
 
 /// Elements whose force depends on the motion of the driven end alone: it has no equation to solve.
-const BESIDE: [&str; 11] = [
+const BESIDE: [&str; 12] = [
     "coulomb_friction",
     "stribeck_friction",
     "viscous_friction",
     "side_force_friction",
     "gas_preload",
+    "gas_warming",
     "lagged_polynomial",
     "presliding_friction",
     "gas_spring",
