@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fleets import damper, fleet, measure
+from fleets import TESTS, damper, fleet, measure
 
 import dashpot
 
@@ -23,6 +23,8 @@ pytest.importorskip("distributed")
 
 from dashpot.fleet import Limit, find_jobs, read_limits, write_report  # noqa: E402
 from dashpot.fleet.examine import Plan, examine  # noqa: E402
+from dashpot.fleet.limits import judge  # noqa: E402
+from dashpot.fleet.measured import Measured  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
@@ -276,33 +278,64 @@ def test_what_cannot_be_is_said(campaigns: Path, tmp_path: Path) -> None:
         _, err = process.communicate(timeout=60)
         assert process.returncode == 2 and words in err and "Traceback" not in err, err
     for text, words in [
-        ("quantity,low,high\n", "line 1"),
+        ("quantity,low,hgih\n", "line 1: there is no column 'hgih'"),
         ("quantity,velocity_m_s,low,high\ncolour,,1,2\n", "line 2: there is no quantity 'colour'"),
         ("quantity,velocity_m_s,low,high\n\nforce,,1,2\n", "line 3"),
         ("quantity,velocity_m_s,low,high\nfriction,,x,2\n", "no number"),
         ("quantity,velocity_m_s,low,high\nfriction,,3,2\n", "must not be above"),
         ("quantity,velocity_m_s,low,high\nfriction,,,\n", "nothing to keep"),
         ("quantity,velocity_m_s,low,high\n", "no limit in it"),
+        ("quantity,velocity_m_s,low,high\nforce,nan,1,2\n", "no number"),
+        ("quantity,velocity_m_s,low,high\nforce,-0.5,800,900\n", "positive at a negative velocity"),
+        ("quantity,nominal,tolerance\nfriction,30,\n", "belong together"),
     ]:
         limits.write_text(text)
         with pytest.raises(dashpot.DashpotError, match=words):
             read_limits(limits)
 
 
-def test_limits_are_judged_by_what_the_damper_does(tmp_path: Path) -> None:
-    measure(damper(), tmp_path / "c", seed=1)
+def test_limits_are_judged_by_what_the_rig_measured(tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "c", seed=1, tests=[*TESTS, (0.025, 0.4)])
+    measure(damper(1.2), tmp_path / "short", seed=2, tests=[(0.005, 0.26)])
+    (tmp_path / "short" / "a5_v260.csv").rename(tmp_path / "c" / "short.csv")
     campaign = dashpot.Campaign.read(tmp_path / "c")
-    model = damper()
-    validation = model.validate(campaign)
-    force = Limit("force", 0.25, 0, 1e9).value(model, validation)
-    # FV curve, friction, and the gas that pushes the rod out.
-    assert force == pytest.approx(1150 + 30 - 140, rel=1e-3)
-    assert Limit("friction", None, 0, 1e9).value(model, validation) == pytest.approx(30, rel=0.5)
-    assert Limit("gas_force", None, 0, 1e9).value(model, validation) == 140
-    gap = Limit("hysteresis", 0.26, 0, 1e9).value(model, validation)
+    validation = damper().validate(campaign)
+    measured = Measured.of(validation, campaign)
+    assert Measured.read(measured.text()) == measured
+
+    def value(quantity: str, velocity: float | None = None, amplitude: float | None = None) -> float | None:
+        return Limit(quantity, velocity, 0, 1e9, amplitude).value(measured)
+
+    # The curve at a quarter of a metre per second with friction and the gas that pushes the rod out; of the longest stroke.
+    assert value("force", 0.26) == pytest.approx(1150 + 30 - 140, rel=0.03)
+    assert value("force", 0.26, 0.005) == pytest.approx(1.2 * 1150 + 30 - 140, rel=0.03)
+    # Between two tests of one stroke that lie within a factor of two; beyond, and beyond the fastest, nothing is known.
+    assert value("force", 0.45) == pytest.approx(1150 + 0.8 * 350 + 30 - 140, rel=0.03)
+    assert value("force", 0.1) is None and value("force", 1.5) is None
+    # At the speeds above half of 3 mm/s, 2.4 in the middle, the valves add a little to the friction.
+    assert value("friction") == pytest.approx(30 + 0.0024 * 0.5 * (600 + 330) / 0.1, abs=2)
+    assert value("gas_force") == pytest.approx(140, abs=5)
     own = next(t for t in validation.tests if t.name == "a25_v260")
-    assert own.hysteresis is not None and gap == own.hysteresis.mean_gap_n.measured
-    assert "no test" in str(Limit("hysteresis", 2.0, 0, 1).missed(Limit("hysteresis", 2.0, 0, 1).value(model, validation)))
+    assert own.hysteresis is not None and value("hysteresis", 0.26) == own.hysteresis.mean_gap_n.measured
+    assert value("hysteresis", 0.24) is None
+    assert value("hysteresis") == max(t.hysteresis.mean_gap_n.measured for t in validation.tests if t.hysteresis is not None)
+    (tmp_path / "c" / "a25_v3.csv").unlink()
+    fast = dashpot.Campaign.read(tmp_path / "c")
+    missed = judge([Limit("friction", None, 0, 1e9), Limit("force", 1.5, 0, 1e9)], Measured.of(damper().validate(fast), fast))
+    assert ["not tested" in told for told in missed] == [True, True] and "6 mm/s" in missed[0]
+    row = examine(find_jobs([tmp_path / "c"])[0], "k", Plan(family="fv", limits=(Limit("friction", None, 0, 1e9),)))
+    assert row["judgement"] == "failed" and "not tested" in row["missed"][0]
+
+
+def test_the_table_of_limits_in_the_book_is_read(tmp_path: Path) -> None:
+    book = (Path(__file__).parents[3] / "docs" / "book" / "src" / "identification.md").read_text(encoding="utf-8")
+    lines = book[book.index("    quantity,velocity_m_s,low,high,nominal") :].split("\n\n")[0].splitlines()
+    (tmp_path / "book.csv").write_text("\n".join(line.strip() for line in lines) + "\n")
+    limits = read_limits(tmp_path / "book.csv")
+    assert [limit.quantity for limit in limits] == ["force", "force", "gas_force", "friction", "hysteresis"]
+    assert (limits[0].low, limits[0].high, limits[0].label) == (1700 - 136, 1700 + 136, "R3")
+    (tmp_path / "german.csv").write_bytes("# vorn\nquantity;velocity_m_s;low;high;unit;name\nforce;0,524;0,9;1;kN;Dämpfer\n".encode("cp1252"))
+    assert read_limits(tmp_path / "german.csv") == (Limit("force", 0.524, 900, 1000, None, "Dämpfer"),)
 
 
 class TestStatistics:

@@ -133,3 +133,24 @@ def test_results_survive_a_dictionary(campaign: dashpot.Campaign, model: dashpot
     assert dashpot.FitResult.from_dict(json.loads(json.dumps(model.fit.to_dict()))) == model.fit
     validation = model.validate(campaign)
     assert dashpot.Validation.from_dict(validation.to_dict()) == validation
+
+
+def test_a_fleet_judges_limits_as_the_command_does(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+    pytest.importorskip("pyarrow")
+    from dashpot.fleet import read_limits
+    from dashpot.fleet.measured import Measured
+
+    speeds = [f"{quantity},{v},-9999,9999" for quantity in ("force", "hysteresis") for v in (0.05, 0.26, 0.4, 1.0, 1.5, -0.26, -1.0)]
+    lines = ["quantity,velocity_m_s,low,high", *speeds, "friction,,0,9999", "gas_force,,0,9999", "hysteresis,,0,9999"]
+    text = "\n".join(line.replace("-9999", "") if ",-" not in line else line for line in lines)
+    (command.folder / "limits.csv").write_text(text + "\n")
+    model.write(command.folder / "judged.toml")
+    command.run("validate", "judged.toml", str(records), "--limits", "limits.csv", "--json", "judged.json")
+    said = command.json("judged.json")["limits"]["limits"]
+    measured = Measured.of(model.validate(campaign), campaign)
+    limits = read_limits(command.folder / "limits.csv")
+    assert len(limits) == len(said) == len(lines) - 1
+    for limit, theirs in zip(limits, said, strict=True):
+        mine = limit.value(measured)
+        assert mine == (theirs["measured"] and pytest.approx(theirs["measured"]["value_n"], rel=1e-9)), limit
+        assert (mine is None) == (theirs["verdict"] == "not_tested")

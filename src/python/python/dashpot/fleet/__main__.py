@@ -22,7 +22,7 @@ _EXAMPLES = """examples:
   python -m dashpot.fleet fleet.csv --out results.parquet --slurm 100 --slurm-queue normal
 
 fleet.csv has the columns campaign, serial, batch, date (all but the first may be missing); its paths count from its own folder.
-limits.csv has the columns quantity, velocity_m_s, low, high; quantity is force, gas_force, friction or hysteresis.
+limits.csv is the table of dashpot validate --limits: quantity, velocity_m_s, low, high, or nominal and tolerance.
 A run that was ended goes on where it was when it is started again: finished campaigns are kept in OUT.parts.
 """
 

@@ -16,6 +16,7 @@ from ..identification import diagnose, fit
 from ..model import Model
 from .jobs import Job
 from .limits import Limit, judge
+from .measured import Measured
 
 #: Velocities, m/s, at which the force of every damper is told, so that curves with other points can be compared: peak
 #: velocities of the thesis's matrix.
@@ -88,7 +89,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     model = fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
     validation = model.validate(campaign)
     assert model.fit is not None
-    missed = judge(plan.limits, model, validation)
+    missed = judge(plan.limits, Measured.of(validation, campaign)) if plan.limits else []
     figures: dict[str, Any] = {
         "tests": len(campaign),
         "misfit": model.fit.misfit,
