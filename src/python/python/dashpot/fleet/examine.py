@@ -14,6 +14,7 @@ from .. import _native
 from ..campaign import Campaign
 from ..identification import diagnose, fit
 from ..model import Model
+from .files import Stamp, stamps
 from .jobs import Job
 from .limits import Limit, judge
 from .measured import Measured
@@ -53,7 +54,8 @@ class Plan:
     def said(self) -> str:
         """All that decides what comes out, as text."""
         decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
-        return json.dumps([_native.VERSION, decides], sort_keys=True)
+        made_of = stamps(self.reference) if self.reference is not None else []
+        return json.dumps([_native.VERSION, decides, made_of], sort_keys=True)
 
 
 def force_column(velocity: float) -> str:
@@ -62,7 +64,8 @@ def force_column(velocity: float) -> str:
 
 
 @lru_cache(maxsize=2)
-def _reference(path: str, mapping: str) -> Campaign:
+def _reference(path: str, mapping: str, made_of: tuple[Stamp, ...]) -> Campaign:
+    """The campaign of the reference damper as its files are now: workers of a cluster outlive a run, and the files may change."""
     return Campaign.read(path, **json.loads(mapping))
 
 
@@ -120,7 +123,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
 
 def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
     assert plan.reference is not None and plan.reference_model is not None
-    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True))
+    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True), tuple(stamps(plan.reference)))
     reference = Model(plan.reference_model, "reference.toml")
     found = diagnose(reference, campaign, good, max_effects=plan.max_effects, candidates=plan.candidates)
     said: dict[str, Any] = {
