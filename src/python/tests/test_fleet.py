@@ -23,6 +23,7 @@ pytest.importorskip("distributed")
 
 from dashpot.fleet import Limit, find_jobs, read_limits, write_report  # noqa: E402
 from dashpot.fleet.examine import Plan, examine  # noqa: E402
+from dashpot.fleet.files import RECORDS  # noqa: E402
 from dashpot.fleet.limits import judge  # noqa: E402
 from dashpot.fleet.measured import Measured  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
@@ -403,3 +404,103 @@ def test_a_report_is_the_same_twice(campaigns: Path, cluster: list[str], tmp_pat
     (tmp_path / "c.html").write_text("my notes")
     with pytest.raises(dashpot.OutputError):
         write_report(tmp_path / "r.parquet", tmp_path / "c.html")
+
+
+def test_workers_that_stay_up_see_a_reference_that_was_put_right(tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "d", seed=1)
+    measure(damper(friction=90), tmp_path / "good", seed=2)
+    job = find_jobs([tmp_path / "d"])[0]
+
+    def reference_friction() -> float:
+        good = dashpot.fit(dashpot.Campaign.read(tmp_path / "good"), elements=ELEMENTS.split(","))
+        plan = Plan(
+            elements=tuple(ELEMENTS.split(",")), reference=str(tmp_path / "good"), reference_model=good.text, candidates=("free_play",)
+        )
+        row = examine(job, "k", plan)
+        assert row["status"] == "ok", row["reason"]
+        told: list[dict[str, Any]] = row["changed"]
+        return next((c["reference"] for c in told if c["parameter"] == "coulomb_force"), 0.0)
+
+    assert reference_friction() == pytest.approx(90, abs=10)
+    shutil.rmtree(tmp_path / "good")
+    measure(damper(), tmp_path / "good", seed=3)
+    assert reference_friction() < 60
+    assert Plan(reference=str(tmp_path / "good")).said() != Plan(reference=str(tmp_path / "d")).said()
+
+
+class TestJobs:
+    """Which campaigns there are, and when one has changed."""
+
+    @pytest.fixture
+    def two(self, tmp_path: Path) -> Path:
+        for k in range(2):
+            measure(damper(), tmp_path / "fleet" / f"d{k}", seed=k, tests=TESTS[:2])
+        return tmp_path / "fleet"
+
+    def test_a_change_of_any_file_that_is_read_is_seen(self, two: Path) -> None:
+        deep = two / "d0"
+        (deep / "slow").mkdir()
+        (deep / "a25_v3.csv").rename(deep / "slow" / "a25_v3.csv")
+        job, single = find_jobs([deep])[0], find_jobs([two / "d1" / "a25_v3.csv"])[0]
+        keys = [job.key("")]
+        (deep / "campaign.toml").write_text('format = "dashpot campaign profile 1"\nsubfolders = true\n')
+        keys.append(job.key(""))
+        (deep / "slow" / "a25_v3.csv").write_text("changed\n")
+        keys.append(job.key(""))
+        assert len(set(keys)) == 3
+        (deep / "notes.md").write_text("of no concern")
+        assert job.key("") == keys[-1]
+        before = single.key("")
+        (two / "d1" / "campaign.toml").write_text('format = "dashpot campaign profile 1"\ngain = 2.0\n')
+        assert single.key("") != before
+
+    def test_a_folder_whose_records_lie_in_subfolders_is_one_damper(self, two: Path) -> None:
+        assert [Path(j.campaign).name for j in find_jobs(two)] == ["d0", "d1"]
+        (two / "campaign.toml").write_text('format = "dashpot campaign profile 1"\nsubfolders = true\n')
+        assert [j.campaign for j in find_jobs([two])] == [str(two)]
+
+    @pytest.mark.parametrize("ending", ["tra", "lvm", "mf4", "mdf", "tdms", "xlsm"])
+    def test_every_format_of_the_reader_makes_a_campaign(self, tmp_path: Path, ending: str) -> None:
+        (tmp_path / f"x.{ending}").write_text("")
+        (tmp_path / "plots").mkdir()
+        assert [j.campaign for j in find_jobs([tmp_path])] == [str(tmp_path)]
+
+    def test_the_endings_are_those_of_the_reader(self) -> None:
+        source = (Path(__file__).parents[2] / "records" / "src" / "campaign.rs").read_text(encoding="utf-8")
+        listed = source.split("pub const ENDINGS")[1].split("];")[0].split("=")[1]
+        assert {f".{e}" for e in listed.split('"')[1::2]} == RECORDS
+
+    def test_lists_and_notes_beside_campaigns_do_not_make_one_of_them(self, two: Path) -> None:
+        (two / "fleet.csv").write_text("campaign,serial\nd0,S0\n")
+        (two / "notes.txt").write_text("measured on 2026-03-02\n12 34\n")
+        assert [Path(j.campaign).name for j in find_jobs([two])] == ["d0", "d1"]
+        # Records of its own beside a folder of older ones are a campaign still.
+        shutil.copy(two / "d0" / "a25_v3.csv", two)
+        assert [j.campaign for j in find_jobs([two])] == [str(two)]
+
+    def test_lists_are_read_as_spreadsheets_write_them(self, two: Path) -> None:
+        plain = "campaign,serial\nd0,Dämpfer\n"
+        for text, encoding in (
+            (plain, "utf-8"),
+            (plain, "utf-8-sig"),
+            (plain, "utf-16"),
+            (plain, "cp1252"),
+            (plain.replace(",", ";"), "cp1252"),
+            (plain.replace(",", "\t"), "utf-16"),
+            ('"campaign","serial"\r\n"d0","Dämpfer"\r\n', "utf-8"),
+        ):
+            (two / "list.csv").write_bytes(text.encode(encoding))
+            (job,) = find_jobs([two / "list.csv"])
+            assert (Path(job.campaign).name, job.serial) == ("d0", "Dämpfer"), (text, encoding)
+
+    def test_a_campaign_that_is_listed_twice_is_told(self, two: Path) -> None:
+        (two / "list.csv").write_text("campaign,serial\nd0,S0\nd1,S1\n./d0,S2\n")
+        with pytest.raises(dashpot.RecordError, match=r"list.csv, line 4: the campaign .*d0 is listed already \(.*line 2\)"):
+            find_jobs([two / "list.csv"])
+        (two / "list.csv").write_text("campaign,serial\nd0,S0\n")
+        (two / "other.csv").write_text("campaign,serial\nd0,S9\n")
+        with pytest.raises(dashpot.RecordError, match="listed already"):
+            find_jobs([two / "list.csv", two / "other.csv"])
+        # A folder says nothing of its damper that a list could contradict.
+        for paths in ([two / "list.csv", two / "d0", f"{two}/d0/"], [two / "d0", two / "list.csv"]):
+            assert [j.serial for j in find_jobs(paths)] == ["S0"]

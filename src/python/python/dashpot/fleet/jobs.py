@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import csv
 import datetime
 import hashlib
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .._native import RecordError
+from ._text import delimiter_of, heading_of, rows_of, text_of
+from .files import folders_in, is_campaign, stamps
 
-#: Endings of record files; those that the reader takes out of a folder.
-RECORDS = {".csv", ".txt", ".tsv", ".asc", ".dat", ".xlsx", ".xlsm", ".mat", ".rsp", ".drv", ".tim"}
 #: Columns of a list of campaigns; all but the first may be missing.
 COLUMNS = ("campaign", "serial", "batch", "date")
 
@@ -30,78 +29,124 @@ class Job:
     """ISO date, ``2026-11-23``, with or without a time."""
 
     def key(self, said: str) -> str:
-        """What makes this work the same as work done before: the campaign, its files as they are now, and the plan."""
-        files = []
-        path = Path(self.campaign)
-        for file in sorted(path.iterdir()) if path.is_dir() else [path]:
-            try:
-                stat = file.stat()
-                files.append((file.name, stat.st_size, stat.st_mtime_ns))
-            except OSError:
-                files.append((file.name, -1, -1))
-        text = json.dumps([asdict(self), files, said], sort_keys=True)
-        return hashlib.sha256(text.encode()).hexdigest()[:32]
+        """What makes this work the same as work done before: the campaign, its files as they are now, and the plan.
+
+        Serial number, batch and date are not in it: they stand in the table and change no figure.
+        """
+        path = os.path.abspath(self.campaign)
+        text = json.dumps([path, stamps(path), said], sort_keys=True)
+        return hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()[:32]
+
+    def checked(self) -> Job:
+        """The job with text in every field, where a table of pandas gave numbers, paths or dates.
+
+        :raises RecordError: naming the field that cannot be.
+        """
+        campaign = self.campaign
+        if not isinstance(campaign, (str, os.PathLike)):
+            raise RecordError(f"Job.campaign is a path as str or pathlib.Path, not {campaign!r}")
+        campaign = os.fspath(campaign)
+        if not isinstance(campaign, str) or not campaign:
+            raise RecordError(f"Job.campaign is a path as str or pathlib.Path, not {campaign!r}")
+        words = {name: _word(name, getattr(self, name), campaign) for name in ("serial", "batch")}
+        date: object = self.date
+        if date is None or date != date:  # what pandas writes where there is none
+            date = ""
+        if isinstance(date, datetime.date):
+            date = date.isoformat()
+        if not isinstance(date, str):
+            raise RecordError(f"Job.date of {campaign} is {date!r}; write it as 2026-11-23 or 2026-11-23T14:05, or give a datetime.date")
+        try:
+            return replace(self, campaign=campaign, date=iso(date), **words)
+        except ValueError:
+            raise RecordError(f"Job.date of {campaign}: {date!r} is no date; write it as 2026-11-23 or 2026-11-23T14:05") from None
 
 
-def find_jobs(paths: Sequence[str | os.PathLike[str]]) -> list[Job]:
+def _word(name: str, value: object, campaign: str) -> str:
+    if value is None or value != value:
+        return ""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise RecordError(f"Job.{name} of {campaign} is {value!r}; it is text or a whole number")
+    return str(value)
+
+
+def iso(date: str) -> str:
+    """A date in ISO's form, as Python 3.10 reads it too; empty where there is none.
+
+    :raises ValueError: where it is no date.
+    """
+    date = date.strip()
+    if date.endswith(("Z", "z")):
+        date = date[:-1] + "+00:00"
+    return datetime.datetime.fromisoformat(date).isoformat() if date else ""
+
+
+def find_jobs(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> list[Job]:
     """The campaigns that the paths stand for, in their order, each once.
 
     A folder with records is a campaign; a folder of such folders is all of them; a CSV file with the column ``campaign`` is a
-    list, whose paths count from its own folder and which may have the columns serial, batch and date.
+    list, whose paths count from its own folder and which may have the columns serial, batch and date. What a list says of a campaign
+    holds where its folder is given too.
 
-    :raises RecordError: where a path is not there or a list is wrong. A campaign in a list that is not there becomes a row.
+    :raises RecordError: where a path is not there, a list is wrong, or lists say two things of one campaign. A campaign in a list
+        that is not there becomes a row.
     """
-    jobs: dict[str, Job] = {}
-    for given in paths:
+    found: dict[str, tuple[Job, str]] = {}
+    for given in [paths] if isinstance(paths, (str, os.PathLike)) else paths:
         path = Path(given)
         if not path.exists():
             raise RecordError(f"{path}: there is no such file or folder")
-        for job in _listed(path) if _is_list(path) else _folder(path):
-            jobs.setdefault(job.campaign, job)
-    if not jobs:
+        for job, said in _listed(path) if _is_list(path) else _folder(path):
+            place = os.path.abspath(job.campaign)
+            before, there = found.get(place, (job, ""))
+            if said and there and (said.split(", line")[0] == there.split(", line")[0] or replace(before, campaign=job.campaign) != job):
+                raise RecordError(f"{said}: the campaign {job.campaign} is listed already ({there}); a campaign is one damper and one row")
+            if place not in found or (said and not there):
+                found[place] = job, said
+    if not found:
         raise RecordError("there is no campaign: give folders with records, a folder of such folders, or a list (CSV)")
-    return list(jobs.values())
+    return [job for job, _ in found.values()]
 
 
 def _is_list(path: Path) -> bool:
     if path.suffix.lower() != ".csv" or path.is_dir():
         return False
-    with path.open(encoding="utf-8-sig", errors="replace") as file:
-        return "campaign" in [c.strip().lower() for c in file.readline().split(",")]
+    heading = heading_of(text_of(path))
+    return "campaign" in [c.lower() for _, row in rows_of(heading, delimiter_of(heading), path) for c in row]
 
 
-def _listed(path: Path) -> list[Job]:
-    with path.open(encoding="utf-8-sig", newline="") as file:
-        reader = csv.reader(file)
-        head = [c.strip().lower() for c in next(reader)]
-        unknown = [c for c in head if c not in COLUMNS]
-        if unknown:
-            raise RecordError(f"{path}, line 1: there is no column {unknown[0]!r}; the columns are {', '.join(COLUMNS)}")
-        jobs = []
-        for row in reader:
-            if not any(cell.strip() for cell in row):
-                continue
-            line = reader.line_num
-            if len(row) != len(head):
-                raise RecordError(f"{path}, line {line}: {len(row)} cells where the first line has {len(head)}")
-            said = {name: cell.strip() for name, cell in zip(head, row, strict=True)}
-            try:
-                said["date"] = datetime.datetime.fromisoformat(said["date"]).isoformat() if said.get("date") else ""
-            except ValueError:
-                raise RecordError(
-                    f"{path}, line {line}: {said['date']!r} is no date; write it as 2026-11-23 or 2026-11-23T14:05"
-                ) from None
-            said["campaign"] = os.path.join(path.parent, said["campaign"])
-            jobs.append(Job(**said))
+def _listed(path: Path) -> list[tuple[Job, str]]:
+    """The campaigns of a list, each with the place where it stands."""
+    text = text_of(path)
+    rows = rows_of(text, delimiter_of(heading_of(text)), path)
+    first, head = next(rows)
+    head = [c.lower() for c in head]
+    unknown = [c for c in head if c not in COLUMNS]
+    if unknown:
+        raise RecordError(f"{path}, line {first}: there is no column {unknown[0]!r}; the columns are {', '.join(COLUMNS)}")
+    twice = [c for c in head if head.count(c) > 1]
+    if twice:
+        raise RecordError(f"{path}, line {first}: the column {twice[0]!r} stands there twice")
+    jobs = []
+    for line, row in rows:
+        at = f"{path}, line {line}"
+        if len(row) != len(head):
+            raise RecordError(f"{at}: {len(row)} cells where the first line has {len(head)}")
+        said = dict(zip(head, row, strict=True))
+        if not said["campaign"]:
+            raise RecordError(f"{at}: the cell of the campaign is empty")
+        try:
+            said["date"] = iso(said.get("date", ""))
+        except ValueError:
+            raise RecordError(f"{at}: {said['date']!r} is no date; write it as 2026-11-23 or 2026-11-23T14:05") from None
+        said["campaign"] = os.path.join(path.parent, said["campaign"])
+        jobs.append((Job(**said), at))
     return jobs
 
 
-def _folder(path: Path) -> list[Job]:
-    if not path.is_dir() or _has_records(path):
-        return [Job(str(path), path.stem if path.is_file() else path.name)]
-    inside = sorted(p for p in path.iterdir() if p.is_dir() and not p.name.startswith("."))
-    return [Job(str(p), p.name) for p in inside]
-
-
-def _has_records(path: Path) -> bool:
-    return any(p.is_file() and p.suffix.lower() in RECORDS for p in path.iterdir())
+def _folder(path: Path) -> list[tuple[Job, str]]:
+    if not path.is_dir() or is_campaign(path):
+        return [(Job(str(path), path.stem if path.is_file() else path.name), "")]
+    return [(Job(str(p), p.name), "") for p in folders_in(path)]
