@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -139,3 +141,20 @@ def test_a_model_may_be_written_where_it_was_read(tmp_path: Path) -> None:
     again = dashpot.Model.read(tmp_path / "Modell ä.toml")
     again.write(tmp_path / "Modell ä.toml")
     assert dashpot.Model.read(tmp_path / "Modell ä.toml") == damper()
+
+
+def test_names_of_tests_are_shown_as_they_stand(own: dashpot.Campaign, tmp_path: Path) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from dashpot import plot
+
+    for source, name in zip(sorted(Path(own.paths[0]).iterdir()), ("_first", "price $5^$", "50 %", "a_b"), strict=False):
+        shutil.copy(source, tmp_path / f"{name}.csv")
+    campaign = dashpot.Campaign.read(tmp_path)
+    validation = damper().validate(campaign)
+    drawn = plot.campaign(campaign)
+    drawn.legend()
+    legend = drawn.get_legend()
+    assert legend is not None and len(legend.get_texts()) == len(campaign)
+    for axes in (drawn, plot.errors(validation), plot.loop(validation, campaign, "price $5^$")):
+        axes.figure.savefig(io.BytesIO())

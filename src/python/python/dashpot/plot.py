@@ -23,6 +23,11 @@ __all__ = ["campaign", "changed", "curve", "errors", "improvement", "loop"]
 MEASURED, MODEL, FV_ONLY = "#111111", "#1f6feb", "#d97706"
 
 
+def plain(text: str) -> str:
+    """Text that matplotlib shows as it stands: between two dollars it would read a formula."""
+    return text.replace("$", r"\$")
+
+
 def _axes(axes: Axes | None) -> Axes:
     if axes is not None:
         return axes
@@ -38,7 +43,9 @@ def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
     """Force over velocity of every test of a campaign."""
     drawn = _axes(axes)
     for record in records:
-        drawn.plot(record.velocity, record.force, lw=0.6, label=record.name)
+        # A label that begins with an underline is none to matplotlib.
+        label = plain(record.name)
+        drawn.plot(record.velocity, record.force, lw=0.6, label=f"\u200b{label}" if label.startswith("_") else label)
     drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
     return drawn
 
@@ -53,7 +60,7 @@ def loop(validation: Validation, records: Campaign, test: str, over: str = "velo
     drawn.plot(at, fv_only, color=FV_ONLY, lw=1.0, ls="--", label="FV curve")
     drawn.plot(at, model, color=MODEL, lw=1.2, label="model")
     units = {"velocity": "m/s", "displacement": "m", "time": "s"}
-    drawn.set(xlabel=f"{over}, {units[over]}", ylabel="force, N", title=test)
+    drawn.set(xlabel=f"{over}, {units[over]}", ylabel="force, N", title=plain(test))
     drawn.legend()
     return drawn
 
@@ -75,7 +82,7 @@ def errors(validation: Validation, axes: Axes | None = None) -> Axes:
     at = np.arange(len(tests))
     drawn.barh(at - 0.2, [t.fv_only.error_percent for t in tests], 0.4, color=FV_ONLY, label="FV curve")
     drawn.barh(at + 0.2, [t.error_percent for t in tests], 0.4, color=MODEL, label="model")
-    drawn.set_yticks(at, [t.name if t.used_in_fit else f"{t.name} (left out)" for t in tests], fontsize=7)
+    drawn.set_yticks(at, [plain(t.name if t.used_in_fit else f"{t.name} (left out)") for t in tests], fontsize=7)
     drawn.invert_yaxis()
     drawn.set(xlabel="mean error, % of the largest force")
     drawn.legend()
@@ -88,7 +95,7 @@ def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
     curves = found.curves(test)
     for name, colour in (("measured", MEASURED), ("before", FV_ONLY), ("after", MODEL)):
         drawn.plot(curves["velocity"], curves[name], color=colour, lw=1.0, label=name)
-    drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)", title=test)
+    drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)", title=plain(test))
     drawn.legend()
     return drawn
 

@@ -12,7 +12,7 @@ from .cluster import Place
 from .examine import Plan
 from .jobs import find_jobs
 from .limits import read_limits
-from .report import write_report
+from .report import check_target, write_report
 from .schedule import CHUNK, run, to_terminal
 
 _EXAMPLES = """examples:
@@ -85,7 +85,7 @@ def _split(text: str | None) -> tuple[str, ...]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command; 0, or 2 after a sentence that says what to do."""
+    """Runs the command; 0, 1 where every campaign failed, or 2 after a sentence that says what to do."""
     args = _parser().parse_args(arguments)
     try:
         mapping: dict[str, Any] = {
@@ -106,6 +106,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             candidates=_split(args.candidates) or None,
             retries=max(0, args.retries),
         )
+        if args.report:
+            check_target(args.report)
         place = Place(args.workers, args.scheduler, args.slurm, args.slurm_queue, args.slurm_memory, args.slurm_walltime)
         tell = (lambda _: None) if args.quiet else to_terminal()
         done = run(find_jobs(args.campaigns), args.out, plan, place, chunk=args.chunk, again=args.again, tell=tell)
@@ -113,6 +115,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if args.report:
             write_report(args.out, args.report)
             print(f"report: {args.report}")
+        if done.failed == done.campaigns:
+            print("dashpot.fleet: no campaign could be identified; the table has the reason of each", file=sys.stderr)
+            return 1
     except (DashpotError, OSError, UnicodeDecodeError) as error:
         print(f"dashpot.fleet: {error}", file=sys.stderr)
         return 2

@@ -19,6 +19,7 @@ import numpy as np
 import pyarrow.parquet as pq
 
 from .._native import DashpotError, OutputError
+from ..plot import plain
 from .examine import VELOCITIES, force_column
 from .statistics import OUTLIER, Control, Numbers, Places, batches, control, drift, far_off, spread
 
@@ -26,6 +27,8 @@ from .statistics import OUTLIER, Control, Numbers, Places, batches, control, dri
 OUTLIERS = 100
 #: Reasons and refused campaigns told one by one.
 REASONS = 20
+#: What stands in the head of every page that dashpot writes.
+_GENERATED = re.compile(r'<meta name="?generator"? content="?dashpot')
 _HEAD = """<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="dashpot">
 <title>Fleet of dampers</title><style>
 body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#1b1f24}
@@ -48,6 +51,24 @@ def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) 
 
     :raises DashpotError: where matplotlib is missing or there is nothing to report.
     """
+    target = check_target(path)
+    text = report(results)
+    handle, half = tempfile.mkstemp(prefix=".half-", dir=target.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
+            file.write(text)
+        os.chmod(half, 0o644)
+        os.replace(half, target)
+    except BaseException:
+        Path(half).unlink(missing_ok=True)
+        raise
+
+
+def check_target(path: str | os.PathLike[str]) -> Path:
+    """Whether a report can be made and written there.
+
+    :raises DashpotError: where matplotlib is missing, or the path is no place for a report.
+    """
     try:
         import matplotlib.figure  # noqa: F401
     except ImportError as error:
@@ -55,14 +76,12 @@ def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) 
     target = Path(path)
     if not target.parent.is_dir():
         raise OutputError(f"cannot write {target}: there is no folder {target.parent}; make it first")
-    if target.is_file() and "dashpot" not in target.read_text(encoding="utf-8", errors="replace")[:400]:
+    if target.is_dir():
+        raise OutputError(f"cannot write {target}: it is a folder; name a file in it")
+    # As the command does: a page of dashpot's names it as what made it.
+    if target.exists() and target.stat().st_size and not _GENERATED.search(target.read_text(encoding="utf-8", errors="replace")[:4096]):
         raise OutputError(f"cannot write {target}: it is there already and is no report of dashpot; name another file")
-    text = report(results)
-    handle, half = tempfile.mkstemp(prefix=".half-", dir=target.parent)
-    with os.fdopen(handle, "w", encoding="utf-8") as file:
-        file.write(text)
-    os.chmod(half, 0o644)
-    os.replace(half, target)
+    return target
 
 
 def report(results: str | os.PathLike[str]) -> str:
@@ -103,7 +122,7 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
 
 def _natural(text: str) -> list[tuple[int, int, str]]:
     """Orders D9 before D10."""
-    return [(0, int(part), "") if part.isdigit() else (1, 0, part) for part in re.split(r"(\d+)", text or "")]
+    return [(0, int(part), "") if part.isdecimal() else (1, 0, part) for part in re.split(r"(\d+)", text or "")]
 
 
 def _day(date: str | None) -> float:
@@ -245,7 +264,7 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
         half = np.nan_to_num(np.array([g.high - g.mean for g in groups]))
         axes[3].errorbar(at, means, yerr=half, fmt="o", ms=4, capsize=3, color="#4f7cac")
         if len(groups) <= 12:
-            axes[3].set_xticks(at, [g.name for g in groups], rotation=45, ha="right", fontsize=7)
+            axes[3].set_xticks(at, [plain(g.name) for g in groups], rotation=45, ha="right", fontsize=7)
         axes[3].set_xlabel("batch")
     else:
         _empty(axes[3], "no batches")

@@ -16,6 +16,8 @@ Places = npt.NDArray[np.intp]
 OUTLIER = 3.5
 #: Standard deviation of a normal distribution over its median absolute deviation.
 PER_MAD = 1.4826
+#: The same over its mean absolute deviation.
+PER_MEAN = 1.2533
 #: Half-width of the limits of an individuals chart over the mean moving range: 3 / d2 for two values (Montgomery, Introduction to
 #: Statistical Quality Control, 6.4).
 PER_RANGE = 2.66
@@ -48,11 +50,19 @@ def spread(values: Numbers) -> Spread:
 
 
 def far_off(values: Numbers) -> Numbers:
-    """Distance of each from the median in robust deviations; 0 where nothing spreads, not a number where there is no value."""
+    """Distance of each from the median in robust deviations; 0 where nothing spreads, not a number where there is no value.
+
+    Where more than half of the values are the same, the median of the deviations is 0; the mean of them stands in its place
+    (Iglewicz and Hoaglin).
+    """
     usual = spread(values)
-    if not usual.deviation > 1e-12 * max(1.0, abs(usual.median)):
+    least = 1e-12 * max(1.0, abs(usual.median))
+    deviation = usual.deviation
+    if not deviation > least and usual.count:
+        deviation = PER_MEAN * float(np.nanmean(np.abs(np.where(np.isfinite(values), values, np.nan) - usual.median)))
+    if not deviation > least:
         return np.where(np.isfinite(values), 0.0, np.nan)
-    return (values - usual.median) / usual.deviation
+    return (values - usual.median) / deviation
 
 
 @dataclass(frozen=True)
