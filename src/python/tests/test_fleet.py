@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import datetime
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +22,17 @@ from fleets import TESTS, damper, fleet, measure
 import dashpot
 
 pq = pytest.importorskip("pyarrow.parquet")
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
 
-from dashpot.fleet import Limit, find_jobs, read_limits, write_report  # noqa: E402
-from dashpot.fleet.examine import Plan, examine  # noqa: E402
+from dashpot.fleet import Job, Limit, Place, find_jobs, read_limits, write_report  # noqa: E402
+from dashpot.fleet import run as run_jobs  # noqa: E402
+from dashpot.fleet.checks import checked  # noqa: E402
+from dashpot.fleet.cluster import wait_for_workers  # noqa: E402
+from dashpot.fleet.examine import Plan, examine, examine_all  # noqa: E402
 from dashpot.fleet.files import RECORDS  # noqa: E402
 from dashpot.fleet.limits import judge  # noqa: E402
 from dashpot.fleet.measured import Measured  # noqa: E402
+from dashpot.fleet.schedule import _kept  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
@@ -350,6 +357,9 @@ class TestStatistics:
         off = np.abs(far_off(values))
         assert off.argmax() == 17 and (off > 3.5).sum() <= 2
         assert (far_off(np.full(9, 5.0)) == 0).all()
+        # More than half are the same: one that is far off is an outlier still, and one that is hardly off is none.
+        few = far_off(np.array([0.0] * 13 + [12.0, 50000.0, np.nan]))
+        assert few[14] > 3.5 > abs(few[13]) and few[0] == 0 and np.isnan(few[15])
 
     def test_drift(self) -> None:
         at = np.arange(400.0)
@@ -504,3 +514,190 @@ class TestJobs:
         # A folder says nothing of its damper that a list could contradict.
         for paths in ([two / "list.csv", two / "d0", f"{two}/d0/"], [two / "d0", two / "list.csv"]):
             assert [j.serial for j in find_jobs(paths)] == ["S0"]
+
+
+class TestRuns:
+    """What is asked of a run, and what it keeps."""
+
+    @pytest.fixture(scope="class")
+    def cheap(self, cluster: list[str], tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Place]:
+        """Campaigns that a plain curve is fitted to at once, and where."""
+        folder = tmp_path_factory.mktemp("cheap")
+        for k in range(3):
+            measure(damper(1 + 0.1 * k), folder / f"d{k}", seed=k)
+        return folder, Place(address=cluster[1])
+
+    def test_a_table_of_pandas_makes_jobs(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        folder, place = cheap
+        days = datetime.date(2026, 3, 1), datetime.datetime(2026, 3, 1, 10, 0)
+        jobs = [
+            Job(folder / "d0", np.int64(17), None, days[0]),  # type: ignore[arg-type]
+            Job(str(folder / "d1"), 18, float("nan"), days[1]),  # type: ignore[arg-type]
+            Job(folder / "d0", "again"),  # type: ignore[arg-type]
+        ]
+        done = run_jobs(jobs, tmp_path / "o.parquet", Plan(family="fv"), place)
+        table = rows(tmp_path / "o.parquet")
+        assert (done.campaigns, done.failed) == (3, 0)
+        assert [(r["serial"], r["batch"], r["date"]) for r in table] == [
+            ("17", "", "2026-03-01T00:00:00"), ("18", "", "2026-03-01T10:00:00"), ("again", "", ""),
+        ]  # fmt: skip
+        assert table[0]["model"] == table[2]["model"] != table[1]["model"]
+
+    def test_what_cannot_be_is_said_before_any_work(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        folder, _ = cheap
+        good = Job(str(folder / "d0"))
+        nowhere = Place(address="tcp://127.0.0.1:1")
+        for jobs, plan, words in [
+            ([Job(3)], Plan(), "Job.campaign is a path"),  # type: ignore[arg-type]
+            ([Job("d0", 1.5)], Plan(), "Job.serial of d0 is 1.5"),  # type: ignore[arg-type]
+            ([Job("d0", date="01.03.2026")], Plan(), "Job.date of d0: '01.03.2026' is no date"),
+            (["d0"], Plan(), "jobs are dashpot.fleet.Job, not str"),
+            ([good], Plan(diagnose="fail"), "Plan.diagnose is 'fail'; it is all, failed, none"),
+            ([good], Plan(limits="lim.csv"), "Plan.limits is 'lim.csv'; give what dashpot.fleet.read_limits"),  # type: ignore[arg-type]
+            ([good], Plan(mapping={"unit": {"force": "N"}}), "has no 'unit'; did you mean 'units'?"),
+            ([good], Plan(mapping={"units": {"force": "bananas"}}), "'bananas' is no unit known"),
+            ([good], Plan(mapping={"gain": "x"}), "Plan.mapping"),
+            ([good], Plan(family="thesi"), "there is no family"),
+            ([good], Plan(elements=("foo",)), 'there is no element called "foo"'),
+            ([good], Plan(candidates=("cavitationn",)), 'there is no effect called "cavitationn"'),
+            ([good], Plan(reference="nowhere"), "the reference nowhere"),
+            ([good], Plan(retries=-1), "Plan.retries"),
+        ]:
+            with pytest.raises(dashpot.DashpotError, match=re.escape(words)):
+                run_jobs(jobs, tmp_path / "o.parquet", plan, nowhere)  # type: ignore[arg-type]
+        with pytest.raises(dashpot.DashpotError, match="chunk is 0"):
+            run_jobs([good], tmp_path / "o.parquet", chunk=0)
+        assert not list(tmp_path.iterdir())
+        checked(Plan(elements=("coulomb_friction",), candidates=("free_play",)))
+
+    def test_other_limits_serials_and_dates_need_no_fit(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        folder, place = cheap
+        out = tmp_path / "o.parquet"
+        jobs = [Job(str(folder / f"d{k}"), f"S{k}") for k in range(3)]
+
+        def judgements(high: float, batch: str) -> tuple[int, list[Any]]:
+            plan = Plan(family="fv", limits=(Limit("friction", None, 0, high), Limit("force", 0.52, 0, 1e4)))
+            done = run_jobs([replace(job, batch=batch) for job in jobs], out, plan, place)
+            assert [r["batch"] for r in rows(out)] == [batch] * 3
+            return done.done_before, [r["judgement"] for r in rows(out)]
+
+        assert judgements(1000, "B1") == (0, ["passed"] * 3)
+        before = out.read_bytes()
+        assert judgements(1, "B2") == (3, ["failed"] * 3)
+        assert judgements(1000, "B1") == (3, ["passed"] * 3)
+        assert out.read_bytes() == before and "measured" not in rows(out)[0]
+
+    def test_a_damaged_part_is_set_aside_and_done_anew(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        folder, place = cheap
+        jobs = find_jobs(folder)
+        out = tmp_path / "o.parquet"
+        run_jobs(jobs, out, Plan(family="fv"), place, chunk=1)
+        whole = out.read_bytes()
+        part = max((tmp_path / "o.parquet.parts").glob("part-*"))
+        part.write_bytes(part.read_bytes()[:100])
+        told: list[str] = []
+        assert run_jobs(jobs, out, Plan(family="fv"), place, tell=told.append).done_before == 2
+        assert "is damaged and was set aside" in told[0] and out.read_bytes() == whole
+        out.write_bytes(b"")
+        assert run_jobs(jobs, out, Plan(family="fv"), place, tell=told.append).done_before == 3
+
+    def test_again_redoes_what_failed_last(self, tmp_path: Path) -> None:
+        store = Store(tmp_path / "o.parquet")
+        common = {"campaign": "c", "serial": "", "batch": "", "date": ""}
+        store.add([{**common, "key": "a", "status": "failed"}, {**common, "key": "b", "status": "failed"}])
+        store.add([{**common, "key": "a", "status": "ok"}])
+        assert store.failed() == ["b"]
+        store.close()
+        store = Store(tmp_path / "o.parquet")
+        assert store.failed() == ["b"]
+        store.close()
+
+    def test_a_worker_elsewhere_finds_the_campaigns_and_what_it_does_not_see_is_tried_again(
+        self, cheap: tuple[Path, Place], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        folder, place = cheap
+        monkeypatch.chdir(folder)
+        run_jobs([Job("d0")], tmp_path / "o.parquet", Plan(family="fv"), place)
+        (row,) = rows(tmp_path / "o.parquet")
+        assert (row["status"], row["campaign"]) == ("ok", "d0")
+        (lost,) = examine_all([(Job(str(tmp_path / "nowhere")), "k")], Plan())
+        assert lost["status"] == "failed" and "no such file" in lost["reason"]
+        assert _kept(lost)["key"] == "k"
+        (tmp_path / "nowhere").mkdir()
+        store = Store(tmp_path / "p.parquet")
+        store.add([_kept(lost)])
+        assert "k" not in store.done and store.table(["k"]) == 1
+        store.close()
+
+    def test_a_cluster_without_workers_and_one_that_is_not_there_are_told(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        class Late:
+            """A client whose second wait finds a worker."""
+
+            waits = 0
+
+            def nthreads(self) -> dict[str, int]:
+                return {"w": 1} if self.waits > 1 else {}
+
+            def wait_for_workers(self, n: int, timeout: float) -> None:
+                self.waits += 1
+                if self.waits == 1:
+                    raise distributed.TimeoutError
+
+        told: list[str] = []
+        wait_for_workers(Late(), told.append)
+        assert len(told) == 1 and "no worker yet" in told[0]
+        with pytest.raises(dashpot.DashpotError, match="no Dask scheduler at foo"):
+            run_jobs(find_jobs(cheap[0]), tmp_path / "o.parquet", Plan(family="fv"), Place(address="foo"))
+
+
+class TestReport:
+    """The page: what it may replace, and what may stand in it."""
+
+    @pytest.fixture
+    def table(self, tmp_path: Path) -> Path:
+        """A small table whose names have a meaning to matplotlib and to Python's digits."""
+        pytest.importorskip("matplotlib")
+        store = Store(tmp_path / "t.parquet")
+        number = {"name": "spring_linear", "index": None, "unit": "N/m", "standing": "identified"}
+        values = [0.0] * 13 + [12.0, 50000.0]
+        store.add(
+            [
+                {
+                    "key": f"k{k}", "campaign": f"c{k}", "serial": "12²" if k == 2 else f"D{k}", "batch": "$x^$" if k % 2 else "$", "date": "",
+                    "status": "ok", "parameters": [{**number, "value": v, "low": v, "high": v}],
+                }
+                for k, v in enumerate(values)
+            ]
+        )  # fmt: skip
+        store.table([f"k{k}" for k in range(len(values))])
+        store.close()
+        return tmp_path / "t.parquet"
+
+    def test_any_serial_and_batch_may_stand_in_it(self, table: Path) -> None:
+        write_report(table, table.with_name("r.html"))
+        text = table.with_name("r.html").read_text(encoding="utf-8")
+        outliers = text[text.index("<h2>Outliers") : text.index("<h2>Every")]
+        assert "D14" in outliers and "D13" not in outliers
+        write_report(table, table.with_name("r.html"))
+
+    def test_a_page_of_somebody_else_is_kept(self, table: Path) -> None:
+        notes = table.with_name("notes.html")
+        notes.write_text("<html><title>My notes on dashpot results</title>three weeks of work</html>")
+        before = sorted(table.parent.iterdir())
+        for path in (notes, table.parent, table.parent / "none" / "r.html"):
+            with pytest.raises(dashpot.OutputError, match="cannot write"):
+                write_report(table, path)
+        assert "three weeks" in notes.read_text() and sorted(table.parent.iterdir()) == before
+
+    def test_where_the_report_goes_is_looked_at_before_the_work(self, campaigns: Path, tmp_path: Path) -> None:
+        from dashpot.fleet.__main__ import main
+
+        assert main([str(campaigns), "--out", str(tmp_path / "o.parquet"), "--report", str(tmp_path / "none" / "r.html")]) == 2
+        assert not list(tmp_path.iterdir())
+
+
+def test_the_command_ends_with_one_where_nothing_could_be_identified(cluster: list[str], tmp_path: Path) -> None:
+    from dashpot.fleet.__main__ import main
+
+    (tmp_path / "fleet" / "empty").mkdir(parents=True)
+    assert main([str(tmp_path / "fleet"), "--out", str(tmp_path / "o.parquet"), "--quiet", *cluster]) == 1

@@ -6,7 +6,7 @@ import contextlib
 import importlib.util
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -64,7 +64,37 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
                     silence_logs="ERROR",
                 )
             )
-        yield stack.enter_context(distributed.Client(target, set_as_default=False))
+        yield stack.enter_context(_connected(target))
+
+
+def _connected(target: Any) -> Any:
+    import distributed
+
+    try:
+        return distributed.Client(target, set_as_default=False)
+    except Exception as error:
+        # Dask raises what its transport raises: OSError, ValueError, an assertion.
+        if not isinstance(target, str):
+            raise
+        said = str(error) or type(error).__name__
+        raise DashpotError(f"there is no Dask scheduler at {target}: {said}; an address is such as tcp://10.0.0.5:8786") from error
+
+
+#: How long is waited for a first worker, s, before that is said, and said again.
+_PATIENCE = 5.0
+
+
+def wait_for_workers(client: Any, say: Callable[[str], object]) -> None:
+    """Waits until the cluster has a worker, and says so where it has none for long."""
+    import distributed
+
+    pause = _PATIENCE
+    while not client.nthreads():
+        try:
+            client.wait_for_workers(1, timeout=pause)
+        except distributed.TimeoutError:
+            say("the cluster has no worker yet; campaigns begin when it has one (Ctrl-C ends the run)")
+            pause = min(600.0, 4 * pause)
 
 
 #: How often it is looked whether jobs are missing.

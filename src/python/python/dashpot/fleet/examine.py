@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
@@ -22,6 +23,9 @@ from .measured import Measured
 #: Velocities, m/s, at which the force of every damper is told, so that curves with other points can be compared: peak
 #: velocities of the thesis's matrix.
 VELOCITIES = (-1.047, -0.524, -0.262, -0.131, -0.052, 0.052, 0.131, 0.262, 0.524, 1.047)
+
+#: Marks a row whose failure may be gone at the next start: files that a worker does not see, a file server that went away.
+PASSING = "passing"
 
 #: By so much a peak velocity may be missed: the end of the curve is where the rig was, not where it was told to be.
 PEAK_SCATTER = 1.05
@@ -54,6 +58,9 @@ class Plan:
     def said(self) -> str:
         """All that decides what comes out, as text."""
         decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
+        if self.diagnose != "failed" or self.reference is None:
+            # Rows keep what was measured, and the table is judged when it is made.
+            decides["limits"] = bool(self.limits)
         made_of = stamps(self.reference) if self.reference is not None else []
         return json.dumps([_native.VERSION, decides, made_of], sort_keys=True)
 
@@ -72,6 +79,8 @@ def _reference(path: str, mapping: str, made_of: tuple[Stamp, ...]) -> Campaign:
 def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
     """The row of a campaign. Never raises: what goes wrong is in the row."""
     row: dict[str, Any] = {"key": key, **asdict(job), "status": "ok", "reason": None}
+    if not os.path.exists(job.campaign):
+        return {**row, "status": "failed", "reason": f"{job.campaign}: there is no such file or folder", PASSING: True}
     for attempt in range(plan.retries + 1):
         try:
             return {**row, **_figures(job, plan)}
@@ -83,7 +92,7 @@ def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
         except BaseException as error:  # a fault of the program in the compiled part is no Exception
             told = f"{type(error).__name__}: {error}"
             if attempt == plan.retries:
-                row = {**row, "status": "failed", "reason": f"{told} (tried {attempt + 1} times)"}
+                row = {**row, "status": "failed", "reason": f"{told} (tried {attempt + 1} times)", PASSING: True}
     return row
 
 
@@ -92,15 +101,15 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     model = fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
     validation = model.validate(campaign)
     assert model.fit is not None
-    missed = judge(plan.limits, Measured.of(validation, campaign)) if plan.limits else []
+    measured = Measured.of(validation, campaign) if plan.limits else None
     figures: dict[str, Any] = {
         "tests": len(campaign),
         "misfit": model.fit.misfit,
         "error_percent": validation.overall.error_percent,
         "rmse_n": validation.overall.rmse_n,
         "fv_error_percent": validation.overall.fv_only.error_percent,
-        "judgement": ("failed" if missed else "passed") if plan.limits else None,
-        "missed": missed,
+        "measured": measured.text() if measured is not None else None,
+        **judged(plan.limits, measured),
         "elements": list(model.elements),
         "parameters": [
             {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing}
@@ -116,9 +125,16 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
         # Beyond the speeds of the campaign the curve is a guess.
         shown = low <= velocity / PEAK_SCATTER <= high
         figures[force_column(velocity)] = float(force) if shown else None
-    if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and missed):
+    if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and figures["missed"]):
         figures.update(_diagnosed(campaign, plan))
     return figures
+
+
+def judged(limits: Sequence[Limit], measured: Measured | None) -> dict[str, Any]:
+    """What of a row depends on limits."""
+    missed = judge(limits, measured) if measured is not None else []
+    judgement = ("failed" if missed else "passed") if limits and measured is not None else None
+    return {"judgement": judgement, "missed": missed}
 
 
 def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:

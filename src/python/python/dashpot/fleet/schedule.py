@@ -6,17 +6,19 @@ import itertools
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import IO, Any
 
-from .._native import DashpotError
+from .._native import DashpotError, RecordError
 from ..campaign import Campaign
 from ..identification import fit
-from .cluster import Place, client_of, has_dashboard
-from .examine import Plan, examine_all
+from .checks import checked
+from .cluster import Place, client_of, has_dashboard, wait_for_workers
+from .examine import PASSING, Plan, examine_all, judged
 from .jobs import Job
-from .store import Store
+from .measured import Measured
+from .store import NOT_DONE, Store
 
 #: Campaigns in a chunk: what one part holds and what a killed run may lose for each worker. At a second each, a part every
 #: quarter of a minute; the scheduler's own work, some milliseconds a chunk, does not show.
@@ -54,37 +56,66 @@ def run(
 
     :param again: do campaigns once more that failed before.
     :param tell: is told progress, a line at a time.
+    :raises DashpotError: naming what of jobs, plan or place cannot be, before any campaign is computed.
     """
-    plan, place = _ready(plan or Plan()), place or Place()
+    if isinstance(chunk, bool) or not isinstance(chunk, int) or chunk < 1:
+        raise DashpotError(f"chunk is {chunk!r}; it is a whole number above 0")
+    given = [_job(job) for job in jobs]
+    plan, place = checked(plan or Plan()), place or Place()
     say = tell or (lambda _: None)
     started = time.monotonic()
-    said = plan.said()
-    keyed = [(job, job.key(said)) for job in jobs]
-    keys = [key for _, key in keyed]
     store = Store(out)
     try:
+        for part in store.damaged:
+            say(f"{store.folder / part} is damaged and was set aside; its campaigns are done anew")
+        plan = _ready(plan)
+        said = plan.said()
+        # A worker may have another working directory.
+        work = [replace(job, campaign=os.path.abspath(job.campaign)) for job in given]
+        keys = [job.key(said) for job in work]
         if again:
             store.forget(store.failed())
-        rest = [(job, key) for job, key in keyed if key not in store.done]
-        before = len(keyed) - len(rest)
+        rest = [(job, key) for key, job in dict(zip(keys, work, strict=True)).items() if key not in store.done]
+        missing = {key for _, key in rest}
+        before = sum(key not in missing for key in keys)
         if before:
-            say(f"{before} of {len(keyed)} campaigns were done before")
-        done, failed = before, 0
+            say(f"{before} of {len(keys)} campaigns were done before")
+        done, failed = 0, 0
         if rest:
             with client_of(place, logs=str(store.folder / "slurm")) as client:
                 if has_dashboard() and client.dashboard_link:
                     say(f"dashboard: {client.dashboard_link}")
+                wait_for_workers(client, say)
                 for rows in _work(client, plan, _chunks(rest, chunk), place.slurm_jobs or 1):
-                    store.add(rows)
+                    store.add([_kept(row) for row in rows])
                     failed += sum(row["status"] == "failed" for row in rows)
                     done += len(rows)
-                    spent = time.monotonic() - started
-                    rate = (done - before) / spent
-                    left = (len(keyed) - done) / rate if rate > 0 else float("inf")
-                    say(f"{done} of {len(keyed)} campaigns, {failed} failed, {60 * rate:.1f} a minute, {left / 60:.1f} min left")
-        return Outcome(len(keyed), before, store.table(keys), time.monotonic() - started)
+                    rate = done / (time.monotonic() - started)
+                    left = (len(rest) - done) / rate if rate > 0 else float("inf")
+                    now = before + done
+                    say(f"{now} of {len(keys)} campaigns, {failed} failed, {60 * rate:.1f} a minute, {left / 60:.1f} min left")
+
+        def finish(place: int, row: Mapping[str, Any]) -> Mapping[str, Any]:
+            """What the list says of the damper, and what the limits of this run say of what was measured."""
+            measured = Measured.read(row["measured"]) if row["measured"] else None
+            return {**asdict(given[place]), **judged(plan.limits, measured)}
+
+        return Outcome(len(keys), before, store.table(keys, finish), time.monotonic() - started)
     finally:
         store.close()
+
+
+def _job(job: Job) -> Job:
+    if not isinstance(job, Job):
+        raise RecordError(f"jobs are dashpot.fleet.Job, not {type(job).__name__}; dashpot.fleet.find_jobs(paths) makes them")
+    return job.checked()
+
+
+def _kept(row: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A row as it is kept. One that failed for what lies outside its campaign is told but not done."""
+    if not row.get(PASSING) or not os.path.exists(row["campaign"]):
+        return row
+    return {**row, "key": row["key"] + NOT_DONE, "reason": f"{row['reason']}; the next run tries it again"}
 
 
 def _ready(plan: Plan) -> Plan:
@@ -97,8 +128,8 @@ def _ready(plan: Plan) -> Plan:
 
 
 def _chunks(rest: Sequence[tuple[Job, str]], size: int) -> Iterator[Chunk]:
-    for start in range(0, len(rest), max(1, size)):
-        yield list(rest[start : start + max(1, size)])
+    for start in range(0, len(rest), size):
+        yield list(rest[start : start + size])
 
 
 def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Iterator[list[Any]]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -43,6 +43,10 @@ _CHANGE = pa.struct(
         ("velocity_m_s", pa.float64()),
     ]
 )
+#: Columns of a part that the table has not: names of work, and what limits are judged by.
+OF_PARTS = ("key", "measured")
+#: Stands behind the key of a row that is told but not done: it is tried again by the next run.
+NOT_DONE = "~"
 #: Columns of a part; the table has, after these, three for every number of the model that any damper has.
 SCHEMA = pa.schema(
     [
@@ -55,6 +59,7 @@ SCHEMA = pa.schema(
         ("reason", pa.string()),
         ("judgement", pa.string()),
         ("missed", pa.list_(pa.string())),
+        ("measured", pa.string()),
         ("tests", pa.int32()),
         ("misfit", pa.float64()),
         ("error_percent", pa.float64()),
@@ -81,6 +86,10 @@ GROUP = 256
 KEPT = 8
 
 
+#: What is written over a row of the table, for its place and the row.
+Finish = Callable[[int, Mapping[str, Any]], Mapping[str, Any]]
+
+
 class Store:
     """The parts of one table, in a folder beside it. One run at a time."""
 
@@ -91,7 +100,7 @@ class Store:
             raise OutputError(f"cannot write {self.out}: there is no folder {self.out.parent}; make it first")
         if self.out.is_dir():
             raise OutputError(f"cannot write {self.out}: it is a folder; name a file in it")
-        if self.out.exists() and not _is_parquet(self.out):
+        if self.out.exists() and self.out.stat().st_size and not _is_parquet(self.out):
             raise OutputError(f"cannot write {self.out}: it is there already and is no Parquet file; name another")
         self.folder.mkdir(exist_ok=True)
         self._lock: IO[str] = (self.folder / "lock").open("w")
@@ -100,8 +109,26 @@ class Store:
             half.unlink()
         #: Key of a finished campaign: its part, and its row there.
         self.done: dict[str, tuple[str, int]] = {}
-        for part in sorted(self.folder.glob("part-*.parquet")):
-            self._take(part.name, pq.read_table(part, columns=["key"])["key"].to_pylist())
+        #: Parts that could not be read and were set aside; their campaigns are done anew.
+        self.damaged: list[str] = []
+        for part in self._parts():
+            try:
+                keys = pq.read_table(part, columns=["key"])["key"].to_pylist()
+            except (pa.ArrowException, OSError, KeyError):
+                self._set_aside(part)
+                continue
+            self._take(part.name, keys)
+
+    def _parts(self) -> list[Path]:
+        return sorted(self.folder.glob("part-*.parquet"))
+
+    def _set_aside(self, part: Path) -> None:
+        part.replace(part.with_name(f"damaged-{part.name}"))
+        self.damaged.append(part.name)
+
+    def place(self, key: str) -> tuple[str, int]:
+        """Part and row of a campaign that was tried."""
+        return self.done[key] if key in self.done else self.done[key + NOT_DONE]
 
     def _take(self, part: str, keys: Iterable[str]) -> None:
         self.done.update((key, (part, row)) for row, key in enumerate(keys))
@@ -112,19 +139,19 @@ class Store:
             self.done.pop(key, None)
 
     def failed(self) -> list[str]:
-        """Keys of rows that failed."""
+        """Keys of campaigns that failed when they were done last."""
         out: list[str] = []
-        for part in sorted(self.folder.glob("part-*.parquet")):
+        for part in self._parts():
             table = pq.read_table(part, columns=["key", "status"])
             pairs = zip(table["key"].to_pylist(), table["status"].to_pylist(), strict=True)
-            out.extend(key for key, status in pairs if status == "failed")
+            out.extend(key for row, (key, status) in enumerate(pairs) if status == "failed" and self.done.get(key) == (part.name, row))
         return out
 
     def add(self, rows: Sequence[Mapping[str, Any]]) -> None:
         """Writes a part."""
         keys = [row["key"] for row in rows]
         # A later part of the same campaign is another file and counts in its stead.
-        number = len(list(self.folder.glob("part-*.parquet")))
+        number = 1 + max((int(part.name.split("-")[1]) for part in self._parts()), default=-1)
         name = f"part-{number:07d}-{keys[0][:12]}.parquet"
         _write_whole(self.folder / name, [_table(rows, SCHEMA)], SCHEMA)
         self._take(name, keys)
@@ -133,16 +160,26 @@ class Store:
         """Finished rows in the order of their keys; few parts are in memory at a time."""
         parts: OrderedDict[str, list[dict[str, Any]]] = OrderedDict()
         for key in keys:
-            part, row = self.done[key]
+            part, row = self.place(key)
             if part not in parts:
-                parts[part] = pq.read_table(self.folder / part).to_pylist()
+                try:
+                    parts[part] = pq.read_table(self.folder / part).to_pylist()
+                except (pa.ArrowException, OSError) as error:
+                    self._set_aside(self.folder / part)
+                    raise OutputError(
+                        f"{self.folder / part} is damaged and was set aside ({error}); start the run again to redo it"
+                    ) from error
                 if len(parts) > KEPT:
                     parts.popitem(last=False)
             parts.move_to_end(part)
-            yield parts[part][row]
+            # A campaign may stand in the table twice.
+            yield dict(parts[part][row])
 
-    def table(self, keys: Sequence[str]) -> int:
-        """Makes the table of the campaigns with these keys, in their order; returns how many failed."""
+    def table(self, keys: Sequence[str], finish: Finish | None = None) -> int:
+        """Makes the table of the campaigns with these keys, in their order; returns how many failed.
+
+        :param finish: gives, for the place of a row and the row, what is written over it.
+        """
         units: dict[str, str] = {}
         failed = 0
         for row in self.rows(keys):
@@ -151,19 +188,20 @@ class Store:
                 if number["index"] is None:
                     units.setdefault(number["name"], number["unit"])
         names = sorted(units)
-        fields = [f for f in SCHEMA if f.name != "key"]
+        fields = [f for f in SCHEMA if f.name not in OF_PARTS]
         for name in names:
             unit = {"unit": units[name]}
             fields.extend(pa.field(n, pa.float64(), metadata=unit) for n in (name, f"{name}_low", f"{name}_high"))
         schema = pa.schema(fields)
-        _write_whole(self.out, self._groups(keys, schema), schema)
+        _write_whole(self.out, self._groups(keys, schema, finish), schema)
         return failed
 
-    def _groups(self, keys: Sequence[str], schema: pa.Schema) -> Iterator[pa.Table]:
+    def _groups(self, keys: Sequence[str], schema: pa.Schema, finish: Finish | None) -> Iterator[pa.Table]:
         for start in range(0, len(keys), GROUP):
             rows = []
-            for row in self.rows(keys[start : start + GROUP]):
-                del row["key"]
+            for at, row in enumerate(self.rows(keys[start : start + GROUP]), start):
+                if finish is not None:
+                    row.update(finish(at, row))
                 for number in row["parameters"] or ():
                     # What the data does not determine has no value here: its number is a default.
                     if number["index"] is None and number["standing"] != "not_identified":

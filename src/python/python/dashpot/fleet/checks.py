@@ -1,0 +1,129 @@
+"""What a plan may say, looked at before any campaign is computed."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import os
+import tempfile
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._native import DashpotError, DiagnosisError, FitError, RecordError
+from .._numbers import words
+from ..campaign import Campaign
+from ..identification import diagnose, fit
+from ..model import Model
+from .examine import Plan
+from .limits import Limit
+
+#: Which campaigns are diagnosed.
+DIAGNOSED = ("all", "failed", "none")
+
+
+def checked(plan: Plan) -> Plan:
+    """The plan with text for paths and tuples for names.
+
+    :raises DashpotError: naming the argument that cannot be.
+    """
+    if plan.diagnose not in DIAGNOSED:
+        raise DashpotError(f"Plan.diagnose is {plan.diagnose!r}; it is {', '.join(DIAGNOSED)}")
+    for name, least in (("max_effects", 0), ("retries", 0), ("threads", 1)):
+        number = getattr(plan, name)
+        if isinstance(number, bool) or not isinstance(number, int) or number < least:
+            raise DashpotError(f"Plan.{name} is {number!r}; it is a whole number, {least} at least")
+    if isinstance(plan.limits, (str, os.PathLike)):
+        raise DashpotError(f"Plan.limits is {os.fspath(plan.limits)!r}; give what dashpot.fleet.read_limits of that file returns")
+    if not all(isinstance(limit, Limit) for limit in plan.limits):
+        raise DashpotError("Plan.limits is a sequence of dashpot.fleet.Limit; dashpot.fleet.read_limits reads them from a file")
+    reference: Any = plan.reference
+    if reference is not None:
+        if not isinstance(reference, (str, os.PathLike)):
+            raise DashpotError(f"Plan.reference is the path of a campaign, not {reference!r}")
+        # A worker may have another working directory.
+        reference = os.path.abspath(os.fspath(reference))
+        if not os.path.exists(reference):
+            raise DashpotError(f"the reference {plan.reference}: there is no such file or folder")
+    plan = replace(
+        plan,
+        elements=_names("elements", plan.elements),
+        hold_out=_names("hold_out", plan.hold_out) or (),
+        candidates=_names("candidates", plan.candidates),
+        limits=tuple(plan.limits),
+        reference=reference,
+    )
+    _mapping(plan.mapping)
+    _known(plan)
+    return plan
+
+
+def _names(name: str, given: str | Iterable[str] | None) -> tuple[str, ...] | None:
+    if given is None:
+        return None
+    names = words(given)
+    if not all(isinstance(n, str) for n in names):
+        raise DashpotError(f"Plan.{name} is names, not {given!r}")
+    return tuple(names)
+
+
+def _mapping(mapping: dict[str, Any]) -> None:
+    """Whether records can be read in this manner, whatever they are."""
+    known = [name for name in inspect.signature(Campaign.read).parameters if name not in ("path", "progress")]
+    for name in mapping:
+        if name not in known:
+            near = get_close_matches(str(name), known, 1)
+            raise DashpotError(
+                f"Plan.mapping: Campaign.read has no {name!r}; "
+                + (f"did you mean {near[0]!r}?" if near else f"there are {', '.join(known)}")
+            )
+    try:
+        json.dumps(mapping)
+        Campaign.read([], **mapping)
+    except RecordError as error:
+        # That nothing was named comes last.
+        if "no record given" not in str(error):
+            raise DashpotError(f"how records are read (Plan.mapping): {error}") from None
+    except (TypeError, ValueError, AttributeError) as error:
+        raise DashpotError(f"how records are read (Plan.mapping): {error}") from None
+
+
+class _Begun(Exception):
+    """The work has begun, so its names are understood."""
+
+
+def _stop(_: float, __: str) -> None:
+    raise _Begun
+
+
+#: The least damper: what a diagnosis needs to begin.
+_DAMPER = 'format = 1\nelements = ["fv_curve"]\nfv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [-1000.0, 0.0, 1000.0]\n'
+
+
+def _known(plan: Plan) -> None:
+    """Whether family, elements and candidates are names that there are: asked of a test of a hundred samples."""
+    if plan.family == "thesis" and plan.elements is None and plan.candidates is None:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        phase = 2 * np.pi * np.arange(301) / 100
+        table = np.column_stack([phase / 10, 0.025 * np.sin(phase), 0.25 * np.cos(phase), 250 * np.cos(phase)])
+        np.savetxt(Path(folder) / "t.csv", table, "%.9g", ",", header="time_s,displacement_m,velocity_m_s,force_N", comments="")
+        campaign = Campaign.read(folder)
+    _begin(lambda: fit(campaign, family=plan.family, elements=plan.elements, progress=_stop))
+    if plan.candidates is not None:
+        _begin(lambda: diagnose(Model(_DAMPER), campaign, candidates=plan.candidates, max_effects=plan.max_effects, progress=_stop))
+
+
+def _begin(work: Callable[[], object]) -> None:
+    try:
+        work()
+    except _Begun:
+        pass
+    except (FitError, DiagnosisError) as error:
+        # Anything else is of this campaign.
+        if str(error).startswith(("there is no ", "elements chooses")):
+            raise DashpotError(str(error)) from None
