@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import pickle
 import signal
+import subprocess
 import sys
 import threading
 from collections.abc import Callable
@@ -177,3 +178,20 @@ def test_results_are_short_at_a_prompt(own: dashpot.Campaign) -> None:
         assert 20 < len(repr(result)) < 800, repr(result)
     assert f"tests=<{len(own)} of TestValidation>" in repr(validation)
     assert "N>" in repr(model.simulate([0, 1], [0, 0.01]))
+
+
+@pytest.mark.parametrize("work", ["dashpot.fit(campaign)", "[model.simulate(t, x) for _ in range(10**6)]"])
+def test_a_thread_that_works_when_the_program_ends_does_not_abort_it(own: dashpot.Campaign, work: str) -> None:
+    """Python does not wait for such a thread, and would be gone when the work comes back to it."""
+    program = (
+        "import threading, time, numpy as np, dashpot\n"
+        "from fleets import damper\n"
+        f"campaign, model = dashpot.Campaign.read({own.paths[0]!r}), damper()\n"
+        "t = np.arange(0, 20, 1e-4); x = 0.02 * np.sin(20 * t)\n"
+        "begun = threading.Event()\n"
+        f"threading.Thread(target=lambda: (begun.set(), {work}), daemon=True).start()\n"
+        "begun.wait(); time.sleep(0.3)\n"
+        "print('end')\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", program], cwd=Path(__file__).parent, capture_output=True, text=True, check=False, timeout=120)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "end\n", "")

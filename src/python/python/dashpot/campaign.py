@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 from . import _native
 from ._numbers import words
 from ._result import Result, flat, frame, table
+from ._work import watched
 from .results import Delay, Noise, Note, SignFinding, Unusable
 
 if TYPE_CHECKING:
@@ -197,7 +198,8 @@ class Campaign(Sequence[Record]):
         if sample_rate_hz is not None:
             mapping["sample_rate_hz"] = float(sample_rate_hz)
         named = [os.fspath(p) for p in paths]
-        return cls(_native.Campaign.read(named, json.dumps(mapping), strict, progress), named)
+        with watched(progress) as told:
+            return cls(_native.Campaign.read(named, json.dumps(mapping), strict, told), named)
 
     def __len__(self) -> int:
         return len(self._records)

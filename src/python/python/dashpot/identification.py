@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from . import _native
 from ._numbers import words
+from ._work import watched
 from .campaign import Campaign, Progress, native_of
 from .model import Model
 from .results import Diagnosis, FitResult
@@ -33,7 +34,8 @@ def fit(
     :raises FitError: where no model can be fitted to these records.
     """
     wanted = None if elements is None else words(elements)
-    text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), progress)
+    with watched(progress) as told:
+        text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
     return Model(text, "damper.toml", fit=FitResult.from_dict(json.loads(said)))
 
 
@@ -61,16 +63,17 @@ def diagnose(
     """
     if not isinstance(model, Model):
         raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
-    said, improved, curves = _native.diagnose(
-        model._native,
-        native_of(campaign, "campaign"),
-        None if reference is None else native_of(reference, "reference"),
-        words(hold_out),
-        max_effects,
-        None if candidates is None else words(candidates),
-        seed,
-        progress,
-    )
+    with watched(progress) as told:
+        said, improved, curves = _native.diagnose(
+            model._native,
+            native_of(campaign, "campaign"),
+            None if reference is None else native_of(reference, "reference"),
+            words(hold_out),
+            max_effects,
+            None if candidates is None else words(candidates),
+            seed,
+            told,
+        )
     return replace(
         Diagnosis.from_dict(json.loads(said)), improved=Model(improved, "improved.toml"), _curves=tuple(curves)
     )

@@ -14,6 +14,7 @@ import numpy as np
 from . import _native
 from ._result import Result, frame, table
 from ._numbers import column, several
+from ._work import watched
 from .campaign import Campaign, Path, Progress, native_of
 from .results import FitResult, Validation
 
@@ -163,7 +164,8 @@ class Model:
         """
         from dataclasses import replace
 
-        said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), progress)
+        with watched(progress) as told:
+            said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told)
         return replace(
             Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths)
         )
@@ -191,17 +193,15 @@ class Model:
         :raises MotionError: where a number overflows, or position or step cannot be.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
-        return Response(
-            *self._native.simulate(
-                column("time", time),
-                None if displacement is None else column("displacement", displacement),
-                None if velocity is None else column("velocity", velocity),
-                None if side_force is None else column("side_force", side_force),
-                None if temperature is None else column("temperature", temperature),
-                initial_position,
-                step,
-            )
+        channels = (
+            column("time", time),
+            None if displacement is None else column("displacement", displacement),
+            None if velocity is None else column("velocity", velocity),
+            None if side_force is None else column("side_force", side_force),
+            None if temperature is None else column("temperature", temperature),
         )
+        with watched():
+            return Response(*self._native.simulate(*channels, initial_position, step))
 
     def export_fmu(
         self,
@@ -240,10 +240,11 @@ class Model:
         stem = os.path.splitext(os.path.basename(self._name))[0]
         vehicle = four or len(models) > 1
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
-        return _native.export_fmu(
-            models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters,
-            None if library is None else os.fspath(library),
-        )  # fmt: skip
+        with watched():
+            return _native.export_fmu(
+                models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters,
+                None if library is None else os.fspath(library),
+            )  # fmt: skip
 
     def to_dict(self) -> dict[str, Any]:
         """Elements, parameters, and what the fit left behind."""

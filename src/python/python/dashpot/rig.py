@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 
 from . import _native
+from ._work import watched
 from .campaign import Campaign, Path, Progress
 
 
@@ -30,13 +31,14 @@ def measure_virtual(
     :param noise_percent: noise of the force, percent of each test's root-mean-square force.
     :raises RigError: where a test or an effect cannot be.
     """
-    _native.measure(
-        os.fspath(folder),
-        None if amplitudes_m is None else list(amplitudes_m),
-        None if peak_velocities_m_s is None else list(peak_velocities_m_s),
-        seed,
-        noise_percent,
-        None if hide is None else list(hide.items()),
-        progress,
-    )
+    with watched(progress) as told:
+        _native.measure(
+            os.fspath(folder),
+            None if amplitudes_m is None else list(amplitudes_m),
+            None if peak_velocities_m_s is None else list(peak_velocities_m_s),
+            seed,
+            noise_percent,
+            None if hide is None else list(hide.items()),
+            told,
+        )
     return Campaign.read(folder)
