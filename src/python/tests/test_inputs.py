@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import io
 import shutil
+import subprocess
+import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -158,3 +161,78 @@ def test_names_of_tests_are_shown_as_they_stand(own: dashpot.Campaign, tmp_path:
     assert legend is not None and len(legend.get_texts()) == len(campaign)
     for axes in (drawn, plot.errors(validation), plot.loop(validation, campaign, "price $5^$")):
         axes.figure.savefig(io.BytesIO())
+
+
+def test_complex_numbers_are_refused(own: dashpot.Campaign) -> None:
+    one = np.complex128(0.1 + 1j)
+    damped = dashpot.Damper(damper())
+    kept = damped.state
+    calls: list[Callable[[], object]] = [
+        lambda: damped.step(one, 1e-3),
+        lambda: damped.step(0.1, 1e-3, one),
+        lambda: damped.step(0.1, 1e-3, side_force=one),
+        lambda: setattr(damped, "state", kept + 0j),
+        lambda: dashpot.Damper(damper(), one),
+        lambda: dashpot.Damper(damper(), np.array([one])),
+        lambda: damper().simulate(T, velocity=X, initial_position=one),  # type: ignore[arg-type]
+        lambda: damper().steady_force(one),
+        lambda: dashpot.Campaign.read(own.paths[0], gain=one),  # type: ignore[arg-type]
+        lambda: dashpot.Campaign.read(own.paths[0], sample_rate_hz=one),  # type: ignore[arg-type]
+    ]
+    for call in calls:
+        with pytest.raises(TypeError, match="real number"):
+            call()
+    assert np.array_equal(damped.state, kept)
+
+
+def test_a_state_of_another_model_is_refused() -> None:
+    rubber = dashpot.Damper(dashpot.Model(damper().text.replace('"series_compliance"', '"series_compliance", "bushing"')))
+    plain = dashpot.Damper(damper())
+    kept = plain.state
+    if np.array_equal(rubber.state[:, 12], kept[:, 12]):
+        pytest.fail("the two models have the same states")
+    with pytest.raises(ValueError, match="damper 0 is of a model with other elements"):
+        plain.state = rubber.state
+    assert np.array_equal(plain.state, kept)
+    plain.state = np.zeros((1, 14))
+    plain.state = kept
+
+
+def test_a_model_is_a_mapping_of_its_numbers(tmp_path: Path) -> None:
+    model = damper()
+    assert "coulomb_force" in model and "coulomb" not in model and 0 not in model
+    assert list(model) == list(model.parameters) and len(model) == len(model.parameters)
+    assert dict(model)["coulomb_force"] == model["coulomb_force"] == 30
+    with pytest.raises(TypeError, match=r"not a PosixPath|not a WindowsPath"):
+        dashpot.Model(tmp_path / "damper.toml")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"others are dashpot.Model, not str"):
+        model.export_fmu(tmp_path / "d.fmu", others=["damper.toml"])  # type: ignore[list-item]
+    assert model.export_fmu(tmp_path / "d.fmu", others=model)
+
+
+def test_a_response_is_compared_and_made_again() -> None:
+    one, same, other = damper().simulate(T, X), damper().simulate(T, X), damper().simulate(T, 2 * X)
+    assert one == same and one != other and one != "a response"
+    assert len({one, same, other}) == 2
+    assert dashpot.Response.from_dict(one.to_dict()) == one
+
+
+def test_some_records_of_a_campaign_do_in_its_place(own: dashpot.Campaign) -> None:
+    few = dashpot.fit(own[1:], family="fv")
+    assert few.tests == own.names[1:]
+    assert dashpot.fit([r for r in own if r.name != own.names[0]], family="fv") == few
+    assert dashpot.fit(own[:], family="fv") == dashpot.fit(own, family="fv")
+    validation = few.validate(own[:2])
+    assert [t.name for t in validation.tests] == list(own.names[:2]) and validation.campaign is not None
+    for records, words in ([own[0], own[0]], "holds a record twice"), ([own[0], dashpot.Campaign.read(own.paths[0])[1]], "not of one"):
+        with pytest.raises(ValueError, match=words):
+            dashpot.fit(records)
+    with pytest.raises(TypeError, match=r"campaign is a dashpot.Campaign, not a list"):
+        dashpot.fit([])
+
+
+def test_pictures_need_no_import_of_their_own() -> None:
+    program = "import sys, dashpot; assert 'dashpot.plot' not in sys.modules; dashpot.plot.curve; assert 'plot' in dir(dashpot)"
+    subprocess.run([sys.executable, "-c", program], check=True)
+    with pytest.raises(AttributeError, match="no attribute 'plott'"):
+        dashpot.plott

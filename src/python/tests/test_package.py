@@ -51,6 +51,8 @@ ANALYST = """
 from pathlib import Path
 from typing_extensions import assert_type
 import dashpot
+import numpy as np
+import numpy.typing as npt
 campaign = dashpot.Campaign.read(Path("campaign"), units={"force": "kN"})
 assert_type(campaign[0], dashpot.Record)
 assert_type(campaign["a50"], dashpot.Record)
@@ -60,7 +62,10 @@ assert_type(model.validate(campaign).overall.error_percent, float)
 assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
 assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
-dashpot.Damper([model, model], [0, 0]).step(0.1, 1e-3)
+assert_type(dashpot.Damper(model).step(0.1, 1e-3), float)
+forces: npt.NDArray[np.float64] = dashpot.Damper([model, model], [0, 0]).step(np.zeros(2), 1e-3)
+dashpot.fit(campaign[1:])
+dashpot.plot.curve(model)
 """
 
 

@@ -13,6 +13,11 @@ all processors unless :func:`set_threads` says otherwise, and Ctrl-C or an excep
 and results go through ``pickle``, so that they can be handed to other processes.
 """
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from ._native import (
     DashpotError,
     DiagnosisError,
@@ -34,6 +39,9 @@ from .identification import diagnose, fit
 from .model import Model, Parameter, Response
 from .rig import measure_virtual
 from .results import Diagnosis, FitResult, Validation
+
+if TYPE_CHECKING:
+    from . import plot as plot
 
 __all__ = [
     "Campaign",
@@ -62,3 +70,14 @@ __all__ = [
     "measure_virtual",
     "set_threads",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """What takes long to import, or needs other packages, comes when it is asked for."""
+    if name in ("fleet", "plot"):
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), "fleet", "plot"})

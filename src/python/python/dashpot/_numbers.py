@@ -31,6 +31,12 @@ def column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
     return array.astype(np.float64, copy=False)
 
 
+def real(name: str, value: object) -> None:
+    """Refuses a single complex number of numpy, whose imaginary part would be dropped with a warning."""
+    if isinstance(value, np.complexfloating) or (isinstance(value, np.ndarray) and value.dtype.kind == "c"):
+        raise TypeError(f"{name} is no real number but of {value.dtype.name}")
+
+
 def words(given: str | Iterable[str]) -> list[str]:
     """Names as a list; a single one may stand alone."""
     return [given] if isinstance(given, str) else list(given)

@@ -10,6 +10,8 @@ import typing
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, Union
 
+import numpy as np
+
 if TYPE_CHECKING:
     import pandas
 
@@ -49,6 +51,8 @@ def _build(hint: Any, value: Any) -> Any:
         return {k: _build(inner, v) for k, v in value.items()}
     if isinstance(hint, type) and issubclass(hint, Result):
         return hint.from_dict(value)
+    if origin is np.ndarray:
+        return np.asarray(value, dtype=np.float64)
     if hint is float:
         # JSON has no word for what is not a number.
         return float("nan") if value is None else float(value)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _native
-from ._numbers import words
+from ._numbers import real, words
 from ._result import Result, flat, frame, table
 from ._work import watched
 from .results import Delay, Noise, Note, SignFinding, Unusable
@@ -181,6 +181,8 @@ class Campaign(Sequence[Record]):
             "rig_mass_kg": rig_mass_kg,
             "initial_position_m": initial_position_m,
         }
+        for name, value in {**numbers, "sample_rate_hz": sample_rate_hz}.items():
+            real(name, value)
         for name, value in numbers.items():
             if not math.isfinite(value):
                 raise ValueError(f"{name} is {value}; it must be a finite number")
@@ -258,11 +260,35 @@ def _fields(said: dict[str, Any]) -> dict[str, Any]:
     return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}
 
 
-def native_of(campaign: Campaign, name: str) -> _native.Campaign:
+def native_of(campaign: Sequence[Record], name: str) -> _native.Campaign:
     """What the compiled part takes; a sentence where a path or something else stands in a campaign's place."""
-    if not isinstance(campaign, Campaign):
+    if isinstance(campaign, Campaign):
+        return campaign._native
+    if not isinstance(campaign, (list, tuple)) or not campaign or not all(isinstance(r, Record) for r in campaign):
         raise TypeError(f"{name} is a dashpot.Campaign, not a {type(campaign).__name__}; dashpot.Campaign.read(path) reads one")
-    return campaign._native
+    return _of_records(campaign, name)
+
+
+def _of_records(records: Sequence[Record], name: str) -> _native.Campaign:
+    """Some records of a campaign as a campaign, with what was found of it as a whole."""
+    whole = records[0]._native
+    if whole is None or any(r._native is not whole for r in records):
+        raise ValueError(f"{name} holds records that are not of one dashpot.Campaign; read their files together, as a list of paths")
+    if len({r._index for r in records}) < len(records):
+        raise ValueError(f"{name} holds a record twice")
+    said: dict[str, Any] = {}
+    channels: list[dict[str, Channel]] = []
+    as_read: list[str | None] = []
+    files: dict[Any, None] = {}
+    for record in records:
+        of_one, its_channels, its_origin, its_files = whole.state(record._index)
+        one = json.loads(of_one)
+        one["records"] = [*said.get("records", []), *one["records"]]
+        said = one
+        channels.extend(its_channels)
+        as_read.extend(its_origin)
+        files.update(dict.fromkeys(its_files))
+    return _native.Campaign.again(json.dumps(said), channels, as_read, list(files))
 
 
 # What pickle calls.

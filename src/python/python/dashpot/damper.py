@@ -8,12 +8,18 @@ from typing import TYPE_CHECKING, Any, Union, overload
 import numpy as np
 
 from . import _native
+from ._numbers import real
 from .model import Model
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     Forces = npt.NDArray[np.float64]
+
+
+#: Numbers of a state, and the place of the one that says of which elements it is.
+_NUMBERS, _LAYOUT = 14, 12
+_COMPLEX = frozenset((np.complex64, np.complex128, np.clongdouble))
 
 
 class Damper:
@@ -34,7 +40,9 @@ class Damper:
         for given in models:
             if not isinstance(given, Model):
                 raise TypeError(f"a damper is made of a dashpot.Model, not of a {type(given).__name__}; dashpot.Model.read(path) reads one")
-        positions = np.asarray(initial_position, dtype=float)
+        given_positions = np.asarray(initial_position)
+        real("initial_position", given_positions)
+        positions = given_positions.astype(float)
         self._single = positions.ndim == 0 and isinstance(model, Model)
         if positions.ndim == 0:
             positions = np.full(len(models), float(positions))
@@ -43,6 +51,7 @@ class Damper:
         self._models, self._count = tuple(models), len(positions)
         self._native = _native.Dampers([m._native for m in models], positions.tolist())
         self._forces: Forces = np.zeros(len(positions))
+        self._layouts = self._native.state[:, _LAYOUT].copy()
 
     def __len__(self) -> int:
         return self._count
@@ -65,6 +74,17 @@ class Damper:
         out: Forces,
     ) -> Forces: ...
     @overload
+    def step(  # pyright: ignore[reportOverlappingOverload]
+        self,
+        velocity: float,
+        dt: float,
+        displacement: float | None = None,
+        *,
+        side_force: float = 0.0,
+        temperature: float = 20.0,
+        out: None = None,
+    ) -> float: ...
+    @overload
     def step(
         self,
         velocity: npt.ArrayLike,
@@ -74,7 +94,7 @@ class Damper:
         side_force: npt.ArrayLike = 0.0,
         temperature: npt.ArrayLike = 20.0,
         out: None = None,
-    ) -> Union[float, Forces]: ...
+    ) -> Forces: ...
     def step(
         self,
         velocity: npt.ArrayLike,
@@ -87,6 +107,9 @@ class Damper:
     ) -> Union[float, Forces]:
         """Moves on by ``dt`` (s) to the velocity (m/s) at its end; returns the force (N) there.
 
+        A single damper gives a number and many give an array, whatever is given; type checkers, which do not know how many there are,
+        take numbers to give a number and arrays an array.
+
         :param displacement: m; where it is not given it is integrated from the initial position. A host that knows it should
             give it, so that nothing drifts.
         :param side_force: N.
@@ -94,6 +117,12 @@ class Damper:
         :param out: where the forces go, one float64 for each damper; a new array if not given.
         :raises StepError: where an input is absurd; all states are as they were.
         """
+        # Looked up and not asked for, as a step takes a microsecond: single numbers of numpy lose their imaginary part with a warning.
+        if (
+            velocity.__class__ in _COMPLEX or displacement.__class__ in _COMPLEX or dt.__class__ in _COMPLEX
+            or side_force.__class__ in _COMPLEX or temperature.__class__ in _COMPLEX
+        ):  # fmt: skip
+            raise TypeError("velocity, dt, displacement, side_force and temperature are real numbers; one of them is complex")
         if out is not None:
             self._native.step(velocity, dt, displacement, side_force, temperature, out)
             return out
@@ -108,7 +137,14 @@ class Damper:
 
     @state.setter
     def state(self, rows: npt.NDArray[np.float64]) -> None:
-        self._native.state = rows
+        given = np.asarray(rows)
+        real("the state", given)
+        if given.shape == (self._count, _NUMBERS):
+            # 0 where nobody wrote it, as in a state of zeros.
+            other = np.flatnonzero((given[:, _LAYOUT] != self._layouts) & (given[:, _LAYOUT] != 0))
+            if len(other):
+                raise ValueError(f"the state of damper {other[0]} is of a model with other elements; start a damper of that model instead")
+        self._native.state = given
 
 
 def _again(models: tuple[Model, ...], single: bool, state: Forces) -> Damper:

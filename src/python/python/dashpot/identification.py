@@ -9,13 +9,13 @@ from dataclasses import replace
 from . import _native
 from ._numbers import words
 from ._work import watched
-from .campaign import Campaign, Progress, native_of
+from .campaign import Progress, Record, native_of
 from .model import Model
 from .results import Diagnosis, FitResult
 
 
 def fit(
-    campaign: Campaign,
+    campaign: Sequence[Record],
     *,
     family: str = "thesis",
     elements: Sequence[str] | None = None,
@@ -27,6 +27,7 @@ def fit(
     FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
     friction and spring are chosen by tests left out of the fit. ``model.fit`` holds the estimates with their 95 % intervals.
 
+    :param campaign: a :class:`Campaign`, or some of its records: ``campaign[2:]``, ``[r for r in campaign if r.peak_velocity < 0.6]``.
     :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``.
     :param elements: elements that the fit may use; all of the model's if not given.
     :param hold_out: tests to leave out, by name; ``*`` stands for anything.
@@ -41,8 +42,8 @@ def fit(
 
 def diagnose(
     model: Model,
-    campaign: Campaign,
-    reference: Campaign | None = None,
+    campaign: Sequence[Record],
+    reference: Sequence[Record] | None = None,
     *,
     hold_out: Sequence[str] = (),
     max_effects: int = 3,

@@ -5,21 +5,21 @@ from __future__ import annotations
 import difflib
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, KeysView, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _native
 from ._result import Result, frame, table
-from ._numbers import column, several
+from ._numbers import column, real, several
 from ._work import watched
-from .campaign import Campaign, Path, Progress, native_of
+from .campaign import Campaign, Path, Progress, Record, native_of
 from .results import FitResult, Validation
 
 if TYPE_CHECKING:
-    import numpy.typing as npt
     import pandas
 
 
@@ -37,14 +37,22 @@ class Parameter(Result):
     identified: bool
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Response(Result):
     """Force of a model for a motion. SI units; extension (rebound) velocity and tension force are positive."""
 
-    time: npt.NDArray[np.float64] = field(repr=False)
-    displacement: npt.NDArray[np.float64] = field(repr=False)
-    velocity: npt.NDArray[np.float64] = field(repr=False)
-    force: npt.NDArray[np.float64] = field(repr=False)
+    time: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "time_s"})
+    displacement: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "displacement_m"})
+    velocity: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "velocity_m_s"})
+    force: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "force_N"})
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Response):
+            return NotImplemented
+        return all(np.array_equal(a, b) for a, b in zip(self._columns().values(), other._columns().values(), strict=True))
+
+    def __hash__(self) -> int:
+        return hash((len(self.time), float(self.time[-1]), float(self.force[-1])) if len(self.time) else 0)
 
     def to_dict(self) -> dict[str, Any]:
         """Lists under the column names of ``dashpot simulate``."""
@@ -84,6 +92,8 @@ class Model:
     """
 
     def __init__(self, text: str, name: Path = "model", *, fit: FitResult | None = None) -> None:
+        if not isinstance(text, str):
+            raise TypeError(f"text is the text of a model file, not a {type(text).__name__}; dashpot.Model.read(path) reads one")
         if "\n" not in text and text.endswith(".toml"):
             raise _native.ModelError(f"{text!r} is no text of a model file; dashpot.Model.read({text!r}) reads one by its path")
         self._native = _native.Model.parse(text, os.fspath(name))
@@ -141,6 +151,19 @@ class Model:
         """Lowest and highest velocity (m/s) of the FV curve; beyond, it is prolonged straight."""
         return self._native.velocity_range()
 
+    def keys(self) -> KeysView[str]:
+        """Names of the parameters of the elements that are on; with it ``dict(model)`` is their values by name."""
+        return self.parameters.keys()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __len__(self) -> int:
+        return len(self.keys())
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.keys()
+
     def __getitem__(self, name: str) -> Any:
         """The value of a parameter of an element that is on."""
         parameters = self.parameters
@@ -154,12 +177,13 @@ class Model:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
         return self._native.steady_force(column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity))
 
-    def validate(self, campaign: Campaign, *, progress: Progress | None = None) -> Validation:
+    def validate(self, campaign: Sequence[Record], *, progress: Progress | None = None) -> Validation:
         """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
 
         What the model's own fit found these records to be off by (a late force, a mass on the load cell) is taken out of them;
         :attr:`Validation.campaign` has them as they were compared, with a note.
 
+        :param campaign: a :class:`Campaign`, or some of its records.
         :raises ValidationError: where they cannot be compared.
         """
         from dataclasses import replace
@@ -167,7 +191,7 @@ class Model:
         with watched(progress) as told:
             said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told)
         return replace(
-            Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths)
+            Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         )
 
     def simulate(
@@ -200,6 +224,8 @@ class Model:
             None if side_force is None else column("side_force", side_force),
             None if temperature is None else column("temperature", temperature),
         )
+        for name, value in (("initial_position", initial_position), ("step", step)):
+            real(name, value)
         with watched():
             return Response(*self._native.simulate(*channels, initial_position, step))
 
@@ -207,7 +233,7 @@ class Model:
         self,
         path: Path,
         *,
-        others: Sequence[Model] = (),
+        others: Model | Sequence[Model] = (),
         fmi: int = 2,
         four: bool = False,
         motion_scale: float | None = None,
@@ -236,7 +262,11 @@ class Model:
         :returns: the platforms that it runs on.
         :raises ExportError: where there is no runtime, or the compiler refuses.
         """
-        models = [self._native, *(m._native for m in others)]
+        beside = [others] if isinstance(others, Model) else list(others)
+        for other in beside:
+            if not isinstance(other, Model):
+                raise TypeError(f"others are dashpot.Model, not {type(other).__name__}; dashpot.Model.read(path) reads one")
+        models = [self._native, *(m._native for m in beside)]
         stem = os.path.splitext(os.path.basename(self._name))[0]
         vehicle = four or len(models) > 1
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
