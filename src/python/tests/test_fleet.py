@@ -646,8 +646,10 @@ class TestRuns:
         told: list[str] = []
         wait_for_workers(Late(), told.append)
         assert len(told) == 1 and "no worker yet" in told[0]
-        with pytest.raises(dashpot.DashpotError, match="no Dask scheduler at foo"):
-            run_jobs(find_jobs(cheap[0]), tmp_path / "o.parquet", Plan(family="fv"), Place(address="foo"))
+        for address in ("foo", "nowhere://x:1"):
+            process = start(cheap[0], "--family", "fv", "--out", tmp_path / "o.parquet", "--scheduler", address)
+            _, err = process.communicate(timeout=30)
+            assert process.returncode == 2 and f"no Dask scheduler at {address}" in err and "Traceback" not in err, err
 
 
 class TestReport:

@@ -7,7 +7,10 @@ again. A campaign that cannot be read or fitted is a row with its reason. ``pyth
 | file | what |
 |---|---|
 | ``jobs`` | which campaigns, with serial number, batch and date |
+| ``files`` | which files a campaign is made of, and when they changed |
 | ``limits`` | what a good damper may do |
+| ``measured`` | the figures that limits speak of |
+| ``checks`` | what a plan may say |
 | ``examine`` | one campaign becomes one row |
 | ``store`` | parts on the disk, and the one table made of them |
 | ``cluster`` | where the work runs |

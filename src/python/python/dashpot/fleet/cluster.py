@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib.util
+import logging
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator
@@ -43,12 +44,12 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
         import distributed
     except ImportError as error:
         raise DashpotError("a fleet needs Dask: pip install 'dashpot[fleet]'") from error
-    import dask
+    from dask import config
 
     with contextlib.ExitStack() as stack:
         # A chunk whose worker died is taken apart and tried again by us, one campaign at a time. Were it handed to fresh workers
         # right away, each would die while it starts, and a worker that dies so early is not started again.
-        stack.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
+        stack.enter_context(config.set({"distributed.scheduler.allowed-failures": 0}))
         if place.address is not None:
             target: Any = place.address
         elif place.slurm_jobs is not None:
@@ -61,7 +62,7 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
                     processes=True,
                     # Any free port: another cluster may have the usual one.
                     dashboard_address=":0",
-                    silence_logs="ERROR",
+                    silence_logs=logging.ERROR,
                 )
             )
         yield stack.enter_context(_connected(target))
@@ -69,11 +70,14 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
 
 def _connected(target: Any) -> Any:
     import distributed
+    from distributed.comm.addressing import get_address_host_port
 
     try:
+        if isinstance(target, str):
+            # A client of an address that cannot be would hold up the end of the program for a minute.
+            get_address_host_port(target)
         return distributed.Client(target, set_as_default=False)
-    except Exception as error:
-        # Dask raises what its transport raises: OSError, ValueError, an assertion.
+    except (OSError, ValueError, distributed.TimeoutError) as error:
         if not isinstance(target, str):
             raise
         said = str(error) or type(error).__name__
