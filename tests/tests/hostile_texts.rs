@@ -185,7 +185,7 @@ fn tables_of_limits_peaks_and_tests() {
     ];
     every_damage_is_read_or_refused("peaks.csv", &peaks.map(str::to_owned), &|file, bytes| {
         std::fs::write(file, bytes).unwrap();
-        let points = read_peaks(file).map_err(|e| e.to_string())?;
+        let points = read_peaks(file, None).map_err(|e| e.to_string())?.points;
         assert!(points.windows(2).all(|w| w[0].velocity_m_s < w[1].velocity_m_s), "{points:?}");
         Ok(())
     });

@@ -60,7 +60,7 @@ pub use error::{FilesUnit, Place, RecordError};
 pub use motion::{MotionRecord, read_motion};
 pub use one_clock::apart;
 pub use options::{Options, Positive};
-pub use peak_table::{PeakPoint, read_peaks};
+pub use peak_table::{PeakPoint, Peaks, Told, read_peaks};
 pub use phrases::texts;
 pub use profile::Profile;
 pub use reading_unit::reading_unit;

@@ -68,7 +68,7 @@ pub fn settings(bytes: &[u8]) {
             }
         }
         2 => {
-            let _ = read_peaks(&written("peaks.csv", bytes));
+            let _ = read_peaks(&written("peaks.csv", bytes), None);
         }
         3 => {
             let _ = Matrix::read(&written("matrix.csv", bytes));

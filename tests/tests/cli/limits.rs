@@ -82,6 +82,14 @@ fn a_table_of_peaks_starts_a_model() {
     )
     .unwrap();
     done(dir, &["import", "peaks", "pvp.csv", "-o", "m.toml", "--gas-force", "100", "--friction", "40"]);
+    let signed = "velocity_m_s,force_N\n-0.5,-1100\n0.5,700\n";
+    fs::write(dir.join("signed.csv"), signed).unwrap();
+    let told = done(dir, &["import", "peaks", "signed.csv", "-o", "s.toml"]);
+    assert!(told.contains("positive velocities and forces taken as rebound"), "{told}");
+    assert!(told.contains("0.64 times") && told.contains("give --positive compression"), "{told}");
+    let told = done(dir, &["import", "peaks", "signed.csv", "-o", "s.toml", "--positive", "compression"]);
+    assert!(told.contains("negative velocities and forces taken as rebound, as given"), "{told}");
+    assert!(told.contains("1.57 times") && !told.contains("Most dampers"), "{told}");
     fs::write(dir.join("motion.csv"), motion()).unwrap();
     done(dir, &["simulate", "m.toml", "motion.csv", "-o", "f.csv"]);
     let (_, rows) = dashpot_tests::cli::table(&dir.join("f.csv"));

@@ -6,13 +6,13 @@ use dashpot_core::{element, list, number};
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
 use dashpot_output::Kind;
-use dashpot_records::read_peaks;
+use dashpot_records::{Peaks, Positive, Told, read_peaks};
 use std::path::PathBuf;
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
 ///
-/// Columns are velocity and force with their units, compression negative, or velocity with a column for rebound and one for
-/// compression. Gas force and friction, which such a table holds without naming them, are taken out where they are given.
+/// Columns are velocity and force with their units, rebound positive and compression negative unless --positive says otherwise, or
+/// velocity with a column for rebound and one for compression; each of them may have a velocity of its own. Gas force and friction, which such a table holds without naming them, are taken out where they are given.
 #[derive(clap::Args)]
 #[command(
     after_help = "Example:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
@@ -24,6 +24,9 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "MODEL")]
     output: PathBuf,
+    /// Which direction a table with signs counts positive; rebound if not given
+    #[arg(long, value_name = "rebound|compression")]
+    positive: Option<Positive>,
     /// Gas force in the table's forces, N
     #[arg(long, value_name = "N", default_value_t = 0.0)]
     gas_force: f64,
@@ -41,7 +44,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             bail!("{name} is {value}; it must be 0 N or more");
         }
     }
-    let points = read_peaks(&args.input)?;
+    let peaks = read_peaks(&args.input, args.positive)?;
+    let points = &peaks.points;
     let hydraulic = |force: f64, velocity: f64| force + args.gas_force - args.friction * velocity.signum();
     let mut velocities = vec![0.0];
     let mut forces = vec![0.0];
@@ -82,6 +86,37 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, format!("# Read from {}.\n\n{flat}", file.escape_debug()))?;
     dashpot_output::say(
         Some(&args.output).filter(|p| dashpot_output::is_stdout(p)).map(PathBuf::as_path),
-        &format!("{} points in {}; hysteresis needs records (dashpot fit)", velocities.len(), args.output.display()),
+        &format!(
+            "{} points in {}; {}; hysteresis needs records (dashpot fit)",
+            velocities.len(),
+            args.output.display(),
+            direction(&peaks)
+        ),
     )
+}
+
+/// Which side was taken as rebound, and whether its forces speak for that.
+fn direction(peaks: &Peaks) -> String {
+    /// How much stronger the compression must be to be remarked: dampers that resist both alike scatter by less.
+    const CLEARLY: f64 = 1.2;
+    let taken = match peaks.told {
+        Told::Headings => "rebound and compression taken as the headings name them",
+        Told::Given(Positive::Rebound) => "positive velocities and forces taken as rebound, as given",
+        Told::Given(Positive::Compression) => "negative velocities and forces taken as rebound, as given",
+        Told::Assumed => {
+            "positive velocities and forces taken as rebound (--positive compression takes the negative ones)"
+        }
+    };
+    let Some((velocity, ratio)) = peaks.asymmetry() else { return taken.to_owned() };
+    let found =
+        format!("{taken}; at {velocity:.3} m/s the force in rebound is {ratio:.2} times the force in compression");
+    if ratio * CLEARLY > 1.0 {
+        return found;
+    }
+    let check = match peaks.told {
+        Told::Headings => "check the headings",
+        Told::Given(Positive::Compression) => "check whether --positive rebound is right",
+        _ => "if the table counts compression positive, give --positive compression",
+    };
+    format!("{found}. Most dampers resist rebound more: {check}")
 }
