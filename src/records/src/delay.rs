@@ -84,7 +84,8 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     /// How much less one explanation must leave than the other to be preferred.
     const CLEARLY: f64 = 0.7;
     let tests = thin(motions);
-    let Some(delay) = best(&tests, &[]) else { return Cause::Sign };
+    // One that leaves as much as no curve at all is no explanation: then something else is wrong with these tests.
+    let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
     match best(&tests, feeding) {
         Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
             if turned.unexplained < CLEARLY * delay.unexplained { Cause::Sign } else { Cause::Either(delay) }

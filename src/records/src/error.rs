@@ -383,6 +383,11 @@ pub enum RecordError {
         cause: Sentence,
         tests: Vec<String>,
     },
+
+    Exchanged {
+        cause: Sentence,
+        tests: Vec<String>,
+    },
 }
 
 impl RecordError {
@@ -547,6 +552,7 @@ impl RecordError {
             RecordError::FeedsEnergy { cause, .. } => {
                 Sentence::from(phrases::FEEDS_ENERGY).with_said("cause", cause.clone())
             }
+            RecordError::Exchanged { cause, .. } => cause.clone(),
         }
     }
 

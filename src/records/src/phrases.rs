@@ -27,6 +27,9 @@ crate::phrases! {
     RESAMPLED: "measured at another rate, and put onto the times of force and motion by straight lines: {names}";
     BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
     BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
+    BETWEEN_ROWS: "{count} lines between the rows hold no figures and were passed over (line {lines}), the first: {text}";
+    BEHIND_ROWS: "{count} rows hold text behind the columns of the heading, which was not read (line {lines}), the first: {text}";
+    LONGER_ROWS: "{count} rows hold more figures than the heading has columns, so that it is not sure which is which; these rows are left out (line {lines}). Too many in the first: {text}";
     // Gaps in time.
     OF_FILE: "{file}: {text}";
     GAPS: "gaps in time: {places}{more}. Read as {count} tests{rest}";
@@ -94,6 +97,7 @@ crate::phrases! {
     TELLS_NOTHING: "tells nothing";
     CONTRADICT: "gas force and asymmetry contradict each other; the stronger of the two was followed";
     NOT_DISSIPATING: "no test dissipates energy clearly, so it is not certain that force and motion go together";
+    MAYBE_EXCHANGED: "displacement and force look exchanged, so that none of this is sure";
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). The harder ones: {hard}. The softer ones: {soft}";
@@ -166,6 +170,9 @@ crate::phrases! {
     FEW_TAKE: "{fewer} of {count} tests dissipate while the other {more} do not: {names}. {apart}{also}";
     APART: "These files count force or motion in another direction than the rest. Load them apart, with --flip force or --flip motion for those that feed energy, or correct the export";
     ALL_FEED: "in all {count} tests with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}";
+    EXCHANGED: "displacement and force look exchanged in {count} of {all} tests: {names}. In {test} the column read as force moves like a sine, as a rig does (its overtones are {of_force} % of it), and the one read as displacement does not ({of_displacement} %)";
+    EXCHANGED_FEED: "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders";
+    EXCHANGED_DOUBT: "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out";
     OR_LATE: ". Or {late}; then give {option}";
     FLIP_MOTION: "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
     FLIP_FORCE: "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";

@@ -15,6 +15,7 @@ use super::phrases;
 use super::record::Note;
 use super::samples::{median, quantile};
 use super::sentence::Sentence;
+use super::swapped::Overtones;
 
 /// What is known about the direction that the files count positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -67,7 +68,18 @@ pub(crate) fn settle(
         });
         (evidence, standstill) = weigh(&in_time);
     }
-    let finding = direction(&evidence, standstill, options, notes);
+    let mut finding = direction(&evidence, standstill, options, notes);
+    let cycles: Vec<(usize, Overtones)> =
+        motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::of(motion)?))).collect();
+    let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
+    // As read the damper takes energy out, so it may be one of a kind not known here: told, and left as it is.
+    if 2 * exchanged.len() > cycles.len() {
+        let text =
+            Sentence::from(phrases::EXCHANGED_DOUBT).with_said("exchanged", told_exchanged(&evidence, &exchanged));
+        notes.push(Note { kind: "exchanged", text });
+        finding.reasons.push(phrases::MAYBE_EXCHANGED.into());
+        finding.confidence = finding.confidence.min(0.5);
+    }
     if finding.positive == Positive::Compression {
         for motion in motions.iter_mut() {
             flip(&mut motion.force);
@@ -97,11 +109,23 @@ fn lateness(
     notes: &mut Vec<Note>,
 ) -> Result<Option<Delay>, RecordError> {
     let feeding: Vec<usize> = (0..evidence.len()).filter(|&i| evidence[i].power < -UNCLEAR).collect();
+    // Displacement and force exchanged turn the loop round, as a wrong sign or half a cycle of delay would; of these the wave form tells it.
+    let exchanged: Vec<(usize, Overtones)> = feeding
+        .iter()
+        .filter_map(|&i| Some((i, Overtones::of(&motions[i])?)))
+        .filter(|(_, overtones)| overtones.exchanged())
+        .collect();
+    if !feeding.is_empty() && 2 * exchanged.len() >= feeding.len() {
+        let cause =
+            Sentence::from(phrases::EXCHANGED_FEED).with_said("exchanged", told_exchanged(evidence, &exchanged));
+        let tests = exchanged.iter().map(|(i, _)| evidence[*i].name.clone()).collect();
+        return Err(RecordError::Exchanged { cause, tests });
+    }
     let told = |late: &Delay| {
         Sentence::from(phrases::LATE)
             .with("delay", format!("{:.1}", 1e3 * late.seconds))
             .with("left", format!("{:.1}", 100.0 * late.unexplained))
-            .with("recorded", format!("{:.1}", 100.0 * late.unexplained_as_recorded))
+            .with("recorded", format!("{:.1}", 100.0 * late.unexplained_as_recorded.min(1.0)))
     };
     let flag = |late: &Delay| format!("--delay {:.4}", options.delay_s + late.seconds);
     let late = if feeding.is_empty() {
@@ -199,6 +223,21 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     };
     let (positive, negative) = (side(true)?, side(false)?);
     (positive > 0.0 && negative > 0.0).then(|| (positive / negative).ln())
+}
+
+/// Which tests look exchanged, and by what.
+fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Sentence {
+    let names: Vec<&Evidence> = exchanged.iter().map(|(i, _)| &evidence[*i]).collect();
+    let clearest = exchanged.iter().max_by(|a, b| a.1.displacement.total_cmp(&b.1.displacement));
+    let (shown, overtones) = clearest.map_or(("", None), |(i, o)| (evidence[*i].name.as_str(), Some(o)));
+    let percent = |share: Option<f64>| format!("{:.1}", 100.0 * share.unwrap_or(0.0));
+    Sentence::from(phrases::EXCHANGED)
+        .with("count", exchanged.len())
+        .with("all", evidence.len())
+        .with_said("names", list(&names))
+        .with("test", shown)
+        .with("of_force", percent(overtones.map(|o| o.force)))
+        .with("of_displacement", percent(overtones.map(|o| o.displacement)))
 }
 
 fn list(names: &[&Evidence]) -> Sentence {
@@ -340,8 +379,10 @@ fn word(positive: Positive) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use super::super::channel::Channel;
     use super::super::cleaning;
     use super::super::fixtures::SineTest;
+    use super::super::unit::Unit;
     use super::*;
 
     #[test]
@@ -427,6 +468,42 @@ mod tests {
         }
         let error = settled(campaign(-1.0, 1.0, 0.0), &Options::default()).unwrap_err().to_string();
         assert!(error.contains("too small to tell"), "{error}");
+    }
+
+    /// Tests of which some have force and displacement exchanged, in the same units; with a damper that is no straight line.
+    fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
+        let mut motions = Vec::new();
+        for (k, &swap) in exchanged.iter().enumerate() {
+            let mut samples = SineTest { frequency: 0.5 + 0.5 * k as f64, ..SineTest::default() }.samples();
+            samples.name = format!("test{k}");
+            samples.velocity = None;
+            if swap {
+                let x = samples.displacement.as_mut().unwrap();
+                x.iter_mut().for_each(|x| *x *= sign * 1e3);
+                samples.force.iter_mut().for_each(|f| *f *= 1e-4);
+                std::mem::swap(x, &mut samples.force);
+            }
+            // A unit given keeps the look at single files from refusing them.
+            let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
+            motions.push(cleaning::repair(samples, &options).unwrap());
+        }
+        motions
+    }
+
+    #[test]
+    fn exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed() {
+        for which in [[true, true, true], [true, false, false]] {
+            let error = settled(exchanged_campaign(&which, 1.0), &Options::default()).unwrap_err();
+            let RecordError::Exchanged { tests, .. } = &error else { panic!("{error}") };
+            assert_eq!(tests.len(), which.iter().filter(|w| **w).count());
+            let text = error.to_string();
+            assert!(text.contains("look exchanged") && !text.contains("--delay") && !text.contains("--flip"), "{text}");
+        }
+        // Turned as well, the damper takes energy out: nothing is refused, but nothing is sure either.
+        let (finding, _, notes) = settled(exchanged_campaign(&[true; 3], -1.0), &Options::default()).unwrap();
+        assert!(finding.confidence <= 0.5 && notes.iter().any(|n| n.kind == "exchanged"), "{finding:?}");
+        let (finding, _, notes) = settled(exchanged_campaign(&[false; 3], 1.0), &Options::default()).unwrap();
+        assert!(finding.confidence > 0.5 && notes.iter().all(|n| n.kind != "exchanged"), "{finding:?}");
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Headings that stand over each other's columns: time over something that does not advance, displacement over force.
 
 use super::channel::Channel;
+use super::cleaning::{Cycle, Motion};
 use super::error::RecordError;
 use super::options::Options;
 use super::phrases;
-use super::samples::{Samples, quantile, range};
+use super::samples::{Samples, median, quantile, range};
 use super::sentence::Sentence;
 
 /// Largest range of displacement, m, that a damper rig has.
@@ -80,6 +81,61 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         return Err(error(Channel::Displacement, Channel::Force, evidence));
     }
     Ok(())
+}
+
+/// How far a test of cycles is from a sine in displacement and in force: the overtones as a share of the ground wave.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Overtones {
+    pub displacement: f64,
+    pub force: f64,
+}
+
+impl Overtones {
+    /// Overtones of a motion from which on it is none that a rig drives as a sine.
+    const NO_SINE: f64 = 0.03;
+    /// How much purer the force must be. A damper's force bends the motion or follows it: a force in proportion to the motion, or to its
+    /// speed, has at least the motion's overtones, and a rig that shakes has them in both.
+    const PURER: f64 = 3.0;
+
+    /// Whether what is read as force is the motion, and the reverse.
+    pub fn exchanged(&self) -> bool {
+        self.displacement > Self::NO_SINE && self.displacement > Self::PURER * self.force
+    }
+
+    /// Over the whole cycles of a test; nothing where it has none or too few samples.
+    pub fn of(motion: &Motion) -> Option<Overtones> {
+        let of = |values: &[f64]| {
+            let mut shares: Vec<f64> =
+                motion.cycles.iter().filter_map(|c| overtones(&motion.time, values, c)).collect();
+            (!shares.is_empty()).then(|| median(&mut shares))
+        };
+        Some(Overtones { displacement: of(&motion.displacement)?, force: of(&motion.force)? })
+    }
+}
+
+/// The overtones of one cycle as a share of its ground wave.
+fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
+    /// The highest that is looked at; friction and knees show below it, noise is spread over all.
+    const HIGHEST: usize = 7;
+    let span = cycle.start..cycle.end;
+    if span.len() < 4 * HIGHEST {
+        return None;
+    }
+    let (time, values) = (&time[span.clone()], &values[span]);
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let turn = std::f64::consts::TAU / (cycle.end_time - cycle.start_time);
+    let wave = |k: usize| {
+        let (mut a, mut b) = (0.0, 0.0);
+        for (t, value) in time.iter().zip(values) {
+            let phase = turn * k as f64 * (t - cycle.start_time);
+            a += (value - mean) * phase.cos();
+            b += (value - mean) * phase.sin();
+        }
+        a.hypot(b)
+    };
+    let ground = wave(1);
+    let over = (2..=HIGHEST).map(wave).fold(0.0, f64::hypot);
+    (ground > 0.0).then(|| over / ground)
 }
 
 /// Share of the steps that go forward.

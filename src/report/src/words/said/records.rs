@@ -89,6 +89,24 @@ pub const ALL: &[Said] = &[
         "à partir de la ligne {line}, sous le tableau, non lu : {text}",
         "表格下方自第 {line} 行起未读取：{text}",
     ],
+    [
+        "{count} lines between the rows hold no figures and were passed over (line {lines}), the first: {text}",
+        "{count} Zeilen zwischen den Messwerten enthalten keine Zahlen und wurden übergangen (Zeile {lines}), die erste: {text}",
+        "{count} lignes entre les mesures ne contiennent pas de chiffres et ont été ignorées (ligne {lines}), la première : {text}",
+        "数据行之间有 {count} 行不含数值，已跳过（第 {lines} 行），首行为：{text}",
+    ],
+    [
+        "{count} rows hold text behind the columns of the heading, which was not read (line {lines}), the first: {text}",
+        "{count} Zeilen enthalten hinter den Spalten der Überschrift Text, der nicht gelesen wurde (Zeile {lines}), der erste: {text}",
+        "{count} lignes contiennent, après les colonnes de l’en-tête, du texte qui n’a pas été lu (ligne {lines}), le premier : {text}",
+        "{count} 行在表头各列之后还有文字，未读取（第 {lines} 行），首处为：{text}",
+    ],
+    [
+        "{count} rows hold more figures than the heading has columns, so that it is not sure which is which; these rows are left out (line {lines}). Too many in the first: {text}",
+        "{count} Zeilen enthalten mehr Zahlen, als die Überschrift Spalten hat, sodass nicht sicher ist, welche wohin gehört; diese Zeilen sind weggelassen (Zeile {lines}). Zu viel in der ersten: {text}",
+        "{count} lignes contiennent plus de chiffres que l’en-tête n’a de colonnes, de sorte qu’on ne sait pas lequel va où ; ces lignes sont omises (ligne {lines}). En trop dans la première : {text}",
+        "{count} 行的数值多于表头的列数，无法确定对应关系；这些行已略去（第 {lines} 行）。首行多出：{text}",
+    ],
     // Gaps in time.
     ["{file}: {text}", "{file}: {text}", "{file} : {text}", "{file}：{text}"],
     [
@@ -430,6 +448,12 @@ pub const ALL: &[Said] = &[
         "kein Versuch nimmt deutlich Energie auf, so dass nicht sicher ist, ob Kraft und Bewegung zusammengehören",
         "aucun essai ne dissipe nettement d’énergie : il n’est pas certain que l’effort et le mouvement aillent ensemble",
         "没有试验明显耗散能量，因此不能确定力与运动相对应",
+    ],
+    [
+        "displacement and force look exchanged, so that none of this is sure",
+        "Weg und Kraft sehen vertauscht aus, sodass nichts davon sicher ist",
+        "déplacement et force semblent échangés, de sorte que rien de cela n’est sûr",
+        "位移与力看来互换了，因此这些都不确定",
     ],
     [
         "the evidence is weak; say which it is with --positive rebound or --positive compression",
@@ -779,6 +803,24 @@ pub const ALL: &[Said] = &[
         "der Dämpfer gäbe Energie in den Prüfstand ab, also ist ein Vorzeichen falsch: {cause}",
         "l’amortisseur fournirait de l’énergie au banc, un signe est donc faux : {cause}",
         "减振器会向试验台输出能量，说明有符号错误：{cause}",
+    ],
+    [
+        "displacement and force look exchanged in {count} of {all} tests: {names}. In {test} the column read as force moves like a sine, as a rig does (its overtones are {of_force} % of it), and the one read as displacement does not ({of_displacement} %)",
+        "Weg und Kraft sehen in {count} von {all} Versuchen vertauscht aus: {names}. In {test} verläuft die als Kraft gelesene Spalte wie ein Sinus, wie ihn ein Prüfstand fährt (ihre Oberwellen betragen {of_force} %), die als Weg gelesene nicht ({of_displacement} %)",
+        "déplacement et force semblent échangés dans {count} essais sur {all} : {names}. Dans {test}, la colonne lue comme force suit un sinus, comme le fait un banc (ses harmoniques en font {of_force} %), et celle lue comme déplacement non ({of_displacement} %)",
+        "{all} 个试验中有 {count} 个的位移与力看来互换了：{names}。在 {test} 中，按力读取的列像试验台运动那样呈正弦（谐波占 {of_force} %），按位移读取的列则不是（{of_displacement} %）",
+    ],
+    [
+        "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders",
+        "{exchanged}; so gelesen gäbe der Dämpfer Energie in den Prüfstand ab. Geben Sie --column displacement=\"Überschrift\" und --column force=\"Überschrift\" umgekehrt an, und --unit, wo die Einheiten mitgehen. Betrifft es nur einige Dateien, legen Sie diese in einen eigenen Ordner, sagen Sie es dort mit dashpot import-profile, und nennen Sie beide Ordner",
+        "{exchanged} ; lu ainsi, l’amortisseur fournirait de l’énergie au banc. Donnez --column displacement=\"en-tête\" et --column force=\"en-tête\" dans l’autre sens, et --unit là où les unités suivent. Si seuls quelques fichiers sont concernés, placez-les dans un dossier à part, dites-le là avec dashpot import-profile, et nommez les deux dossiers",
+        "{exchanged}；这样读取时减振器会向试验台输出能量。请把 --column displacement=\"列标题\" 与 --column force=\"列标题\" 对调给出，单位也随之互换时再给出 --unit。若只有部分文件如此，请把它们放入单独的文件夹，在那里用 dashpot import-profile 注明，并同时给出两个文件夹",
+    ],
+    [
+        "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out",
+        "{exchanged}. Wenn das so ist, stimmt nichts von dem, was folgt: Geben Sie --column displacement=\"Überschrift\" und --column force=\"Überschrift\" umgekehrt an, und lassen Sie --flip weg",
+        "{exchanged}. Si c’est le cas, rien de ce qui suit n’est juste : donnez --column displacement=\"en-tête\" et --column force=\"en-tête\" dans l’autre sens, et retirez --flip",
+        "{exchanged}。若确实如此，以下内容均不成立：请把 --column displacement=\"列标题\" 与 --column force=\"列标题\" 对调给出，并去掉 --flip",
     ],
     [
         "{fewer} of {count} tests feed energy while the other {more} do not: {names}. {apart}{also}",
