@@ -15,7 +15,7 @@ use super::lvm;
 use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
-use super::table::{HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
+use super::table::{Column, HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
 use super::unit::Unit;
 
 /// Reads the tests of one delimited text file.
@@ -317,15 +317,17 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
         let cell = |index: usize| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?");
         // A row has its time in figures; where there is no time, everything that is read.
         let columns = &rows.layout().columns;
+        let text_of = |c: &Column| !is_figure(cell(c.index), decimal_comma);
+        // What an acquisition writes between its rows may bear a time, but nothing else in figures.
+        let figures =
+            columns.iter().any(|c| c.channel != Channel::Time && !cell(c.index).trim().is_empty() && !text_of(c));
         let is_row = match columns.iter().find(|c| c.channel == Channel::Time) {
-            Some(time) => is_figure(cell(time.index), decimal_comma),
-            None => columns.iter().all(|c| is_figure(cell(c.index), decimal_comma)),
+            Some(time) => !text_of(time) && (figures || !columns.iter().any(text_of)),
+            None => !columns.iter().any(text_of),
         };
         if !is_row {
             let cells = record.iter().map(|cell| String::from_utf8_lossy(cell).into_owned()).collect::<Vec<_>>();
-            let figures =
-                columns.iter().any(|c| !cell(c.index).trim().is_empty() && is_figure(cell(c.index), decimal_comma));
-            let column = columns.iter().find(|c| !is_figure(cell(c.index), decimal_comma));
+            let column = columns.iter().find(|c| text_of(c));
             let fault = column.map_or_else(
                 || RecordError::NoData { at: at.clone() },
                 |c| no_number(at, line, &c.heading, cell(c.index)),
@@ -334,10 +336,18 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             continue;
         }
         beside.row()?;
-        if record.len() > header.len() && record.iter().skip(header.len()).any(|cell| !cell.trim_ascii().is_empty()) {
-            let hint = (delimiter == b',').then_some(phrases::QUOTE_DECIMAL_COMMAS);
+        let surplus = || record.iter().skip(header.len()).map(String::from_utf8_lossy).filter(|f| !f.trim().is_empty());
+        if surplus().next().is_some() {
             let (found, expected) = (record.len(), header.len());
-            return Err(RecordError::Fields { at: at.clone(), line, found, expected, hint });
+            // Decimal commas part every number in two, and leave no point in any.
+            let commas = delimiter == b',' && found <= 2 * expected && record.iter().all(is_whole);
+            let hint = commas.then_some(phrases::QUOTE_DECIMAL_COMMAS);
+            let fault = RecordError::Fields { at: at.clone(), line, found, expected, hint };
+            let fields: Vec<String> = surplus().map(std::borrow::Cow::into_owned).collect();
+            let figures = fields.iter().any(|field| is_figure(field, decimal_comma));
+            if !beside.surplus(line, &fields, figures, fault) {
+                continue;
+            }
         }
         for (value, column) in values.iter_mut().zip(&rows.layout().columns) {
             let cell = cell(column.index);
@@ -363,13 +373,19 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             .map(|index| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?").to_string());
         rows.push(line, values.iter().copied(), test.as_deref());
     }
-    beside.tell(&mut rows);
+    beside.tell(&mut rows)?;
     tests.push(rows);
     let mut read = Vec::new();
     for (rows, began) in tests.into_iter().zip(began) {
         read.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began)));
     }
     Ok(read)
+}
+
+/// Whether a cell is a whole number: digits, and a sign at most.
+fn is_whole(cell: &[u8]) -> bool {
+    let cell = cell.trim_ascii();
+    cell.strip_prefix(b"-").unwrap_or(cell).iter().all(u8::is_ascii_digit)
 }
 
 /// Whether a cell holds a number or a time of day.
@@ -601,6 +617,46 @@ mod tests {
             .collect()
     }
 
+    fn told(samples: &Samples) -> String {
+        samples.notes.iter().map(|n| n.text.to_string() + "\n").collect()
+    }
+
+    #[test]
+    fn events_and_remarks_of_an_acquisition_do_not_cost_the_test() {
+        let row = |i: i32| format!("{i},{}.5,{},,\n", i % 7, 10 * i);
+        let table = |from: i32, to: i32| (from..to).map(row).collect::<String>();
+        let header = "time_s,x_mm,force_N,a,b\n";
+        // A time and a text in the place of a reading, or a line of text.
+        let text = format!(
+            "{header}{}20,Switched from 6 to 9,,,\n{}Pause,,,,\n{}",
+            table(0, 20),
+            table(21, 40),
+            table(40, 60)
+        );
+        let test = read(&text);
+        assert_eq!((test.len(), test.lines[20]), (59, 23));
+        let expected = "2 lines between the rows hold no figures and were passed over (line 22, 42), the first: '20 Switched from 6 to 9'";
+        assert!(told(&test).contains(expected), "{}", told(&test));
+        // Text behind the columns: the row is read without it.
+        let text = format!("{header}{}20,1.5,3,,,\"DAQ Pause\",DAQ Stop\n", table(0, 20));
+        let test = read(&text);
+        assert!(test.len() == 21 && test.force[20] == 3.0, "{test:?}");
+        assert!(told(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", told(&test));
+        // A figure too many may stand anywhere.
+        let test = read(&format!("{header}{}20,1,5,3,0,0,0\n", table(0, 20)));
+        assert!(test.len() == 20 && told(&test).contains("these rows are left out (line 22)"), "{}", told(&test));
+        // Where most rows are like that, the table is another one; where a row has some figures, its fault is one.
+        let message = |text: String| try_read(&text).unwrap_err().to_string();
+        let every = message(header.to_owned() + &"0,1.5,2,3,4,5,6\n".repeat(20));
+        assert!(every.contains("line 2: has 7 fields where the header has 5") && !every.contains("decimal"), "{every}");
+        let commas = message("time_s,x_mm,force_N\n".to_owned() + &"0,01,1,5,10\n".repeat(20));
+        assert!(commas.contains("decimal commas need quotes"), "{commas}");
+        let many = message(format!("{header}{}{}{}", table(0, 9), "pause,,,,\n".repeat(6), table(9, 18)));
+        assert!(many.contains("line 11") && many.contains("'pause' is no number"), "{many}");
+        let heading = message(format!("{header}{}time_s,force_N,x_mm,,\n{}", table(0, 30), table(30, 60)));
+        assert!(heading.contains("line 32"), "{heading}");
+    }
+
     #[test]
     fn acquisitions_of_mts_stations_repeat_their_header() {
         let header = |t: f64| {
@@ -620,11 +676,12 @@ mod tests {
         assert!((going_on.force[0] - 1500.0).abs() < 1e-9);
         let anew = try_read(&file(&[0.0, 0.0])).unwrap();
         assert_eq!(anew.iter().map(|t| (t.name.as_str(), t.len())).collect::<Vec<_>>(), [("a", 200), ("a 2", 200)]);
-        // A text line that is no repeated header is an error as ever.
+        // A text line that is no repeated header is told.
         let stray = file(&[0.0])
             + "operator stopped here\toperator stopped here\toperator stopped here\n"
             + &rows(2.0, 3.0, "\t");
-        assert!(try_read(&stray).unwrap_err().to_string().contains("operator stopped"));
+        let stray = read(&stray);
+        assert!(stray.len() == 300 && told(&stray).contains("operator stopped"), "{}", told(&stray));
     }
 
     #[test]

@@ -65,9 +65,13 @@ impl RecordError {
             | E::Clipped { .. }
             | E::NoMotion { .. }
             | E::ConstantForce { .. } => Reach::Test,
-            E::Cell { .. } | E::Fields { .. } | E::ConstantTime { .. } | E::Contradiction { .. } => {
-                Reach::TestUnlessMost
-            }
+            // A file without the columns that the others have is another table or a garbled one.
+            E::MissingColumn { .. }
+            | E::NoSuchColumn { .. }
+            | E::Cell { .. }
+            | E::Fields { .. }
+            | E::ConstantTime { .. }
+            | E::Contradiction { .. } => Reach::TestUnlessMost,
             // Among them figures that no damper has, and swapped headings: of a unit or column that is wrong in all tests a few
             // strong ones alone may tell.
             _ => Reach::Campaign,
@@ -150,6 +154,7 @@ fn in_words(error: &RecordError) -> Unusable {
 
 #[cfg(test)]
 mod tests {
+    use super::super::channel::Channel;
     use super::*;
     use crate::Place;
 
@@ -202,6 +207,22 @@ mod tests {
         // Where nothing is left, the fault of a test tells more than a stray file.
         let refused = sieve(vec![stray(), short()]).refuse_most(0).unwrap_err();
         assert!(refused.to_string().contains("s.csv"), "{refused}");
+    }
+
+    #[test]
+    fn a_file_without_the_columns_of_the_others_is_left_out() {
+        let other_table = || RecordError::MissingColumn {
+            at: Place::file("peaks.csv"),
+            line: 1,
+            missing: "time",
+            example: Channel::Time,
+            found: "'speed', 'force'".into(),
+            near: None,
+        };
+        let mut one = sieve(vec![other_table()]);
+        one.refuse_most(2).unwrap();
+        assert!(one.tell(&mut Vec::new())[0].why.to_string().contains("peaks.csv, line 1: no column for time"));
+        assert!(sieve(vec![other_table(), other_table()]).refuse_most(2).is_err());
     }
 
     #[test]

@@ -227,11 +227,21 @@ impl<'a> Sheet<'a> {
             text: cell.to_string().chars().take(40).collect(),
             hint: Some(phrases::FORMAT_AS_NUMBERS),
         };
+        let text_in = |c: &&Column| !is_figure(row.get(c.index));
         let time = columns.iter().find(|c| c.channel == Channel::Time);
-        if let Some(column) = time.or_else(|| columns.iter().find(|c| !is_figure(row.get(c.index))))
-            && let Some(cell) = row.get(column.index).filter(|cell| !is_figure(Some(cell)))
+        let figures = columns
+            .iter()
+            .filter(|c| c.channel != Channel::Time && !text_in(c))
+            .filter_map(|c| row.get(c.index))
+            .any(|cell| !is_empty(cell));
+        // What an acquisition writes between its rows may bear a time, but nothing else in figures.
+        let column = match time {
+            Some(time) if figures => Some(time).filter(text_in),
+            _ => columns.iter().find(text_in),
+        };
+        if let Some(column) = column
+            && let Some(cell) = row.get(column.index)
         {
-            let figures = columns.iter().filter_map(|c| row.get(c.index)).any(|c| !is_empty(c) && is_figure(Some(c)));
             let fault = no_number(column, cell);
             return self.beside.take(!rows.is_empty(), line, &text(), figures, fault);
         }
@@ -255,7 +265,7 @@ impl<'a> Sheet<'a> {
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
             (Some(mut rows), _) => {
-                self.beside.tell(&mut rows);
+                self.beside.tell(&mut rows)?;
                 rows.finish(None)
             }
             (None, Some((line, header))) => {
