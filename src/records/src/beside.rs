@@ -133,13 +133,13 @@ impl Beside {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));
         }
-        for (kind, few, template) in [
-            (self.remarks, true, phrases::BETWEEN_ROWS),
-            (self.texts, false, phrases::BEHIND_ROWS),
-            (self.figures, true, phrases::LONGER_ROWS),
+        for (lot, few, kind, template) in [
+            (self.remarks, true, "missing", phrases::BETWEEN_ROWS),
+            (self.texts, false, "ignored", phrases::BEHIND_ROWS),
+            (self.figures, true, "missing", phrases::LONGER_ROWS),
         ] {
-            if let Some(told) = kind.tell(self.rows, few, template)? {
-                rows.note("ignored", told);
+            if let Some(told) = lot.tell(self.rows, few, template)? {
+                rows.note(kind, told);
             }
         }
         if let Some(Foot { line, text, .. }) = self.foot {

@@ -82,6 +82,17 @@ impl Channel {
         }
     }
 
+    /// A unit that it is often measured in, for examples.
+    pub(crate) fn example(self) -> Unit {
+        match self {
+            Channel::Time => Unit::Second,
+            Channel::Displacement => Unit::Millimetre,
+            Channel::Velocity => Unit::MetrePerSecond,
+            Channel::Force | Channel::SideForce => Unit::Newton,
+            Channel::Temperature => Unit::Celsius,
+        }
+    }
+
     /// The units understood for this channel, for messages.
     pub fn units_understood(self) -> String {
         Unit::ALL.iter().filter(|u| u.dimension() == self.dimension()).map(|u| u.name()).collect::<Vec<_>>().join(", ")

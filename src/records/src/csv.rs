@@ -15,7 +15,9 @@ use super::lvm;
 use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
-use super::table::{Column, HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header, number};
+use super::table::{
+    Column, HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header_near, number, numbered,
+};
 use super::unit::Unit;
 
 /// Reads the tests of one delimited text file.
@@ -128,8 +130,8 @@ fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
                     return (Some(Start::headed(index, offset, delimiter, header)), first_line);
                 }
                 if by_number && row && numbers.is_none() {
-                    let names = (1..=header.len()).map(|n| format!("column {n}")).collect();
-                    let header = if above.len() == header.len() { std::mem::take(&mut above) } else { names };
+                    let names = numbered(header.len());
+                    let header = if above.len() == names.len() { std::mem::take(&mut above) } else { names };
                     numbers = Some(Start { headed: false, ..Start::headed(index, offset, delimiter, header) });
                 }
             }
@@ -235,7 +237,21 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Sa
         // A heading nearly as the user wrote it: the layout says which is meant.
         return table(at, name, text, Start::headed(0, 0, delimiter, header), options);
     }
-    Err(no_header(at, &first_line))
+    // What the lines hold under the delimiter that makes most of each, or parted by blanks.
+    let parted: Vec<(usize, Vec<String>)> = text
+        .lines()
+        .enumerate()
+        .take(HEADER_WITHIN)
+        .filter(|(_, line)| !is_comment(line))
+        .map(|(k, line)| {
+            let cells = split(line.trim_end(), delimiter::of(line.trim_end()));
+            let blank = cells.len() == 1 && line.split_whitespace().all(|cell| is_figure(cell, true));
+            (k + 1, if blank { line.split_whitespace().map(str::to_owned).collect() } else { cells })
+        })
+        .collect();
+    let lines: Vec<(usize, Vec<&str>)> =
+        parted.iter().map(|(line, cells)| (*line, cells.iter().map(String::as_str).collect())).collect();
+    Err(no_header_near(at, &first_line, &lines))
 }
 
 fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) -> Result<Vec<Samples>, RecordError> {
@@ -586,6 +602,26 @@ mod tests {
         assert!(unknown.contains("alpha,beta") && unknown.contains("daN") && unknown.contains("--column"), "{unknown}");
         let two = message("time_s,x_mm,Force [N],Load Cell [kN]\n0,1,1,1\n");
         assert!(two.contains("line 1") && two.contains("'Force [N]'") && two.contains("'Load Cell [kN]'"), "{two}");
+        let three = message("time_s,x_mm,Force [N],Load Cell [kN],ring (kip)\n0,1,1,1,1\n");
+        assert!(three.contains("'Force [N]', 'Load Cell [kN]', 'ring (kip)'"), "{three}");
+        let two = message("time_s,x_mm,front (kip),rear (kip)\n0,1,1,1\n");
+        assert!(two.contains("'front (kip)', 'rear (kip)'") && two.contains("could be force"), "{two}");
+        let units = message("time,x,force\n0,1,1\n");
+        assert!(
+            units.contains("--unit time=s --unit displacement=mm --unit force=N") && units.contains("heading"),
+            "{units}"
+        );
+        let units = message("time,x\n0,1\n");
+        assert!(
+            units.contains("no column for force") && units.contains("--unit time=s --unit displacement=mm"),
+            "{units}"
+        );
+        let best = message("Rig 7\nOperator,NN\ntime,Fh,u\n0,1,1\n");
+        assert!(best.contains("line 3, with 'time' for time"), "{best}");
+        for figures in ["0,1.5,10\n1,2.5,20\n", "0 1.5 10\n1 2.5 20\n"] {
+            let message = message(figures);
+            assert!(message.contains("3 columns of figures") && message.contains("--unit force=N"), "{message}");
+        }
         let unit = message("#\ntime_s,x_mm,Force\n0,1,1\n");
         assert!(unit.contains("line 2") && unit.contains("'Force' has no unit") && unit.contains("lbf"), "{unit}");
         let wrong = message("time_s,x_mm,Force [tons]\n0,1,1\n");
@@ -594,6 +630,38 @@ mod tests {
         assert!(missing.contains("no column for force"), "{missing}");
         assert!(message("time_s,x_mm,force_N\n").contains("no data rows"));
         assert!(message("").contains("no data rows"));
+    }
+
+    #[test]
+    fn a_column_is_found_by_its_unit_where_no_heading_names_it() {
+        for (header, guessed) in [
+            ("time (s),displacement (in),friction force (kip)", 1),
+            ("times(s),u [in],Fh [kip]", 2),
+            ("Seconds,Lead Actuator Displacment (in),Fh (kip),pressure [bar],gap command [mm]", 1),
+        ] {
+            let more = ",9".repeat(header.split(',').count() - 3);
+            let test = read(&format!("{header}\n0,1,1{more}\n1,2,2{more}\n"));
+            let (x, force) = (test.displacement.as_ref().unwrap(), &test.force);
+            assert!((x[1] - 0.0508).abs() < 1e-9 && (force[1] - 8896.443).abs() < 1e-3, "{header}: {test:?}");
+            assert_eq!(told(&test).matches("by its unit alone").count(), guessed, "{header}");
+        }
+        // A length beside a velocity may be any.
+        let test = read("time (s),velocity (m/s),wear (mm),force (N)\n0,1,1,1\n1,2,2,2\n");
+        assert!(test.displacement.is_none(), "{test:?}");
+        let options = Options { sample_rate_hz: Some(100.0), ..Options::default() };
+        let text = "Lead Actuator Force ,Lead Actuator Displacment\nkN,mm\n1,2\n3,4\n";
+        let test = parse(&Place::file("a.csv"), "a", text, &options).unwrap().remove(0);
+        assert_eq!((test.time.as_slice(), test.force.as_slice()), ([0.0, 0.01].as_slice(), [1e3, 3e3].as_slice()));
+    }
+
+    #[test]
+    fn units_of_a_table_without_headings_are_asked_for_at_once() {
+        let columns = [(Channel::Time, "1"), (Channel::Displacement, "2"), (Channel::Force, "3")];
+        let columns = columns.map(|(channel, number)| (channel, number.to_owned())).into();
+        let options = Options { columns, ..Options::default() };
+        let error = parse(&Place::file("a.csv"), "a", "0,1.5,10\n1,2.5,20\n", &options).unwrap_err().to_string();
+        assert!(error.contains("--unit time=s --unit displacement=mm --unit force=N"), "{error}");
+        assert!(!error.contains("heading"), "{error}");
     }
 
     #[test]

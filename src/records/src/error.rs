@@ -15,6 +15,11 @@ fn kinds() -> Sentence {
     Sentence::from(phrases::KINDS).with("others", others.join(", ")).with("last", last)
 }
 
+/// Options that say the units of channels, with an example each.
+fn unit_options(channels: impl Iterator<Item = Channel>) -> String {
+    channels.map(|channel| format!("--unit {channel}={}", channel.example())).collect::<Vec<_>>().join(" ")
+}
+
 /// The place a message speaks of: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
@@ -211,6 +216,7 @@ pub enum RecordError {
     Header {
         at: Place,
         found: String,
+        near: Option<Sentence>,
         understood: String,
     },
 
@@ -221,14 +227,14 @@ pub enum RecordError {
         example: Channel,
         found: String,
         near: Option<Sentence>,
+        units: Vec<Channel>,
     },
 
-    TwoColumns {
+    SeveralColumns {
         at: Place,
         line: usize,
         channel: Channel,
-        first: String,
-        second: String,
+        headings: Vec<String>,
     },
 
     NoSuchColumn {
@@ -243,9 +249,8 @@ pub enum RecordError {
     MissingUnit {
         at: Place,
         line: usize,
-        column: String,
-        channel: Channel,
-        example: &'static str,
+        columns: Vec<(Channel, String)>,
+        headed: bool,
     },
 
     UnknownUnit {
@@ -497,7 +502,9 @@ impl RecordError {
             RecordError::PeakTable { at, line, cause } => {
                 in_line(phrases::IN_LINE, at, line).with_said("cause", Sentence::as_it_is(cause))
             }
-            RecordError::MissingColumn { at, line, missing, example, found, near } => {
+            RecordError::MissingColumn { at, line, missing, example, found, near, units } => {
+                let units = (!units.is_empty())
+                    .then(|| Sentence::from(phrases::UNITS_TOO).with("options", unit_options(units.iter().copied())));
                 let otherwise = (*example == Channel::Time).then(|| phrases::OR_SAMPLE_RATE.into());
                 in_line(phrases::MISSING_COLUMN, at, line)
                     .with_word("missing", missing)
@@ -505,11 +512,15 @@ impl RecordError {
                     .with_any("near", near.clone())
                     .with("example", example)
                     .with_any("otherwise", otherwise)
+                    .with_any("units", units)
             }
-            RecordError::TwoColumns { at, line, channel, first, second } => in_line(phrases::TWO_COLUMNS, at, line)
-                .with("first", first)
-                .with("second", second)
-                .with("channel", channel),
+            RecordError::SeveralColumns { at, line, channel, headings } => {
+                let quoted = |h: &String| Sentence::from(phrases::QUOTED).with("test", h);
+                in_line(phrases::SEVERAL_COLUMNS, at, line)
+                    .with_list("names", headings.iter().map(quoted).collect(), phrases::COMMA)
+                    .with("first", headings.first().map_or("", String::as_str))
+                    .with("channel", channel)
+            }
             RecordError::NoSuchColumn { at, line, channel, wanted, found, near } => {
                 in_line(phrases::NO_SUCH_COLUMN, at, line)
                     .with("wanted", wanted)
@@ -517,11 +528,23 @@ impl RecordError {
                     .with("found", found)
                     .with_any("near", near.clone())
             }
-            RecordError::MissingUnit { at, line, column, channel, example } => in_line(phrases::MISSING_UNIT, at, line)
-                .with("column", column)
-                .with("example", example)
-                .with("channel", channel)
-                .with("understood", channel.units_understood()),
+            RecordError::MissingUnit { at, line, columns, headed } => match &columns[..] {
+                [(channel, column)] if *headed => in_line(phrases::MISSING_UNIT, at, line)
+                    .with("column", column)
+                    .with("example", channel.example())
+                    .with("channel", channel)
+                    .with("understood", channel.units_understood()),
+                several => {
+                    let quoted = |(_, column): &(Channel, String)| Sentence::from(phrases::QUOTED).with("test", column);
+                    let in_heading = headed.then(|| phrases::OR_IN_HEADING.into());
+                    let of = |(channel, _): &(Channel, String)| format!("{channel} {}", channel.units_understood());
+                    in_line(phrases::MISSING_UNITS, at, line)
+                        .with_list("columns", several.iter().map(quoted).collect(), phrases::COMMA)
+                        .with("options", unit_options(several.iter().map(|(channel, _)| *channel)))
+                        .with_any("in_heading", in_heading)
+                        .with("understood", several.iter().map(of).collect::<Vec<_>>().join("; "))
+                }
+            },
             RecordError::UnknownUnit { at, line, column, unit, channel } => in_line(phrases::UNKNOWN_UNIT, at, line)
                 .with("column", column)
                 .with("unit", unit)
@@ -559,8 +582,8 @@ impl RecordError {
     /// As [`RecordError::sentence`] where the campaign does without the file or test: what it asks of the user is left out.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
-            RecordError::Header { at, found, .. } => {
-                Sentence::from(phrases::NO_HEADER).with("at", at).with("found", found)
+            RecordError::Header { at, found, near, .. } => {
+                Sentence::from(phrases::NO_HEADER).with("at", at).with("found", found).with_any("near", near.clone())
             }
             _ => self.sentence(),
         }

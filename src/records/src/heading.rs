@@ -9,6 +9,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
         Channel::Time => &[
             "time",
             "t",
+            "times",
+            "tout",
             "timestamp",
             "time stamp",
             "elapsed time",
@@ -47,6 +49,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "displacement",
             "disp",
             "displ",
+            "dist",
+            "distance",
             "position",
             "pos",
             "stroke",
@@ -101,6 +105,7 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
         ],
         Channel::Force => &[
             "force",
+            "forc",
             "load",
             "f",
             "load cell",
@@ -237,7 +242,7 @@ const OF_A_TEST: [&str; 15] = [
 ];
 
 /// Words in a heading that say nothing about the quantity.
-const FILLERS: [&str; 57] = [
+const FILLERS: [&str; 58] = [
     "channel",
     "ch",
     "signal",
@@ -247,6 +252,7 @@ const FILLERS: [&str; 57] = [
     "act",
     "damper",
     "actuator",
+    "lead",
     "axial",
     "rig",
     "rod",
@@ -316,6 +322,63 @@ const SENSORS: [&str; 15] = [
     "messung",
 ];
 
+/// Clocks that are called by what they count.
+const CLOCKS: [(&[&str], Unit); 3] = [
+    (&["seconds", "secs", "sekunden", "secondes", "segundos", "secondi"], Unit::Second),
+    (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
+    (&["micros", "microseconds", "mikrosekunden", "microsecondes"], Unit::Microsecond),
+];
+
+/// Words of a heading that name what was wanted of a quantity, or one figure of it, and not its course over time.
+const NO_COURSE: [&str; 30] = [
+    "command",
+    "cmd",
+    "setpoint",
+    "set",
+    "target",
+    "demand",
+    "desired",
+    "reference",
+    "ref",
+    "error",
+    "soll",
+    "sollwert",
+    "sollweg",
+    "sollkraft",
+    "regelabweichung",
+    "consigne",
+    "erreur",
+    "setvalue",
+    "peak",
+    "max",
+    "min",
+    "maximum",
+    "minimum",
+    "mean",
+    "average",
+    "amplitude",
+    "side",
+    "lateral",
+    "预设",
+    "设定",
+];
+
+/// The channel that the unit of a heading that is not understood speaks for: a force or a displacement.
+pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
+    let text = plain(text);
+    let (name, written) = bracketed(text.trim()).map_or((text.trim(), None), |(name, unit)| (name, Some(unit)));
+    let told = words(name);
+    let unit = written.or(below).and_then(|unit| unit.parse::<Unit>().ok())?;
+    if heading(&text) != Heading::Unknown || told.is_empty() || told.iter().any(|w| NO_COURSE.contains(&w.as_str())) {
+        return None;
+    }
+    match unit.dimension() {
+        Dimension::Force => Some(Channel::Force),
+        Dimension::Length => Some(Channel::Displacement),
+        _ => None,
+    }
+}
+
 /// Reads a column heading: `displacement_mm`, `Velocity [m/s]`, `Force (N)`, `F_N`, `Load, kN`, `Weg in mm`, `位移/mm`.
 pub(crate) fn heading(text: &str) -> Heading {
     match strict(text) {
@@ -372,6 +435,23 @@ fn loose(text: &str) -> Heading {
         // A letter and a number are too little to go by without a unit.
         Heading::Channel(_, HeadingUnit::Missing) if told.concat().chars().count() == 1 => Heading::Unknown,
         found @ Heading::Channel(_, HeadingUnit::Known(_) | HeadingUnit::Missing) => found,
+        Heading::Unknown => misspelt(&told, unit),
+        _ => Heading::Unknown,
+    }
+}
+
+/// A long name with one letter wrong: `Lead Actuator Displacment`. Not of a time, for `Restzeit` is no `Testzeit`.
+fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
+    /// Letters of a name from which on one that is wrong leaves no doubt.
+    const LONG: usize = 9;
+    let telling: Vec<&str> = told.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
+    let [name] = telling[..] else { return Heading::Unknown };
+    let of = |channel: &Channel| headings(*channel).iter().any(|h| h.chars().count() >= LONG && distance(name, h) == 1);
+    match ([Channel::Displacement, Channel::Velocity, Channel::Force].into_iter().find(of), unit) {
+        (Some(channel), None) => Heading::Channel(channel, HeadingUnit::Missing),
+        (Some(channel), Some(unit)) if unit.dimension() == channel.dimension() => {
+            Heading::Channel(channel, HeadingUnit::Known(unit))
+        }
         _ => Heading::Unknown,
     }
 }
@@ -517,6 +597,12 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
         }
         _ => {}
     }
+    // A clock called by what it counts, as small boards write it.
+    if unit.is_none()
+        && let Some((_, unit)) = CLOCKS.iter().find(|(names, _)| names.contains(&name.as_str()))
+    {
+        return Heading::Channel(Channel::Time, HeadingUnit::Known(*unit));
+    }
     let Some(channel) = Channel::ALL.into_iter().find(|c| headings(*c).contains(&name.as_str())) else {
         return Heading::Unknown;
     };
@@ -660,6 +746,13 @@ mod tests {
             ("Weg/AI 1 (mm)", Displacement, Millimetre),
             ("Force(Kg)", Force, KilogramForce),
             ("fs [N]", SideForce, Newton),
+            ("Millis", Time, Millisecond),
+            ("times(s)", Time, Second),
+            ("Tout [s]", Time, Second),
+            ("dist [mm]", Displacement, Millimetre),
+            ("forc (N)", Force, Newton),
+            ("Lead Actuator Force [kN]", Force, Kilonewton),
+            ("Lead Actuator Displacment (mm)", Displacement, Millimetre),
         ] {
             assert_eq!(read(text), (channel, unit), "{text}");
         }
@@ -679,6 +772,28 @@ mod tests {
             assert_eq!(heading(text), Heading::SampleRate, "{text}");
         }
         assert!(is_plain("Force [N]") && !is_plain("Force 2 [N]"));
+    }
+
+    #[test]
+    fn a_unit_speaks_for_a_heading_that_is_not_understood() {
+        for (text, below, wanted) in [
+            ("friction force (kip)", None, Some(Channel::Force)),
+            ("Fh [kN]", None, Some(Channel::Force)),
+            ("Linear_Pot (scaled)", None, None),
+            ("Linear Pot", Some("mm"), Some(Channel::Displacement)),
+            ("u [mm]", None, Some(Channel::Displacement)),
+            ("Force setpoint [N]", None, None),
+            ("displacement command (mm)", None, None),
+            // Understood as what it is.
+            ("Lateral Force [N]", None, None),
+            ("Force [N]", None, None),
+            ("[N]", None, None),
+            ("Fh", None, None),
+        ] {
+            assert_eq!(by_unit(text, below), wanted, "{text}");
+        }
+        assert_eq!(heading("Restzeit"), Heading::Unknown);
+        assert_eq!(heading("Ausfederweg [mm]"), Heading::Unknown);
     }
 
     #[test]

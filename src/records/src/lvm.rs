@@ -68,7 +68,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
     };
     let header = header(first, options);
     if !is_header(&header, options) {
-        return Err(no_header(at, &first.names.join(", ")));
+        return Err(no_header(at, &first.names));
     }
     let units: Vec<String> = (0..header.len()).map(|k| first.said("Y_Unit_Label", k).to_owned()).collect();
     let has_x = header.iter().any(|h| h == TIME);

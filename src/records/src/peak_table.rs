@@ -111,10 +111,12 @@ pub fn read_peaks(file: &Path, positive: Option<Positive>) -> Result<Peaks, Reco
     let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
     let below = |k: usize| rows.get(k + 1).map(|row| &*row.1);
     let found = rows.iter().enumerate().find_map(|(k, (_, cells))| Some((k, columns(cells, below(k))?)));
-    // A record has a time beside force and velocity; each of its samples would be taken for a peak.
+    // A record has a time beside what it measures; each of its samples would be taken for a peak.
     let timed = rows.iter().take(found.as_ref().map_or(HEADER_WITHIN, |(k, _)| k + 1)).find_map(|(line, cells)| {
-        let of = |channel| cells.iter().find(|c| matches!(heading(c), Heading::Channel(of, _) if of == channel));
-        of(Channel::Force).and(of(Channel::Time)).map(|time| (*line, time.trim()))
+        let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
+        let is_other =
+            |cell: &String| matches!(heading(cell), Heading::Channel(channel, _) if channel != Channel::Time);
+        cells.iter().any(is_other).then(|| cells.iter().find(is_time)).flatten().map(|time| (*line, time.trim()))
     });
     if let Some((line, time)) = timed {
         let cause = format!(
@@ -305,6 +307,7 @@ mod tests {
             ("", "is empty"),
             ("time [s],velocity [m/s],force [N]\n0,0.1,5\n", "dashpot fit reads records"),
             ("Zeit [s],Weg [mm],Kraft [N]\n0,0.1,5\n", "the column 'Zeit [s]'"),
+            ("time (s),displacement (in),friction force (kip)\n0,0.1,5\n", "the column 'time (s)'"),
         ] {
             let message = of(text).unwrap_err();
             assert!(message.contains("pvp.csv") && message.contains(wanted), "{text:?}: {message}");

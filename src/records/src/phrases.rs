@@ -16,6 +16,7 @@ crate::phrases! {
     STRAY: "in {folder}, not read as records: {names}";
     BELOW: "the subfolders of {folder} hold {count} files that were not read ({names}); where they are tests of the same damper, --subfolders reads them too";
     COLUMNS_NOT_READ: "columns not read: {names}";
+    BY_UNIT: "'{column}' is taken for {channel} by its unit alone; --column says if another one is meant";
     CONVERTED: "converted to SI: {channels}";
     FROM_UNIT: "{channel} from {unit}";
     TIME_OF_DAY: "time of day taken from the first row on";
@@ -48,6 +49,7 @@ crate::phrases! {
     SHARED_STAMPS: "{count} of {rows} rows shared a time stamp with the row before; they were spread evenly to the next stamp";
     // Samples.
     CLIPPED_MOTION: "{channel} is clipped at {value} {unit} in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
+    ROUNDED: "{channel} stands at {value} {unit} in {count} samples, first at line {line}; other tests go further, so that this is taken for a turn and not for the end of the range";
     CLIPPED_FORCE: "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out";
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
     SPIKES: "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off";
@@ -65,6 +67,7 @@ crate::phrases! {
     FORCE_TURNED: "sign of force turned, as asked";
     MOTION_TURNED: "sign of displacement and velocity turned, as asked";
     MASS_TAKEN_OFF: "force that moves a mass of {mass} kg on the load cell taken off, as given";
+    EARLY_AS_GIVEN: "force comes {delay} ms before the motion, as given; the motion was moved there, the force samples are as recorded";
     LATE_AS_GIVEN: "force comes {delay} ms after the motion, as given; the motion was moved there, the force samples are as recorded";
     TAKEN_OUT: "what the fit found the measurement to be off by was taken out";
     // Cycles.
@@ -117,7 +120,10 @@ crate::phrases! {
     RPC: "{file}: cannot be read as an RPC III time history ({cause})";
     BINARY: "{file}: cannot be read as {kind} ({cause})";
     MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
-    NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.";
+    NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
+    BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
+    TAKEN_FOR: "'{column}' for {channel}";
+    FIGURES_ALONE: " It holds {count} columns of figures without headings: say which is which by their numbers, with --column time=1 --column displacement=2 --column force=3 and --unit time=s --unit displacement=mm --unit force=N, all in one (--sample-rate 1000 in the place of a time).";
     NO_DATA: "{at}: has a header but no data rows";
     // What is wrong with what was asked for.
     NOT_FOUND: "{file}: there is no such file or folder; check the path";
@@ -137,12 +143,15 @@ crate::phrases! {
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
     FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} m/s, the others ±{usual} N at {there} m/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
     OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
-    MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}";
+    MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";
+    UNITS_TOO: ". Units are missing too: give them as the file has them, as in {options}";
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
-    TWO_COLUMNS: "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\"";
+    SEVERAL_COLUMNS: "{at}, line {line}: several columns could be {channel}: {names}; choose one with --column {channel}=\"{first}\"";
     NO_SUCH_COLUMN: "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}";
     MEANT: " Is '{near}' meant?";
     MISSING_UNIT: "{at}, line {line}: column '{column}' has no unit; write it in the heading as '{column} [{example}]' or give --unit {channel}={example}. Understood for {channel}: {understood}";
+    MISSING_UNITS: "{at}, line {line}: no unit is given for {columns}; say it as the file has it, as in {options}{in_heading}. Understood are: {understood}";
+    OR_IN_HEADING: ", or write it in each heading, as in 'Force [N]'";
     UNKNOWN_UNIT: "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are {understood}. Give --unit {channel}=... if the heading is wrong";
     // What speaks for swapped headings.
     TIME_STANDS: "the column read as time steps back or stands in {percent} % of the rows, the one read as {other} never does";

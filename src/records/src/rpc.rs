@@ -28,7 +28,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     let units: Vec<&str> =
         (1..=header.channels).map(|n| header.text(&format!("UNITS.CHAN_{n}")).unwrap_or("")).collect();
     if !is_header(&names, options) {
-        return Err(no_header(&at, &names.join(", ")));
+        return Err(no_header(&at, &names));
     }
     let layout = Layout::new(&at, 1, &names, Some(&units), options, true)?;
     let columns: Vec<(usize, f64)> = layout

@@ -6,7 +6,7 @@ use super::about::About;
 use super::channel::Channel;
 use super::clock;
 use super::error::{Place, RecordError};
-use super::heading::{Heading, HeadingUnit, heading, is_plain, nearest, nearest_to, vocabulary, without_unit};
+use super::heading::{Heading, HeadingUnit, by_unit, heading, is_plain, nearest, nearest_to, vocabulary, without_unit};
 use super::options::Options;
 use super::phrases;
 use super::record::Note;
@@ -23,6 +23,8 @@ pub(crate) struct Layout {
     pub columns: Vec<Column>,
     pub test: Option<usize>,
     ignored: Vec<String>,
+    /// Columns taken for a channel by their unit alone.
+    guessed: Vec<(Channel, String)>,
     /// Time from sample to sample that the user gives for files without a column of time, s.
     step: Option<f64>,
 }
@@ -38,13 +40,26 @@ pub(crate) struct Column {
     pub clock: bool,
 }
 
-/// Whether a line of cells can be a header: two cells are headings known here or named in the options.
+/// Whether a line of cells can be a header: two cells are headings known here or named in the options, or have a unit that speaks for a
+/// channel beside a time where no cell is a figure. Without a time it is a table of results.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let known = cells.iter().filter(|c| {
         let text = c.as_ref().trim();
         matches!(heading(text), Heading::Channel(..)) || options.columns.values().any(|wanted| names(wanted, text))
     });
-    known.count() >= 2
+    let known = known.count();
+    let says = |channel| cells.iter().any(|c| by_unit(c.as_ref(), None) == Some(channel));
+    let spoken_for = usize::from(says(Channel::Force)) + usize::from(says(Channel::Displacement));
+    let figures = || cells.iter().any(|c| number(c.as_ref(), true).is_some_and(f64::is_finite));
+    let timed = || {
+        options.sample_rate_hz.is_some() || cells.iter().any(|c| channel_of(c.as_ref(), options) == Some(Channel::Time))
+    };
+    known >= 2 || (known + spoken_for >= 2 && timed() && !figures())
+}
+
+/// Names for the columns of a table without a header.
+pub(crate) fn numbered(columns: usize) -> Vec<String> {
+    (1..=columns).map(|n| format!("column {n}")).collect()
 }
 
 /// Whether a line of cells below the header is a row of units: nothing but units, at least one of them.
@@ -135,14 +150,50 @@ pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     None
 }
 
-/// The error for a file without a header known here.
-pub(crate) fn no_header(at: &Place, first_line: &str) -> RecordError {
-    let mut found: String = first_line.trim().chars().filter(|c| !c.is_control()).take(120).collect();
-    if found.len() < first_line.trim().len() {
-        found.push_str(" ...");
-    }
-    RecordError::Header { at: at.clone(), found, understood: vocabulary() }
+/// The error for a file without a header known here; `cells` are those of its first line.
+pub(crate) fn no_header<S: AsRef<str>>(at: &Place, cells: &[S]) -> RecordError {
+    let line: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
+    no_header_near(at, &line.join(", "), &[(1, line)])
 }
+
+/// As [`no_header`]; of several lines the one whose columns are best understood is told.
+pub(crate) fn no_header_near(at: &Place, first_line: &str, lines: &[(usize, Vec<&str>)]) -> RecordError {
+    let shortened = |text: &str| {
+        let mut short: String = text.trim().chars().filter(|c| !c.is_control()).take(120).collect();
+        if short.len() < text.trim().len() {
+            short.push_str(" ...");
+        }
+        short
+    };
+    let understood = |cells: &[&str]| -> Vec<(Channel, String)> {
+        let of = |text: &&str| match heading(text) {
+            Heading::Channel(channel, _) => Some((channel, shortened(text))),
+            _ => by_unit(text, None).map(|channel| (channel, shortened(text))),
+        };
+        cells.iter().filter_map(of).collect()
+    };
+    // The first of those with most.
+    let best = lines.iter().rev().max_by_key(|(_, cells)| understood(cells).len());
+    let first = lines.first();
+    let figures = |cells: &[&str]| cells.len() > 1 && cells.iter().all(|c| number(c, true).is_some_and(f64::is_finite));
+    let near = match (best.map(|(line, cells)| (line, understood(cells))), first) {
+        (Some((line, known)), _) if !known.is_empty() => {
+            let said = |(channel, text): &(Channel, String)| {
+                Sentence::from(phrases::TAKEN_FOR).with("column", text).with_word("channel", channel.name())
+            };
+            let known = known.iter().take(LISTED).map(said).collect();
+            Some(Sentence::from(phrases::BEST_LINE).with("line", line).with_list("known", known, phrases::COMMA))
+        }
+        (_, Some((_, cells))) if figures(cells) => {
+            Some(Sentence::from(phrases::FIGURES_ALONE).with("count", cells.len()))
+        }
+        _ => None,
+    };
+    RecordError::Header { at: at.clone(), found: shortened(first_line), near, understood: vocabulary() }
+}
+
+/// Columns that a message lists.
+const LISTED: usize = 40;
 
 impl Layout {
     /// Assigns the columns of a header to channels.
@@ -171,14 +222,17 @@ impl Layout {
     ) -> Result<Layout, RecordError> {
         let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
         let found = || {
-            /// Columns that a message lists.
-            const LISTED: usize = 40;
             let listed = header.iter().take(LISTED).map(|h| format!("'{h}'")).collect::<Vec<_>>().join(", ");
             let more = header.len().saturating_sub(LISTED);
             if more > 0 { format!("{listed} and {more} more") } else { listed }
         };
         let headings: Vec<Heading> = header.iter().map(|h| heading(h)).collect();
-        let mut columns = Vec::new();
+        let below =
+            |i: usize| units.and_then(|u| u.get(i)).map(|u| u.as_ref().trim().trim_matches(|c| "[]()".contains(c)));
+        let headed = header.iter().zip(numbered(header.len())).any(|(own, number)| *own != number);
+        let mut columns: Vec<Column> = Vec::new();
+        let mut guessed = Vec::new();
+        let mut without_unit = Vec::new();
         for channel in Channel::ALL {
             if options.ignore.contains(&channel) {
                 continue;
@@ -196,15 +250,7 @@ impl Layout {
                             near: maybe(nearest(wanted, header.iter().copied())),
                         });
                     }
-                    [first, second, ..] => {
-                        return Err(RecordError::TwoColumns {
-                            at: at.clone(),
-                            line,
-                            channel,
-                            first: header[first].to_string(),
-                            second: header[second].to_string(),
-                        });
-                    }
+                    ref several => return Err(several_columns(at, line, channel, &header, several)),
                 }
             } else {
                 let taken = |i: usize| {
@@ -219,6 +265,11 @@ impl Layout {
                     .filter(|(i, h)| matches!(h, Heading::Channel(c, _) if *c == channel) && !taken(*i))
                     .map(|(i, _)| i)
                     .collect();
+                let speaks = |i: &usize| by_unit(header[*i], below(*i)) == Some(channel) && !taken(*i);
+                let by_their_unit: Vec<usize> = (0..header.len()).filter(speaks).collect();
+                let mut possible = candidates.clone();
+                possible.extend(&by_their_unit);
+                possible.sort_unstable();
                 // A heading that names the quantity goes before one that names the sensor too; of a pair such as
                 // `Force (V)` and `Force (kN)` the one in a unit of the quantity is meant.
                 prefer(&mut candidates, |i| is_plain(header[i]));
@@ -228,24 +279,38 @@ impl Layout {
                             u[i].as_ref().parse::<Unit>().is_ok_and(|u| u.dimension() == channel.dimension())
                         })
                 });
-                let first = candidates.first().copied();
-                if let (Some(first), Some(second)) = (first, candidates.get(1).copied()) {
-                    return Err(RecordError::TwoColumns {
-                        at: at.clone(),
-                        line,
-                        channel,
-                        first: header[first].to_string(),
-                        second: header[second].to_string(),
-                    });
+                // Where no heading names it, the only column in a unit of it is meant; a displacement where there is no velocity either.
+                let wanted = match channel {
+                    Channel::Displacement => {
+                        !options.columns.contains_key(&Channel::Velocity)
+                            && !headings.iter().any(|h| matches!(h, Heading::Channel(Channel::Velocity, _)))
+                    }
+                    _ => channel == Channel::Force,
+                };
+                if candidates.is_empty() && wanted {
+                    candidates = by_their_unit;
+                    if let [index] = candidates[..] {
+                        guessed.push((channel, header[index].to_string()));
+                    }
                 }
-                first
+                if candidates.len() > 1 {
+                    return Err(several_columns(at, line, channel, &header, &possible));
+                }
+                candidates.first().copied()
             };
             let Some(index) = index else { continue };
             let clock = channel == Channel::Time && is_clock(index);
             let unit = if clock {
                 Unit::Second
             } else {
-                unit_of(at, line, channel, header[index], &headings[index], units.map(|u| u[index..].iter()), options)?
+                let below = units.map(|u| u[index..].iter());
+                match unit_of(at, line, channel, header[index], &headings[index], below, options)? {
+                    Some(unit) => unit,
+                    None => {
+                        without_unit.push((channel, header[index].to_string()));
+                        channel.example()
+                    }
+                }
             };
             columns.push(Column { channel, index, unit, heading: header[index].to_string(), clock });
         }
@@ -263,7 +328,19 @@ impl Layout {
             let free: Vec<&str> =
                 (0..header.len()).filter(|i| columns.iter().all(|c| c.index != *i)).map(|i| header[i]).collect();
             let near = maybe(nearest_to(example, &free));
-            return Err(RecordError::MissingColumn { at: at.clone(), line, missing, example, found: found(), near });
+            let units = without_unit.iter().map(|(channel, _)| *channel).collect();
+            return Err(RecordError::MissingColumn {
+                at: at.clone(),
+                line,
+                missing,
+                example,
+                found: found(),
+                near,
+                units,
+            });
+        }
+        if !without_unit.is_empty() {
+            return Err(RecordError::MissingUnit { at: at.clone(), line, columns: without_unit, headed });
         }
         let test = headings.iter().position(|h| *h == Heading::Test);
         let ignored = (0..header.len())
@@ -272,8 +349,14 @@ impl Layout {
             .map(|i| header[i].to_string())
             .take(100)
             .collect();
-        Ok(Layout { columns, test, ignored, step: options.sample_rate_hz.map(|rate| 1.0 / rate) })
+        Ok(Layout { columns, test, ignored, guessed, step: options.sample_rate_hz.map(|rate| 1.0 / rate) })
     }
+}
+
+/// The question which of several columns is meant.
+fn several_columns(at: &Place, line: usize, channel: Channel, header: &[&str], several: &[usize]) -> RecordError {
+    let headings = several.iter().take(LISTED).map(|i| header[*i].to_string()).collect();
+    RecordError::SeveralColumns { at: at.clone(), line, channel, headings }
 }
 
 /// Keeps those that are better, where there are several and some are.
@@ -283,6 +366,7 @@ fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
     }
 }
 
+/// The unit of a column; none where nothing says it.
 fn unit_of<'a, S: AsRef<str> + 'a>(
     at: &Place,
     line: usize,
@@ -291,7 +375,7 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
     heading: &Heading,
     mut units: Option<impl Iterator<Item = &'a S>>,
     options: &Options,
-) -> Result<Unit, RecordError> {
+) -> Result<Option<Unit>, RecordError> {
     let unknown = |unit: &str| RecordError::UnknownUnit {
         at: at.clone(),
         line,
@@ -300,11 +384,11 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
         channel,
     };
     if let Some(&unit) = options.units.get(&channel) {
-        return if unit.dimension() == channel.dimension() { Ok(unit) } else { Err(unknown(unit.name())) };
+        return if unit.dimension() == channel.dimension() { Ok(Some(unit)) } else { Err(unknown(unit.name())) };
     }
     match heading {
         Heading::Channel(_, HeadingUnit::Known(unit)) if unit.dimension() == channel.dimension() => {
-            return Ok(*unit);
+            return Ok(Some(*unit));
         }
         Heading::Channel(_, HeadingUnit::Known(unit)) => return Err(unknown(unit.name())),
         Heading::Channel(_, HeadingUnit::Unknown(text)) => return Err(unknown(text)),
@@ -315,24 +399,12 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
     let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
     let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
     if let Some(unit) = written.and_then(parsed).or_else(|| below.and_then(parsed)) {
-        return Ok(unit);
+        return Ok(Some(unit));
     }
     if let Some(text) = below.or(written) {
         return Err(unknown(text.trim_matches(|c| "[]()".contains(c))));
     }
-    Err(RecordError::MissingUnit {
-        at: at.clone(),
-        line,
-        column: column.to_string(),
-        channel,
-        example: match channel {
-            Channel::Time => "s",
-            Channel::Displacement => "mm",
-            Channel::Velocity => "m/s",
-            Channel::Force | Channel::SideForce => "N",
-            Channel::Temperature => "degC",
-        },
-    })
+    Ok(None)
 }
 
 /// Rows collected under one layout.
@@ -414,6 +486,10 @@ impl Rows {
             let columns = Sentence::from(phrases::COLUMNS_NOT_READ);
             let text = columns.with_names("names", &self.layout.ignored, phrases::COMMA);
             notes.push(Note { kind: "ignored", text });
+        }
+        for (channel, column) in &self.layout.guessed {
+            let text = Sentence::from(phrases::BY_UNIT).with("column", column).with_word("channel", channel.name());
+            notes.push(Note { kind: "guessed", text });
         }
         let converted: Vec<Sentence> = self
             .layout

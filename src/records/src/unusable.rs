@@ -218,6 +218,7 @@ mod tests {
             example: Channel::Time,
             found: "'speed', 'force'".into(),
             near: None,
+            units: Vec::new(),
         };
         let mut one = sieve(vec![other_table()]);
         one.refuse_most(2).unwrap();

@@ -13,7 +13,7 @@ use super::error::{Place, RecordError};
 use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
-use super::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header, number};
+use super::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header_near, number};
 
 /// Largest part of a workbook when unpacked, bytes, whatever the size of the file; the strings need several times their
 /// size in memory, so they get less.
@@ -32,7 +32,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
-    let mut first_line = None;
+    let mut lines: Vec<(usize, Vec<String>)> = Vec::new();
     for sheet in &sheets {
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
@@ -59,11 +59,16 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             }
         }
         reading.take(row_index, &row)?;
-        first_line = first_line.or(reading.first_line.take());
+        if lines.is_empty() {
+            lines = std::mem::take(&mut reading.lines);
+        }
         tests.extend(reading.finish()?);
     }
     if tests.is_empty() {
-        return Err(no_header(&Place::file(file), &first_line.unwrap_or_default()));
+        let lines: Vec<(usize, Vec<&str>)> =
+            lines.iter().map(|(line, cells)| (*line, cells.iter().map(String::as_str).collect())).collect();
+        let first = lines.first().map_or_else(String::new, |(_, cells)| cells.join(", "));
+        return Err(no_header_near(&Place::file(file), &first, &lines));
     }
     Ok(tests)
 }
@@ -142,7 +147,8 @@ struct Sheet<'a> {
     at: Place,
     name: String,
     options: &'a Options,
-    first_line: Option<String>,
+    /// The lines that a header was looked for in, and their numbers.
+    lines: Vec<(usize, Vec<String>)>,
     beside: Beside,
     /// Rows looked at for a header, as text: they may say when the test began.
     above: Vec<String>,
@@ -159,7 +165,7 @@ impl<'a> Sheet<'a> {
             at,
             name,
             options,
-            first_line: None,
+            lines: Vec::new(),
             above: Vec::new(),
             about: About::default(),
             header: None,
@@ -181,7 +187,7 @@ impl<'a> Sheet<'a> {
                 self.about.of_row(row.iter().map(with_its_date));
                 let cells = text();
                 if cells.iter().any(|c| !c.is_empty()) {
-                    self.first_line.get_or_insert_with(|| cells.join(", "));
+                    self.lines.push((index as usize + 1, cells.clone()));
                 }
                 if is_header(&cells, self.options) {
                     self.header = Some((index, cells));

@@ -187,6 +187,7 @@ pub fn is_said_first(note: &Note) -> bool {
         "left_out",
         "subfolders",
         "late",
+        "exchanged",
         "profile",
         "clock",
         "duplicated",

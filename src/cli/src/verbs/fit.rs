@@ -129,9 +129,18 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     Ok(found)
 }
 
-/// Kinds of notes that tell of damage, not of routine.
-const DAMAGE: [&str; 7] =
-    ["clipped", "duplicated", "missing", "out_of_order", "outlier", "time_resolution", "noisy_last_cycle"];
+/// Kinds of notes that tell of damage and of what was only guessed, not of routine.
+const DAMAGE: [&str; 9] = [
+    "clipped",
+    "rounded",
+    "guessed",
+    "duplicated",
+    "missing",
+    "out_of_order",
+    "outlier",
+    "time_resolution",
+    "noisy_last_cycle",
+];
 /// Damaged tests that are told one by one.
 const TOLD: usize = 10;
 

@@ -49,7 +49,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             return Err(RecordError::Mat { file: file.into(), cause: cause.into() });
         }
         let all: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
-        return Err(no_header(&at, &all.join(", ")));
+        return Err(no_header(&at, &all));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
     // Vectors of one length belong together; another length would be another recording.

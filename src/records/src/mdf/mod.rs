@@ -62,7 +62,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
     if recorded.is_empty() {
         let all: Vec<&str> = headers.iter().flatten().copied().collect();
-        return Err(no_header(&Place::file(file), &all.join(", ")));
+        return Err(no_header(&Place::file(file), &all));
     }
     let mut tests = Vec::new();
     for (number, k) in recorded.iter().enumerate() {

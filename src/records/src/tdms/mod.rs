@@ -35,7 +35,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     let recorded: Vec<&(&str, Vec<&Channel>)> = groups.iter().filter(|(_, m)| is_header(&names(m), options)).collect();
     if recorded.is_empty() {
         let all: Vec<String> = groups.iter().flat_map(|(_, m)| names(m)).collect();
-        return Err(no_header(&Place::file(file), &all.join(", ")));
+        return Err(no_header(&Place::file(file), &all));
     }
     let several = recorded.len() > 1;
     let mut tests = Vec::new();

@@ -29,6 +29,12 @@ pub const ALL: &[Said] = &[
         "未读取的列：{names}",
     ],
     [
+        "'{column}' is taken for {channel} by its unit alone; --column says if another one is meant",
+        "„{column}“ wird allein wegen der Einheit als {channel} gelesen; ist eine andere Spalte gemeint, sagt es --column",
+        "« {column} » est lu comme {channel} d’après sa seule unité ; si une autre colonne est visée, --column le dit",
+        "仅根据单位将“{column}”作为{channel}读取；若应为其他列，请用 --column 指定",
+    ],
+    [
         "converted to SI: {channels}",
         "in SI umgerechnet: {channels}",
         "converti en SI : {channels}",
@@ -191,6 +197,12 @@ pub const ALL: &[Said] = &[
         "{channel}通道有 {percent} % 的采样在 {value} {unit} 处被削平，首次在第 {line} 行；该通道已舍去，由{other}导出",
     ],
     [
+        "{channel} stands at {value} {unit} in {count} samples, first at line {line}; other tests go further, so that this is taken for a turn and not for the end of the range",
+        "{channel} steht bei {value} {unit} in {count} Messwerten, zuerst in Zeile {line}; andere Versuche gehen weiter, sodass dies als Umkehr gilt und nicht als Ende des Messbereichs",
+        "{channel} reste à {value} {unit} dans {count} échantillons, d’abord à la ligne {line} ; d’autres essais vont plus loin, si bien que cela est pris pour un retournement et non pour la fin de la plage",
+        "{channel}在 {count} 个采样中停在 {value} {unit}，首次在第 {line} 行；其他试验超过该值，因此视为换向而非量程尽头",
+    ],
+    [
         "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out",
         "die Kraft ist in {count} Messwerten ({percent} %) bei {value} N abgeschnitten, zuerst in Zeile {line}; diese Messwerte sind weggelassen",
         "l’effort est écrêté à {value} N sur {count} échantillons ({percent} %), d’abord à la ligne {line} ; ces échantillons sont écartés",
@@ -287,6 +299,12 @@ pub const ALL: &[Said] = &[
         "die Kraft kommt {delay} ms nach der Bewegung, wie angegeben; die Bewegung wurde dorthin geschoben, die Messwerte der Kraft sind wie aufgezeichnet",
         "l’effort vient {delay} ms après le mouvement, comme indiqué ; le mouvement y a été déplacé, les échantillons d’effort sont tels qu’enregistrés",
         "按给定值，力比运动晚 {delay} ms；已将运动移到该处，力的采样保持原样",
+    ],
+    [
+        "force comes {delay} ms before the motion, as given; the motion was moved there, the force samples are as recorded",
+        "die Kraft kommt {delay} ms vor der Bewegung, wie angegeben; die Bewegung wurde dorthin geschoben, die Messwerte der Kraft sind wie aufgezeichnet",
+        "l’effort vient {delay} ms avant le mouvement, comme indiqué ; le mouvement y a été déplacé, les échantillons d’effort sont tels qu’enregistrés",
+        "按给定值，力比运动早 {delay} ms；已将运动移到该处，力的采样保持原样",
     ],
     [
         "what the fit found the measurement to be off by was taken out",
@@ -550,10 +568,23 @@ pub const ALL: &[Said] = &[
         "{file}：不能作为 MAT 文件读取（{cause}）；请用 save(..., '-v7') 重新保存",
     ],
     [
-        "{at}: no header line found that names time and other channels; the first line reads '{found}'.",
-        "{at}: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{found}“.",
-        "{at} : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « {found} ».",
-        "{at}：未找到写明时间和其他通道的表头；第一行为“{found}”。",
+        "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}",
+        "{at}: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{found}“.{near}",
+        "{at} : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « {found} ».{near}",
+        "{at}：未找到写明时间和其他通道的表头；第一行为“{found}”。{near}",
+    ],
+    [
+        " Best understood is line {line}, with {known}; a heading needs two columns that are understood.",
+        " Am besten verstanden wird Zeile {line}, mit {known}; eine Kopfzeile braucht zwei Spalten, die verstanden werden.",
+        " La mieux comprise est la ligne {line}, avec {known} ; un en-tête demande deux colonnes comprises.",
+        "理解最多的是第 {line} 行，其中有 {known}；表头至少需要两列可以理解。",
+    ],
+    ["'{column}' for {channel}", "„{column}“ für {channel}", "« {column} » pour {channel}", "“{column}”（{channel}）"],
+    [
+        " It holds {count} columns of figures without headings: say which is which by their numbers, with --column time=1 --column displacement=2 --column force=3 and --unit time=s --unit displacement=mm --unit force=N, all in one (--sample-rate 1000 in the place of a time).",
+        " Sie enthält {count} Spalten Zahlen ohne Überschriften: Sagen Sie alles auf einmal mit den Nummern der Spalten, mit --column time=1 --column displacement=2 --column force=3 und --unit time=s --unit displacement=mm --unit force=N (--sample-rate 1000 anstelle einer Zeit).",
+        " Elle contient {count} colonnes de chiffres sans en-têtes : dites tout en une fois par leurs numéros, avec --column time=1 --column displacement=2 --column force=3 et --unit time=s --unit displacement=mm --unit force=N (--sample-rate 1000 à la place d’un temps).",
+        "该行含 {count} 列数值而没有列名：请按列号一次性说明，如 --column time=1 --column displacement=2 --column force=3 以及 --unit time=s --unit displacement=mm --unit force=N（没有时间列时用 --sample-rate 1000）。",
     ],
     [
         "{at}: has a header but no data rows",
@@ -661,10 +692,16 @@ pub const ALL: &[Said] = &[
         "若这些正确，则相反，出错的是其他试验：{others}。",
     ],
     [
-        "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}",
-        "{at}, Zeile {line}: keine Spalte für {missing}; die Spalten sind {found}.{near} Die Spalte mit --column {example}=\"Überschrift\" nennen{otherwise}",
-        "{at}, ligne {line} : aucune colonne pour {missing} ; les colonnes sont {found}.{near} Nommer la colonne par --column {example}=\"en-tête\"{otherwise}",
-        "{at}，第 {line} 行：没有{missing}的列；现有各列为 {found}。{near}请用 --column {example}=\"列名\" 指定{otherwise}",
+        "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}",
+        "{at}, Zeile {line}: keine Spalte für {missing}; die Spalten sind {found}.{near} Die Spalte mit --column {example}=\"Überschrift\" nennen{otherwise}{units}",
+        "{at}, ligne {line} : aucune colonne pour {missing} ; les colonnes sont {found}.{near} Nommer la colonne par --column {example}=\"en-tête\"{otherwise}{units}",
+        "{at}，第 {line} 行：没有{missing}的列；现有各列为 {found}。{near}请用 --column {example}=\"列名\" 指定{otherwise}{units}",
+    ],
+    [
+        ". Units are missing too: give them as the file has them, as in {options}",
+        ". Auch Einheiten fehlen: Geben Sie sie an, wie die Datei sie hat, etwa {options}",
+        ". Des unités manquent aussi : donnez-les telles que le fichier les a, par exemple {options}",
+        "。单位也缺失：请按文件实际单位给出，例如 {options}",
     ],
     [
         ", or, where the file has none, say --sample-rate 1000 (samples per second)",
@@ -673,10 +710,10 @@ pub const ALL: &[Said] = &[
         "；文件中没有时，请给出 --sample-rate 1000（每秒采样数）",
     ],
     [
-        "{at}, line {line}: both '{first}' and '{second}' could be {channel}; choose one with --column {channel}=\"{first}\"",
-        "{at}, Zeile {line}: „{first}“ und „{second}“ könnten beide {channel} sein; eine mit --column {channel}=\"{first}\" wählen",
-        "{at}, ligne {line} : « {first} » et « {second} » pourraient tous deux être {channel} ; en choisir un par --column {channel}=\"{first}\"",
-        "{at}，第 {line} 行：“{first}”和“{second}”都可能是 {channel}；请用 --column {channel}=\"{first}\" 选定其一",
+        "{at}, line {line}: several columns could be {channel}: {names}; choose one with --column {channel}=\"{first}\"",
+        "{at}, Zeile {line}: mehrere Spalten könnten {channel} sein: {names}; eine mit --column {channel}=\"{first}\" wählen",
+        "{at}, ligne {line} : plusieurs colonnes pourraient être {channel} : {names} ; en choisir une par --column {channel}=\"{first}\"",
+        "{at}，第 {line} 行：多个列都可能是 {channel}：{names}；请用 --column {channel}=\"{first}\" 选定其一",
     ],
     [
         "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}",
@@ -690,6 +727,18 @@ pub const ALL: &[Said] = &[
         "{at}, Zeile {line}: die Spalte „{column}“ hat keine Einheit; sie als „{column} [{example}]“ in die Überschrift schreiben oder --unit {channel}={example} angeben. Verstanden werden für {channel}: {understood}",
         "{at}, ligne {line} : la colonne « {column} » n’a pas d’unité ; l’écrire dans l’en-tête, « {column} [{example}] », ou donner --unit {channel}={example}. Compris pour {channel} : {understood}",
         "{at}，第 {line} 行：列“{column}”没有单位；请在列名中写成“{column} [{example}]”，或给出 --unit {channel}={example}。{channel} 可用单位：{understood}",
+    ],
+    [
+        "{at}, line {line}: no unit is given for {columns}; say it as the file has it, as in {options}{in_heading}. Understood are: {understood}",
+        "{at}, Zeile {line}: für {columns} ist keine Einheit angegeben; sagen Sie sie, wie die Datei sie hat, etwa {options}{in_heading}. Verstanden werden: {understood}",
+        "{at}, ligne {line} : aucune unité n’est donnée pour {columns} ; dites-la telle que le fichier l’a, par exemple {options}{in_heading}. Compris : {understood}",
+        "{at}，第 {line} 行：{columns} 没有单位；请按文件实际单位给出，例如 {options}{in_heading}。可用单位：{understood}",
+    ],
+    [
+        ", or write it in each heading, as in 'Force [N]'",
+        ", oder schreiben Sie sie in jede Überschrift, etwa „Kraft [N]“",
+        ", ou écrivez-la dans chaque en-tête, par exemple « Force [N] »",
+        "，或写入各列名，例如“力 [N]”",
     ],
     [
         "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are {understood}. Give --unit {channel}=... if the heading is wrong",
