@@ -121,10 +121,11 @@ pub fn load(
         .iter()
         .map(|(options, piece)| (piece.at.to_string(), file_units::Reading { units: piece.units.clone(), options }))
         .collect();
+    let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
     let mended: Vec<Result<_, RecordError>> = pieces
         .into_par_iter()
         .map(|(options, test)| {
-            let mended = cleaning::mend(test, options);
+            let mended = cleaning::mend(test, options, &reach);
             counter.step(0);
             mended
         })

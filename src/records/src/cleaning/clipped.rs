@@ -10,6 +10,42 @@ use super::super::sentence::Sentence;
 const RUN: usize = 4;
 /// Share of clipped force samples up to which the record is still used without them.
 const FORCE_SHARE: f64 = 0.05;
+/// Share of the samples that a rounded peak may take; more is an end of the range, for a range may be switched between tests.
+const ROUNDED_SHARE: f64 = 0.05;
+
+/// How far the motion channels of all tests of a campaign go: an end of the measuring range is one for all.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reach {
+    displacement: (f64, f64),
+    velocity: (f64, f64),
+}
+
+impl Default for Reach {
+    fn default() -> Self {
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        Reach { displacement: none, velocity: none }
+    }
+}
+
+impl Reach {
+    /// Takes in a test.
+    pub fn with(mut self, samples: &Samples) -> Reach {
+        for (channel, ends) in
+            [(Channel::Displacement, &mut self.displacement), (Channel::Velocity, &mut self.velocity)]
+        {
+            // NaN is neither less nor more.
+            let values = samples.channel(channel).unwrap_or_default();
+            *ends = values.iter().fold(*ends, |(low, high), v| (low.min(*v), high.max(*v)));
+        }
+        self
+    }
+
+    /// Whether some test goes on where the flat top stands.
+    fn goes_beyond(&self, channel: Channel, top: &FlatTop) -> bool {
+        let (low, high) = if channel == Channel::Velocity { self.velocity } else { self.displacement };
+        if top.up { high > top.value + top.overshoot } else { low < top.value - top.overshoot }
+    }
+}
 
 /// Clipped samples of a channel.
 #[derive(Debug, Default)]
@@ -26,6 +62,8 @@ struct FlatTops {
 struct FlatTop {
     samples: std::ops::Range<usize>,
     value: f64,
+    /// Whether it is a top, and no bottom.
+    up: bool,
     /// How far the channel would have gone beyond, by its slopes before and after.
     overshoot: f64,
 }
@@ -75,8 +113,8 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
 /// Deals with clipped channels; returns which samples have no usable force.
 ///
 /// Clipped force samples are dropped by the caller once the motion is complete, since the motion is sound there. A
-/// clipped motion channel is given up if the other can replace it.
-pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
+/// clipped motion channel is given up if the other can replace it. `reach` is how far the tests of the campaign go.
+pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
             continue;
@@ -88,9 +126,26 @@ pub(crate) fn deal(samples: &mut Samples) -> Result<Vec<bool>, RecordError> {
                 continue;
             }
         }
+        let (count, line) = (tops.count, samples.lines[tops.first]);
+        if count as f64 <= ROUNDED_SHARE * samples.len() as f64 {
+            let value = tops.value;
+            tops.leave_out(|top| reach.goes_beyond(channel, top));
+            if tops.count == 0 {
+                samples.note(
+                    "rounded",
+                    Sentence::from(phrases::ROUNDED)
+                        .with_word("channel", channel.name())
+                        .with("value", format!("{value:.5}"))
+                        .with("unit", channel.si())
+                        .with("count", count)
+                        .with("line", line),
+                );
+                continue;
+            }
+        }
         let percent = 100.0 * tops.count as f64 / samples.len() as f64;
         let value = tops.value;
-        if moved.is_none() {
+        if samples.channel(other).is_none() {
             return Err(RecordError::Clipped {
                 at: samples.at.clone(),
                 line: samples.lines[tops.first],
@@ -165,7 +220,7 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
                 let fall = up * (values[end - 1] - values[end - 1 + reach]) / reach as f64;
                 let overshoot = rise.min(fall) * run.len() as f64 / 4.0;
                 if overshoot > 3.0 * quantum && overshoot > 1e-3 * (high - low) {
-                    tops.push(FlatTop { samples: start..end, value: extreme, overshoot });
+                    tops.push(FlatTop { samples: start..end, value: extreme, up: up > 0.0, overshoot });
                 }
             }
             start = end;
@@ -190,13 +245,13 @@ mod tests {
         let top = sound.force.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mut samples = clip(0.98 * top);
         let expected: Vec<bool> = samples.force.iter().map(|f| *f == 0.98 * top).collect();
-        let masked = deal(&mut samples).unwrap();
+        let masked = deal(&mut samples, &Reach::default()).unwrap();
         // Single noisy samples at the limit are no flat top; all long runs are.
         let missed = masked.iter().zip(&expected).filter(|(m, e)| !**m && **e).count();
         let hits = masked.iter().filter(|m| **m).count();
         assert!(hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e), "{hits} {missed}");
         assert_eq!(samples.notes[0].kind, "clipped");
-        let error = deal(&mut clip(0.7 * top)).unwrap_err().to_string();
+        let error = deal(&mut clip(0.7 * top), &Reach::default()).unwrap_err().to_string();
         assert!(error.contains("force is clipped") && error.contains("load cell"), "{error}");
     }
 
@@ -204,12 +259,33 @@ mod tests {
     fn a_clipped_motion_channel_gives_way_to_the_other() {
         let mut samples = SineTest::default().samples();
         samples.velocity.as_mut().unwrap().iter_mut().for_each(|v| *v = v.clamp(-0.2, 0.2));
-        deal(&mut samples).unwrap();
+        deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_none() && samples.displacement.is_some());
         let mut samples = SineTest::default().samples();
         samples.velocity = None;
         samples.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x = x.min(0.04));
-        assert!(deal(&mut samples).unwrap_err().to_string().contains("no other motion channel"));
+        assert!(deal(&mut samples, &Reach::default()).unwrap_err().to_string().contains("no other motion channel"));
+    }
+
+    #[test]
+    fn a_rounded_peak_is_none_where_other_tests_go_further() {
+        let larger = SineTest { amplitude: 0.08, ..SineTest::default() }.samples();
+        let reach = Reach::default().with(&larger);
+        let clip = |share: f64| {
+            let mut samples = SineTest::default().samples();
+            samples.velocity = None;
+            let x = samples.displacement.as_mut().unwrap();
+            let top = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            x.iter_mut().for_each(|x| *x = x.min(share * top));
+            samples
+        };
+        let mut samples = clip(0.998);
+        let own = Reach::default().with(&samples);
+        assert!(deal(&mut samples, &own).is_err());
+        deal(&mut samples, &reach).unwrap();
+        assert!(samples.notes[0].kind == "rounded", "{:?}", samples.notes);
+        // Many samples are an end, of a range that may have been another one.
+        assert!(deal(&mut clip(0.8), &reach).is_err());
     }
 
     #[test]
@@ -220,7 +296,7 @@ mod tests {
                 samples.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x = (*x / quantum).round() * quantum);
                 samples.force.iter_mut().for_each(|f| *f = (*f / quantum / 1e4).round() * quantum * 1e4);
             }
-            assert!(!deal(&mut samples).unwrap().contains(&true), "{quantum}");
+            assert!(!deal(&mut samples, &Reach::default()).unwrap().contains(&true), "{quantum}");
             assert!(samples.notes.is_empty());
         }
     }
@@ -239,14 +315,14 @@ mod tests {
         samples.displacement = Some(moved(&velocity));
         samples.velocity = Some(velocity.clone());
         samples.force = velocity.iter().map(|v| 1500.0 * v + (v * 7e3).sin()).collect();
-        deal(&mut samples).unwrap();
+        deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_some(), "{:?}", samples.notes);
         // The same channel where the damper went on faster than it shows.
         let went_on = |t: f64| 4.0 * speed * (std::f64::consts::TAU * frequency * t).sin();
         let real: Vec<f64> = samples.time.iter().map(|t| went_on(*t)).collect();
         samples.displacement = Some(moved(&real));
         samples.velocity = Some(real.iter().map(|v| v.clamp(-speed, speed)).collect());
-        deal(&mut samples).unwrap();
+        deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_none(), "{:?}", samples.notes);
     }
 }

@@ -30,6 +30,7 @@ use super::sentence::Sentence;
 use super::swapped;
 use super::taken_out::{Off, take_mass};
 
+pub(crate) use clipped::Reach;
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
@@ -98,17 +99,17 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
 pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     let mut pieces = sort_out(samples, options)?;
     assert_eq!(pieces.len(), 1, "gaps in {pieces:?}");
-    mend(pieces.remove(0), options)
+    mend(pieces.remove(0), options, &Reach::default())
 }
 
 /// First half, before the sign is known: flaws of single samples repaired, the missing motion channel derived, what the user
-/// knows of the sensors applied.
-pub(crate) fn mend(mut samples: Samples, options: &Options) -> Result<Motion, RecordError> {
+/// knows of the sensors applied. `reach` is how far the tests of the campaign go.
+pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<Motion, RecordError> {
     enough(&samples)?;
     still::refuse(&samples)?;
     frozen::refuse(&samples)?;
     still::refuse_constant_force(&samples)?;
-    let without_force = clipped::deal(&mut samples)?;
+    let without_force = clipped::deal(&mut samples, reach)?;
     outliers::replace(&mut samples);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;
     let mut motion = Motion {
@@ -439,7 +440,7 @@ mod tests {
             };
             let options = Options::default();
             let pieces = sort_out(samples, &options).unwrap_or_default();
-            for record in pieces.into_iter().filter_map(|piece| finish(mend(piece, &options).ok()?).ok()) {
+            for record in pieces.into_iter().filter_map(|piece| finish(mend(piece, &options, &Reach::default()).ok()?).ok()) {
                 prop_assert!(record.time.windows(2).all(|w| w[1] > w[0]));
                 let n = record.time.len();
                 prop_assert!([record.displacement.len(), record.velocity.len(), record.force.len()] == [n, n, n]);
