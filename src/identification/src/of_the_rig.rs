@@ -245,6 +245,14 @@ impl Measured {
     /// What was found, in words.
     pub fn finding(&self) -> Sentence {
         let (factor, what) = match self.name {
+            "delay" if self.value < 0.0 => {
+                // Said as a lead: who reads of a negative delay takes it for a mistake.
+                let of = |value: f64| format!("{:.3}", -1e3 * value);
+                return Sentence::from(phrases::FOUND_EARLY)
+                    .with("value", of(self.value))
+                    .with("low", of(self.high))
+                    .with("high", of(self.low));
+            }
             "delay" => (1e3, phrases::FOUND_DELAY),
             "rig_mass" => (1.0, phrases::FOUND_MASS),
             "gain_drift" => (100.0 * 60.0, phrases::FOUND_GAIN_DRIFT),
@@ -282,4 +290,19 @@ pub fn measured(segments: &[Segment], unknowns: &Unknowns, theta: &[f64], accura
             Measured::new(number.artefact, [value, value - half, value + half])
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_channel_that_leads_is_told_as_early() {
+        let said = |numbers| Measured::new(Artefact::Delay, numbers).finding().to_string();
+        assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel comes late by 3.000 ms (95 %: 2.900 to 3.100)");
+        assert_eq!(
+            said([-0.635e-3, -0.7e-3, -0.5e-3]),
+            "the force channel comes early by 0.635 ms (95 %: 0.500 to 0.700)"
+        );
+    }
 }

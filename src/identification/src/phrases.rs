@@ -37,6 +37,7 @@ dashpot_records::phrases! {
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // What the measurement is off by.
+    FOUND_EARLY: "the force channel comes early by {value} ms (95 %: {low} to {high})";
     FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
     FOUND_GAIN_DRIFT: "the gain of the force channel drifts by {value} % a minute (95 %: {low} to {high})";

@@ -44,7 +44,8 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
         return 0..motion.time.len();
     }
     motion.given.delay_s = options.delay_s;
-    note(Sentence::from(phrases::LATE_AS_GIVEN).with("delay", format!("{:.3}", 1e3 * options.delay_s)));
+    let given = if options.delay_s < 0.0 { phrases::EARLY_AS_GIVEN } else { phrases::LATE_AS_GIVEN };
+    note(Sentence::from(given).with("delay", format!("{:.3}", 1e3 * options.delay_s.abs())));
     delay_motion(motion, options.delay_s)
 }
 

@@ -119,6 +119,12 @@ pub const ALL: &[Said] = &[
         "力通道滞后 {value} ms（95 %：{low} 至 {high}）",
     ],
     [
+        "the force channel comes early by {value} ms (95 %: {low} to {high})",
+        "der Kraftkanal kommt {value} ms zu früh (95 %: {low} bis {high})",
+        "la voie d’effort est en avance de {value} ms (95 % : {low} à {high})",
+        "力通道超前 {value} ms（95 %：{low} 至 {high}）",
+    ],
+    [
         "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})",
         "die Kraftmessdose bewegt eine eigene Masse von {value} kg (95 %: {low} bis {high})",
         "le capteur d’effort entraîne une masse propre de {value} kg (95 % : {low} à {high})",
