@@ -1,5 +1,6 @@
 //! What the command and the window hand out alike: names, remarks and files around a model on its way to a host.
 
+use crate::adams::akima::Difference;
 use crate::adams::folder;
 use crate::adams::property::{self, Form, Properties};
 use crate::plain_curve::{PlainCurve, Source};
@@ -66,6 +67,8 @@ pub fn property_file(
     if !left_out.is_empty() {
         remarks.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
     }
+    let (curve, own_points, left) = plain.for_akima()?;
+    remarks.push(followed(own_points, curve.velocities.len() - own_points, &left));
     let mut alone = plain.params;
     alone.enable(element!("gas_preload"), false);
     // Adams Car takes the force with its slope; other programs read these files too.
@@ -80,11 +83,25 @@ pub fn property_file(
     notes.extend(remarks.iter().cloned());
     let has_gas = xml && plain.params.is_on(element!("gas_preload"));
     let gas_force = if has_gas { plain.params.number(number!("gas_force")) } else { 0.0 };
-    let curve = plain.curve()?;
     let points = curve.velocities.len();
     let properties = Properties { curve, straight: false, gas_force, notes };
     let text = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });
     Ok(PropertyFile { text, points, left_out, remarks })
+}
+
+/// What Adams makes of the points of a property file.
+fn followed(own: usize, added: usize, left: &Difference) -> String {
+    let reads = "Adams Car joins the points by Akima's method (AKISPL), the model by its own.";
+    let now = format!("The two curves differ by {}.", left.told());
+    match added {
+        0 => format!("{reads} {now}"),
+        _ if left.is_small() => format!("{reads} {added} points were added to the {own} of the model for that. {now}"),
+        _ => format!(
+            "{reads} {added} points were added to the {own} of the model for that, and more than {} a file is not given: the curve is too steep \
+             somewhere. {now}",
+            dashpot_core::curve::MAX_POINTS
+        ),
+    }
 }
 
 /// The library for Adams on this platform.

@@ -3,9 +3,11 @@
 //! The model's own curve is that of its valves; friction stands beside it. Alone it misses most of the force at low velocity, so a host that
 //! cannot run the rest gets the plain FV curve that a fit leaves in the model file, the best that a curve can do on the same tests.
 
+use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
 use anyhow::Context as _;
-use dashpot_core::{Params, element};
+use dashpot_core::curve::Interpolation;
+use dashpot_core::{Params, element, number};
 use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 
 /// Whose curve it is.
@@ -63,6 +65,21 @@ impl PlainCurve {
         Ok(Curve::of(&self.params, &prepared(&self.params)?))
     }
 
+    /// Points through which Akima's curve, which Adams makes of a property file, follows it; how many of them are its own, and what is left.
+    ///
+    /// # Errors
+    /// As [`PlainCurve::curve`].
+    pub fn for_akima(&self) -> anyhow::Result<(Curve, usize, Difference)> {
+        let model = prepared(&self.params)?;
+        let own = Curve::of(&self.params, &model);
+        let is = |choice, number| self.params.number(number) == choice;
+        let straight = is(1.0, number!("fv_form")) || is(1.0, number!("fv_interpolation"));
+        let reading = if straight { Interpolation::Linear } else { Interpolation::MonotoneCubic };
+        let count = own.velocities.len();
+        let (curve, left) = akima::written(own, reading, &|v| model.elements().fv_curve.at(v).value);
+        Ok((curve, count, left))
+    }
+
     /// Whose curve it is, in a sentence.
     pub fn told(&self) -> &'static str {
         match self.source {
@@ -88,7 +105,7 @@ impl PlainCurve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::{list, number};
+    use dashpot_core::list;
     use dashpot_identification::model_file::of_text;
     use std::path::Path;
 

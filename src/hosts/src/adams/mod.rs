@@ -1,5 +1,6 @@
 //! Files of Adams: damper properties, models, commands.
 
+pub mod akima;
 mod dataset;
 mod expression;
 pub mod folder;

@@ -2,8 +2,10 @@
 
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
+use dashpot_core::curve::Interpolation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
+use dashpot_hosts::adams::akima::{self, Difference};
 use dashpot_hosts::adams::property;
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
@@ -27,7 +29,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let named = || args.input.display().to_string();
     let bytes = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
     let read = property::read(&bytes).with_context(named)?;
-    let curve = &read.curve;
+    let rows = read.curve.velocities.len();
+    // A linear rate, or a spline that says it is straight, is not read by Akima.
+    let (curve, interpolation, left) = if read.straight {
+        (read.curve, Interpolation::Linear, None)
+    } else {
+        let (curve, interpolation, left) = akima::read(read.curve);
+        (curve, interpolation, Some(left))
+    };
     let mut params = Params::new();
     params.disable_all();
     params.enable(element!("fv_curve"), true);
@@ -37,7 +46,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let set = |params: &mut Params, number: Number, value: f64| {
         params.set(number, value).map_err(|fault| anyhow!("{}: {number} {}", named(), fault.reason.text()))
     };
-    if read.straight {
+    if interpolation == Interpolation::Linear {
         set(&mut params, number!("fv_interpolation"), 1.0)?;
     }
     if read.gas_force != 0.0 {
@@ -51,6 +60,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &read.notes {
         text += &format!("# Left out: {}.\n", note.escape_debug());
     }
+    let as_adams = left.map(|left| as_adams_reads_it(curve.velocities.len() - rows, &left));
+    if let Some(as_adams) = &as_adams {
+        text += &format!("# {as_adams}\n");
+    }
     dashpot_output::write(&args.output, &(text + "\n" + &flat))?;
     let beside = if read.gas_force == 0.0 {
         "friction, gas and series stiffness are off".to_owned()
@@ -61,8 +74,26 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Some(&args.output),
         &format!("{} points in {}; {beside}", curve.velocities.len(), args.output.display()),
     )?;
+    if let Some(as_adams) = &as_adams {
+        dashpot_output::say(Some(&args.output), &format!("  {as_adams}"))?;
+    }
     for note in &read.notes {
         dashpot_output::say(Some(&args.output), &format!("  left out: {note}"))?;
     }
     Ok(())
+}
+
+/// How far the model's curve follows the one that Adams makes of the file.
+fn as_adams_reads_it(added: usize, left: &Difference) -> String {
+    let so = format!("The model's curve differs from that of Adams by {}.", left.told());
+    let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
+    match added {
+        0 => format!("{reads} {so}"),
+        _ if left.is_small() => format!("{reads} {added} points of that curve were added to those of the file. {so}"),
+        _ => format!(
+            "{reads} {added} points of that curve were added to those of the file. {so} It cannot come nearer: a model's curve has at most {} points \
+             and never falls, and Akima's curve may fall between two points, beside a steep place.",
+            dashpot_core::curve::MAX_POINTS
+        ),
+    }
 }

@@ -133,6 +133,17 @@ fn push(curve: &mut Curve, [v, f]: [f64; 2], line: usize) -> anyhow::Result<()> 
     Ok(())
 }
 
+/// As [`push`], for a curve whose forces do not fall: the damper's, which no model could hold otherwise.
+fn push_rising(curve: &mut Curve, [v, f]: [f64; 2], line: usize) -> anyhow::Result<()> {
+    if let Some(before) = curve.forces.last().filter(|before| **before > f) {
+        anyhow::bail!(
+            "line {line}: force {f} lies below the one before, {before}; the curve of a damper must not fall. Rebound and tension are positive in \
+             these files: look at the signs, or at the two numbers"
+        );
+    }
+    push(curve, [v, f], line)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

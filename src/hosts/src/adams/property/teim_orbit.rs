@@ -1,6 +1,6 @@
 //! The TeimOrbit form (`.dpr`, version 4.0): blocks of `key = value` and a table.
 
-use super::{Curve, Properties, push, row, units};
+use super::{Curve, Properties, push_rising, row, units};
 use anyhow::{Context as _, bail};
 use std::fmt::Write as _;
 
@@ -81,7 +81,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             }
         } else if block == "CURVE" {
             let [a, b] = row(line, number, "[CURVE]")?;
-            push(&mut curve, if turned { [b, a] } else { [a, b] }, number)?;
+            push_rising(&mut curve, if turned { [b, a] } else { [a, b] }, number)?;
         }
     }
     let (Some(length), Some(time), Some(force)) = (length, time, force) else {
@@ -126,6 +126,7 @@ mod tests {
             (good.replace("1 1", "1 1 1"), "line 7"),
             (good.replace("1 1", "-1 1"), "line 7"),
             (good.replace("1 1", "1 nan"), "line 7"),
+            (good.replace("1 1", "1 -1"), "line 7: force -1 lies below the one before, 0"),
             (good.replace("'mm'", "'cubit'"), "line 2"),
             (good.replace("TIME", "TIDE"), "TIME"),
             (good.replace("1 1\n", ""), "two rows"),

@@ -1,7 +1,7 @@
 //! The XML form: root `afc` with bibliography, units and the damper side by side. It has a place for a gas force.
 
 use super::units::{self, Units};
-use super::{Curve, Properties, push, row};
+use super::{Curve, Properties, push, push_rising, row};
 use anyhow::{Context as _, bail};
 use roxmltree::{Document, Node};
 use std::fmt::Write as _;
@@ -181,7 +181,8 @@ fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -
             if !line.trim().is_empty() {
                 let [x, y] = row(line.trim(), from + i, "the spline")?;
                 let x = if over_velocity { units.velocity(x) } else { units.metres(x) };
-                push(&mut curve, [x, y * units.force], from + i)?;
+                let add = if over_velocity { push_rising } else { push };
+                add(&mut curve, [x, y * units.force], from + i)?;
             }
         }
     }

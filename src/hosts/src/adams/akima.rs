@@ -1,0 +1,286 @@
+//! Akima's curve through points, which is what Adams makes of a property file (AKISPL), and points through which it follows another curve.
+//!
+//! H. Akima, J. ACM 17, 1970: between two points a cubic; its slope at a point is the mean of the two chords beside it, each weighted by how much
+//! the chords on the other side differ. At the ends two chords are prolonged so that they go on changing as the last ones do.
+
+use super::property::Curve;
+use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST};
+
+/// Share of the larger force of a side by which two curves may differ. Rigs repeat a force within a percent or two; half a percent is lost in that.
+const SHARE: f64 = 0.005;
+/// N: where a side has hardly any force, less than a load cell shows.
+const LEAST: f64 = 1.0;
+/// Where points are added, they are until this part of the tolerance is left: a file that is read and written again then lies inside it, and comes
+/// back with the points that it had.
+const ADDED: f64 = 0.5;
+/// Places between two points at which curves are compared.
+const PLACES: usize = 24;
+
+/// A way to read a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// As Adams does.
+    Akima,
+    /// As a model does.
+    Model(Interpolation),
+}
+
+impl Reading {
+    /// Slopes at the points; none for straight lines.
+    fn slopes(self, curve: &Curve) -> Option<Vec<f64>> {
+        let (v, f) = (&curve.velocities, &curve.forces);
+        match self {
+            Reading::Akima => Some(slopes(v, f)),
+            Reading::Model(Interpolation::Linear) => None,
+            Reading::Model(Interpolation::MonotoneCubic) => {
+                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_slope(v, f, i)).collect())
+            }
+        }
+    }
+}
+
+/// Akima's slopes at the points.
+fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
+    let n = v.len();
+    let chord = |k: usize| (f[k + 1] - f[k]) / (v[k + 1] - v[k]);
+    let mut chords: Vec<f64> = (0..n - 1).map(chord).collect();
+    let before = |a: f64, b: f64| [3.0 * a - 2.0 * b, 2.0 * a - b];
+    let (first, last) = (chords[0], chords[n - 2]);
+    let (second, last_but_one) = (*chords.get(1).unwrap_or(&first), if n > 2 { chords[n - 3] } else { last });
+    let [far, near] = before(last, last_but_one);
+    chords.splice(0..0, before(first, second));
+    chords.extend([near, far]);
+    let of = |m: &[f64]| {
+        let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
+        let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
+        // Straight on both sides: Akima takes the mean; what rounding leaves must not choose.
+        if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
+    };
+    chords.windows(4).map(of).collect()
+}
+
+/// A table read in one way.
+struct Read<'a> {
+    curve: &'a Curve,
+    slopes: Option<Vec<f64>>,
+}
+
+impl<'a> Read<'a> {
+    fn new(curve: &'a Curve, reading: Reading) -> Read<'a> {
+        Read { curve, slopes: reading.slopes(curve) }
+    }
+
+    /// The force at a velocity inside the table.
+    fn at(&self, at: f64) -> f64 {
+        let (v, f) = (&self.curve.velocities, &self.curve.forces);
+        let i = v.partition_point(|v| *v <= at).clamp(1, v.len() - 1) - 1;
+        let (h, t) = (v[i + 1] - v[i], at - v[i]);
+        let chord = (f[i + 1] - f[i]) / h;
+        let Some(m) = &self.slopes else { return f[i] + t * chord };
+        let (c2, c3) = ((3.0 * chord - 2.0 * m[i] - m[i + 1]) / h, (m[i] + m[i + 1] - 2.0 * chord) / (h * h));
+        f[i] + t * (m[i] + t * (c2 + t * c3))
+    }
+}
+
+/// How far a table that is read in one way lies from a curve, at most.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Difference {
+    /// N.
+    pub force: f64,
+    /// Where, m/s.
+    pub velocity: f64,
+    /// The largest share of what is allowed on its side, and where that is; compression and rebound are allowed different forces.
+    share: f64,
+    asks: f64,
+}
+
+impl Difference {
+    /// Whether it is no more than is allowed.
+    pub fn is_small(&self) -> bool {
+        self.share <= 1.0
+    }
+
+    /// In words.
+    pub fn told(&self) -> String {
+        format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
+    }
+}
+
+/// The difference allowed on either side: compression, rebound.
+fn tolerance(curve: &Curve) -> [f64; 2] {
+    [false, true].map(|rebound| {
+        let side = curve.velocities.iter().zip(&curve.forces).filter(|(v, _)| (**v > 0.0) == rebound);
+        LEAST.max(SHARE * side.fold(0.0f64, |most, (_, f)| most.max(f.abs())))
+    })
+}
+
+/// The largest difference and the largest share of the tolerance between the points of a table, for every reading.
+fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
+    let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
+    let mut most = Difference::default();
+    for pair in curve.velocities.windows(2) {
+        for k in 1..PLACES {
+            let at = pair[0] + (pair[1] - pair[0]) * k as f64 / PLACES as f64;
+            let wanted = target(at);
+            for read in &read {
+                let force = (read.at(at) - wanted).abs();
+                let share = force / allowed[usize::from(at > 0.0)];
+                if share > most.share {
+                    (most.share, most.asks) = (share, at);
+                }
+                if force > most.force {
+                    (most.force, most.velocity) = (force, at);
+                }
+            }
+        }
+    }
+    most
+}
+
+/// The table with as many points added as it takes until all readings of it follow the target; no more than a model can hold.
+fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Curve {
+    while curve.velocities.len() < MAX_POINTS {
+        let at = worst(&curve, readings, allowed, target);
+        if at.share <= ADDED {
+            break;
+        }
+        let i = curve.velocities.partition_point(|v| *v <= at.asks);
+        let (low, high) = (curve.velocities[i - 1] + 10.0 * NEAREST, curve.velocities[i] - 10.0 * NEAREST);
+        if !(low < high) {
+            break;
+        }
+        let velocity = at.asks.clamp(low, high);
+        // A model's curve never falls; rounding must not make it.
+        let force = target(velocity).clamp(curve.forces[i - 1], curve.forces[i].max(curve.forces[i - 1]));
+        curve.velocities.insert(i, velocity);
+        curve.forces.insert(i, force);
+    }
+    curve
+}
+
+/// The points of a model's curve, and as many between them as it takes until Akima's curve follows it, with what is left.
+pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) -> f64) -> (Curve, Difference) {
+    let allowed = tolerance(&points);
+    let akima = |curve: &Curve| worst(curve, &[Reading::Akima], allowed, model);
+    let as_it_is = akima(&points);
+    if as_it_is.is_small() {
+        return (points, as_it_is);
+    }
+    // The model's reading too: so that the file, read back, is this curve.
+    let curve = refined(points, &[Reading::Akima, Reading::Model(interpolation)], allowed, model);
+    let left = akima(&curve);
+    (curve, left)
+}
+
+/// The points of a file, and as many between them as it takes until a model's curve follows Akima's; how the model is to read them, and what is left.
+pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
+    let allowed = tolerance(&points);
+    let akima = Read::new(&points, Reading::Akima);
+    let against =
+        |curve: &Curve, interpolation| worst(curve, &[Reading::Model(interpolation)], allowed, &|v| akima.at(v));
+    for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+        let as_it_is = against(&points, interpolation);
+        if as_it_is.is_small() || points.velocities.len() >= MAX_POINTS {
+            return (points.clone(), interpolation, as_it_is);
+        }
+    }
+    let rising = |at: f64| {
+        let i = points.velocities.partition_point(|v| *v <= at).clamp(1, points.velocities.len() - 1) - 1;
+        let (from, low, high) = (points.velocities[i], points.forces[i], points.forces[i + 1].max(points.forces[i]));
+        let so_far = (0..=PLACES).map(|k| akima.at(from + (at - from) * k as f64 / PLACES as f64));
+        so_far.fold(low, f64::max).min(high)
+    };
+    let interpolation = Interpolation::MonotoneCubic;
+    let curve = refined(points.clone(), &[Reading::Model(interpolation), Reading::Akima], allowed, &rising);
+    let left = against(&curve, interpolation);
+    (curve, interpolation, left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::curve::Curve as Kernel;
+
+    fn table(rows: &[[f64; 2]]) -> Curve {
+        Curve { velocities: rows.iter().map(|r| r[0]).collect(), forces: rows.iter().map(|r| r[1]).collect() }
+    }
+
+    fn steep() -> Curve {
+        table(&[[-1.0, -1200.0], [-0.002, -200.0], [0.0, 0.0], [0.002, 200.0], [1.0, 2200.0]])
+    }
+
+    /// The figures of scipy.interpolate.Akima1DInterpolator.
+    #[test]
+    fn the_curve_is_akimas() {
+        let curve = table(&[[-1.0, -900.0], [-0.3, -500.0], [0.0, 0.0], [0.2, 600.0], [0.5, 900.0], [1.0, 1100.0]]);
+        let akima = Read::new(&curve, Reading::Akima);
+        for (at, force) in AKIMA {
+            assert!((akima.at(at) - force).abs() < 1e-6, "{at} {force} {}", akima.at(at));
+        }
+    }
+
+    const AKIMA: [(f64, f64); 5] = [
+        (-0.8, -861.754225500),
+        (-0.1, -200.997709625),
+        (0.05, 138.700265252),
+        (0.3, 737.842617153),
+        (0.9, 1081.415384615),
+    ];
+
+    #[test]
+    fn points_are_added_until_akimas_curve_follows_a_models() {
+        let knees = table(&[[-0.04, -250.0], [-0.02, -240.0], [0.0, 0.0], [0.02, 400.0], [0.4, 704.0], [0.8, 1304.0]]);
+        let smooth =
+            table(&[[-1.5, -1800.0], [-0.5, -850.0], [-0.13, -450.0], [0.0, 0.0], [0.13, 780.0], [1.5, 3300.0]]);
+        for curve in [steep(), knees, smooth] {
+            for interpolation in [Interpolation::Linear, Interpolation::MonotoneCubic] {
+                let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
+                let model = |v: f64| kernel.at(v).value;
+                let before = worst(&curve, &[Reading::Akima], tolerance(&curve), &model);
+                let (points, left) = written(curve.clone(), interpolation, &model);
+                assert!(
+                    !before.is_small() && left.is_small(),
+                    "{curve:?} {interpolation:?} {before:?} {left:?} {points:?}"
+                );
+                let (back, read_as, _) = read(points.clone());
+                assert_eq!(back, points, "what is read is what was written");
+                let again = Kernel::new(&back.velocities, &back.forces, read_as).unwrap();
+                let (twice, _) = written(back.clone(), read_as, &|v| again.at(v).value);
+                assert_eq!(twice, points, "and is written again as it was");
+            }
+        }
+    }
+
+    #[test]
+    fn a_file_becomes_the_curve_that_adams_makes_of_it() {
+        // Akima's curve falls between points of the steep one, which no model's curve does: so far it is followed.
+        let car = table(&[
+            [-1.27, -1495.5],
+            [-0.508, -1000.0],
+            [-0.254, -809.5],
+            [-0.127, -600.0],
+            [-0.025, -120.0],
+            [0.0, 0.0],
+            [0.025, 200.0],
+            [0.127, 1000.0],
+            [0.254, 1423.4],
+            [0.508, 1800.0],
+            [1.27, 2900.0],
+        ]);
+        for (points, is_followed) in [(car, true), (steep(), false)] {
+            let (curve, interpolation, left) = read(points.clone());
+            assert_eq!(left.is_small(), is_followed, "{left:?} {curve:?}");
+            let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
+            let (again, _) = written(curve.clone(), interpolation, &|v| kernel.at(v).value);
+            assert!(!is_followed || again == curve);
+            assert!(curve.velocities.len() > points.velocities.len());
+        }
+    }
+
+    #[test]
+    fn two_points_are_a_straight_line() {
+        let line = table(&[[-1.0, -10.0], [1.0, 30.0]]);
+        assert!((Read::new(&line, Reading::Akima).at(0.5) - 20.0).abs() < 1e-9);
+        assert_eq!(read(line.clone()).0, line);
+    }
+}
