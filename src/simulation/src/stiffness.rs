@@ -36,6 +36,12 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
+/// A limit in two digits, never 0.
+fn in_digits(limit: f64) -> String {
+    let digits = (1.0 - limit.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{limit:.digits$}")
+}
+
 /// [`remark`] of parameters: what stands in the description of an FMU, which has model exchange too.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
@@ -47,9 +53,9 @@ pub fn remark(model: &Model) -> Option<String> {
     (rate > STIFF).then(|| {
         format!(
             "A solver that integrates the damper's states itself (model exchange, dashpot_evaluate) meets a rate of {rate:.1e} 1/s: an explicit one (Euler, Runge-Kutta) \
-             needs steps below {:.0} microseconds, and above them may give a wrong force without an error. Take an implicit solver (CVODE, DASSL, Radau), or \
+             needs steps below {} microseconds, and above them may give a wrong force without an error. Take an implicit solver (CVODE, DASSL, Radau), or \
              dashpot_step and co-simulation, which are stable at every step.",
-            1e6 * explicit_step(rate)
+            in_digits(1e6 * explicit_step(rate))
         )
     })
 }
@@ -74,6 +80,7 @@ mod tests {
         let rate = fastest_rate(&model);
         assert!(rate > 0.5 * slope / 0.05, "{rate} {slope}");
         assert!(remark(&model).unwrap().contains("model exchange"));
+        assert_eq!(["0.21", "0.0021", "47", "4713"], [0.2085, 0.0021, 47.2, 4712.6].map(in_digits)[..]);
         let mut params = Params::new();
         params.enable(element!("series_compliance"), false);
         assert_eq!(remark(&Model::new(&params).unwrap()), None);
