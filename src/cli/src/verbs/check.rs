@@ -5,7 +5,6 @@ use super::host_step::HostArgs;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
-use dashpot_simulation::chatter::GROWS;
 use dashpot_simulation::stiffness;
 use serde_json::json;
 use std::path::PathBuf;
@@ -13,12 +12,12 @@ use std::path::PathBuf;
 /// See whether a damper chatters in a host that holds its force over a step
 ///
 /// Real-time hosts compute the force once a step and hold it: a damper that is too steep for the mass that it moves then swings from step to
-/// step. Told are the gain c·h/m, the element that makes it and the longest step that is quiet; --for-step writes a damper that does not. Told is too how fast the
+/// step. Told are the gain c·h/m, what a loop like that of the host does (its mass on a tyre), the element that makes it and the longest step that is quiet; --for-step writes a damper that does not. Told is too how fast the
 /// damper's states are for a host that integrates them itself (model exchange).
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \
-                  --strict with 0 where the damper does not chatter, and with 1 where it does (gain 1 or more). 2 says that it could not be \
+                  --strict with 0 where the damper does not chatter, and with 1 where it does (gain 1 or more, or a force that turns at every step in the loop). 2 says that it could not be \
                   judged."
 )]
 pub struct Args {
@@ -30,7 +29,7 @@ pub struct Args {
     /// Where to write the damper made ready by --for-step
     #[arg(short, long, value_name = "MODEL", requires = "for_step")]
     output: Option<PathBuf>,
-    /// End with 1 where the damper chatters (gain 1 or more), for scripts; with --for-step, where it still does
+    /// End with 1 where the damper chatters, for scripts; with --for-step, where it still does
     #[arg(long)]
     strict: bool,
     /// Figures as JSON; - for standard output
@@ -65,7 +64,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             "wheel_mass_kg": ready.host.mass,
             "gain": chatter.gain,
             "chatters": chatter.rings(),
-            "swings": chatter.gain >= GROWS,
+            "swings": chatter.swings(),
             "velocity_m_s": chatter.velocity,
             "damping_n_s_m": chatter.by_velocity,
             "stiffness_n_m": chatter.by_displacement,
@@ -74,6 +73,10 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             "temperature_c": chatter.situation.temperature,
             "quiet_step_s": chatter.quiet_step,
             "element": chatter.element.map(|e| e.0.name()),
+            "turning_force_n": chatter.turning.filter(|t| !t.grows()).map(|t| t.force),
+            "turning_steps": chatter.turning.map(|t| t.steps),
+            "grows": chatter.turning.is_some_and(|t| t.grows()),
+            "calming_series_damping_n_s_m": chatter.calming,
             "gain_without_it": chatter.element.map(|e| e.1),
             "softened": ready.softened.iter().flat_map(|s| &s.softer).map(|s| s.element().name()).collect::<Vec<_>>(),
             "rms_error_n": ready.softened.as_ref().map(|s| s.rms_error),

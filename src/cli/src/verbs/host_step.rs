@@ -41,7 +41,7 @@ impl HostArgs {
         let soft = if self.for_step.is_some() { softened(params, host).map_err(refused)? } else { None };
         let params = soft.as_ref().map_or(*params, |s| s.params);
         let chatter = chatter(&params, host).map_err(refused)?;
-        Ok(Ready { params, host, chatter, softened: soft })
+        Ok(Ready { params, host, chatter, softened: soft, asked: self.for_step.is_some() })
     }
 }
 
@@ -55,13 +55,15 @@ pub struct Ready {
     pub chatter: Chatter,
     /// What was replaced for it.
     pub softened: Option<Softened>,
+    /// Whether `--for-step` was asked for.
+    asked: bool,
 }
 
 impl Ready {
     /// In sentences.
     pub fn told(&self) -> Vec<String> {
         let mut lines: Vec<String> = self.softened.iter().map(Softened::told).collect();
-        lines.push(self.chatter.told(self.host));
+        lines.push(self.chatter.told(self.host, self.asked));
         lines
     }
 
@@ -72,14 +74,14 @@ impl Ready {
 
     /// Chatter, where there is some.
     pub fn chatters(&self) -> Vec<String> {
-        self.chatter.remark(self.host).into_iter().collect()
+        self.chatter.rings().then(|| self.chatter.told(self.host, self.asked)).into_iter().collect()
     }
 
     /// What must be known beside an export: what was replaced, and chatter where there is some.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
             Some(_) => self.told(),
-            None => self.chatter.remark(self.host).into_iter().collect(),
+            None => self.chatters(),
         }
     }
 }
