@@ -110,6 +110,11 @@ impl Statement {
         statement
     }
 
+    /// Its text in capitals.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     fn push(&mut self, (place, line): (usize, &[u8]), from: usize) {
         for (i, byte) in code(line).iter().enumerate().skip(from) {
             self.text.push(if byte.is_ascii() { byte.to_ascii_uppercase() as char } else { '?' });

@@ -24,6 +24,36 @@ pub struct Patched {
     pub notes: Vec<String>,
 }
 
+/// The unit of length of a model, from its UNITS statement: the word, and metres in one. None where it has no such statement, or none of a length.
+///
+/// # Errors
+/// Where the word is no length.
+pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
+    let lines = dataset::lines(adm);
+    let begins = |line: &[u8]| {
+        let text = String::from_utf8_lossy(line).to_uppercase();
+        text.strip_prefix("UNITS").is_some_and(|rest| rest.trim_start().starts_with('/'))
+    };
+    let Some(begin) = lines.iter().position(|line| begins(line.1)) else { return Ok(None) };
+    let statement = Statement::at(&lines, begin);
+    let words: Vec<&str> = statement
+        .text()
+        .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+        .filter(|word| !word.is_empty())
+        .collect();
+    let after = |key: &str| words.iter().position(|word| *word == key).and_then(|at| words.get(at + 1));
+    // A system of units stands for all of them (MKS, CGS, FPS, IPS).
+    let (word, metres) = match (after("LENGTH"), after("SYSTEM")) {
+        (Some(word), _) => (*word, super::property::length_in_metres(word).context("UNITS")?),
+        (None, Some(&"MKS")) => ("METER", 1.0),
+        (None, Some(&"CGS")) => ("CENTIMETER", 0.01),
+        (None, Some(&"FPS")) => ("FOOT", 0.3048),
+        (None, Some(&"IPS")) => ("INCH", 0.0254),
+        _ => return Ok(None),
+    };
+    Ok(Some((word.to_lowercase(), metres)))
+}
+
 const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
 /// The model with the dampers replaced. A force at rest, such as a gas force that the function adds to its spline, is replaced only
@@ -255,6 +285,20 @@ mod tests {
 
     fn refusal(model: &str, name: &str) -> String {
         format!("{:#}", patch(model.as_bytes(), &damper(name), false).map(|p| p.notes).unwrap_err())
+    }
+
+    #[test]
+    fn the_unit_of_length_is_that_of_the_units_statement() {
+        let of = |units: &str| length_unit(format!("A title\n{units}{MODEL}").as_bytes()).unwrap();
+        let is = |word: &str, metres| Some((word.to_owned(), metres));
+        assert_eq!(
+            of("UNITS/\n, FORCE = NEWTON\n, MASS = KILOGRAM\n, LENGTH = METER\n, TIME = SECOND\n"),
+            is("meter", 1.0)
+        );
+        assert_eq!(of("UNITS/FORCE=NEWTON,LENGTH=MILLIMETER\n"), is("millimeter", 1e-3));
+        assert_eq!(of("UNITS/SYSTEM = IPS\n"), is("inch", 0.0254));
+        assert_eq!(of(""), None);
+        assert!(length_unit(b"t\nUNITS/LENGTH=CUBIT\nEND\n").is_err());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! `dashpot export adm`: dampers of a compiled Adams Car model replaced by the routine.
 
-use anyhow::Context as _;
+use super::damper_length;
+use anyhow::{Context as _, anyhow};
 use dashpot_hosts::adams::patch::{self, Damper};
 use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
@@ -17,10 +18,10 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.adm")]
     output: PathBuf,
-    /// Name of the damper's SFORCE, or SFORCE/id, its length at zero displacement in model units, and its model file where that is
-    /// not --model-file; repeat for more
+    /// Name of the damper's SFORCE, or SFORCE/id, its length at zero displacement, in the unit of the model (UNITS) or with its own
+    /// (412.5mm, 0.4125m), and its model file where that is not --model-file; repeat for more
     #[arg(long = "damper", value_name = "NAME=LENGTH[,PATH]", required = true, value_parser = damper)]
-    dampers: Vec<Damper>,
+    dampers: Vec<Named>,
     /// Path of the model file as the solver will find it
     #[arg(long, value_name = "PATH", default_value = "damper.toml")]
     model_file: String,
@@ -29,7 +30,15 @@ pub struct Args {
     replace_preload: bool,
 }
 
-fn damper(text: &str) -> Result<Damper, String> {
+/// A damper as it is named: what its length is shows in the model.
+#[derive(Clone)]
+struct Named {
+    name: String,
+    length: String,
+    model_file: String,
+}
+
+fn damper(text: &str) -> Result<Named, String> {
     let (name, length) = text.split_once('=').ok_or("say NAME=LENGTH")?;
     let (length, model_file) = length.split_once(',').unwrap_or((length, ""));
     // 412,5 would be taken for 412 and a model file called 5.
@@ -39,11 +48,13 @@ fn damper(text: &str) -> Result<Damper, String> {
             "\"{length},{next}\" looks like a decimal comma; write {length}.{next} (a model file that is called {next} is given as ./{next})"
         ));
     }
-    let length: f64 = length.trim().parse().map_err(|_| format!("the length \"{length}\" is no number"))?;
-    if name.is_empty() || !(length > 0.0 && length.is_finite()) {
+    let length = length.trim();
+    let number: f64 =
+        damper_length::parts(length).0.parse().map_err(|_| format!("the length \"{length}\" is no number"))?;
+    if name.is_empty() || !(number > 0.0 && number.is_finite()) {
         return Err("a name and a length above 0 are needed".into());
     }
-    Ok(Damper { name: name.into(), length, model_file: model_file.trim_matches(' ').into() })
+    Ok(Named { name: name.into(), length: length.into(), model_file: model_file.trim_matches(' ').into() })
 }
 
 /// Runs the verb.
@@ -51,10 +62,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
     let named = || args.input.display().to_string();
     let adm = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
-    let mut dampers = args.dampers.clone();
-    for damper in dampers.iter_mut().filter(|d| d.model_file.is_empty()) {
-        damper.model_file.clone_from(&args.model_file);
-    }
+    let unit = patch::length_unit(&adm).with_context(named)?;
+    let damper = |damper: &Named| {
+        // Without UNITS the numbers of a model have no unit; what Adams Car writes has them.
+        let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
+        let length =
+            damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
+        let model_file = if damper.model_file.is_empty() { &args.model_file } else { &damper.model_file };
+        Ok(Damper { name: damper.name.clone(), length, model_file: model_file.clone() })
+    };
+    let dampers: Vec<Damper> = args.dampers.iter().map(damper).collect::<anyhow::Result<_>>()?;
     let patched = patch::patch(&adm, &dampers, args.replace_preload).with_context(named)?;
     dashpot_output::write(&args.output, patched.model)?;
     dashpot_output::say(
@@ -67,6 +84,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         ),
     )?;
     let mut notes = patched.notes;
+    if unit.is_none() {
+        notes.push("the model has no UNITS statement, so its lengths were taken as millimetres".to_owned());
+    }
     let mut named: Vec<&str> = dampers.iter().map(|damper| damper.model_file.as_str()).collect();
     named.sort_unstable();
     named.dedup();

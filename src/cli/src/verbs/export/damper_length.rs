@@ -6,6 +6,40 @@ use dashpot_hosts::fmu::LONGEST;
 /// Shortest damper, m: a model car's has 50 mm, with room.
 const SHORTEST: f64 = 0.03;
 
+/// A number with a length's unit behind it, or without one.
+pub fn parts(text: &str) -> (&str, Option<&'static str>) {
+    let given = ["mm", "m"].into_iter().find_map(|unit| Some((text.strip_suffix(unit)?.trim_end(), Some(unit))));
+    given.unwrap_or((text, None))
+}
+
+/// A length in a model's own unit, which has a name and so many metres; the number alone is one.
+pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
+    let (number, given) = parts(text);
+    let Ok(value) = number.parse::<f64>() else {
+        return Err(format!("the length \"{text}\" is no number, with mm or m behind it if you like"));
+    };
+    let in_metres = match given {
+        Some("mm") => value / 1e3,
+        Some(_) => value,
+        None => value * metres,
+    };
+    if !(SHORTEST..=LONGEST).contains(&in_metres) {
+        return Err(format!(
+            "no damper is {value} {} long (they have {SHORTEST} to {LONGEST} m); a number alone is in the unit of the model, {unit}, so give such as {:.4} or \
+             412.5mm",
+            given.unwrap_or(unit),
+            0.4125 / metres
+        ));
+    }
+    // From the number itself where that is in the model's unit: 412.3 stays 412.3.
+    Ok(match given {
+        None => value,
+        Some("mm") if metres == 1e-3 => value,
+        Some(_) if metres == 1e-3 => in_metres * 1e3,
+        _ => in_metres / metres,
+    })
+}
+
 /// A length in mm; the number alone is one.
 pub fn in_millimetres(text: &str) -> Result<f64, String> {
     read(text, "mm")
@@ -18,11 +52,8 @@ pub fn in_metres(text: &str) -> Result<f64, String> {
 
 /// A length in `unit`, which a number alone is in.
 fn read(text: &str, unit: &str) -> Result<f64, String> {
-    let (number, given) = match text.strip_suffix("mm").map(|n| (n, "mm")).or(text.strip_suffix('m').map(|n| (n, "m")))
-    {
-        Some((number, given)) => (number.trim_end(), given),
-        None => (text, unit),
-    };
+    let (number, given) = parts(text);
+    let given = given.unwrap_or(unit);
     let example = if unit == "mm" { "412.5, 412.5mm or 0.4125m" } else { "0.4125, 0.4125m or 412.5mm" };
     let Ok(value) = number.parse::<f64>() else {
         let comma = if number.contains(',') { "; a decimal comma is written as a point" } else { "" };
@@ -57,6 +88,24 @@ mod tests {
             assert_eq!(in_metres(text), Ok(0.4125), "{text}");
         }
         assert_eq!(in_millimetres("412.3"), Ok(412.3));
+    }
+
+    #[test]
+    fn a_length_is_taken_in_the_units_of_the_model() {
+        for (text, unit, metres, length) in [
+            ("0.4125", "meter", 1.0, 0.4125),
+            ("412.5mm", "meter", 1.0, 0.4125),
+            ("412.3", "millimeter", 1e-3, 412.3),
+            ("412.3mm", "millimeter", 1e-3, 412.3),
+            ("0.4125m", "millimeter", 1e-3, 412.5),
+            ("0.254m", "inch", 0.0254, 10.0),
+        ] {
+            assert_eq!(in_units(text, unit, metres), Ok(length), "{text}");
+        }
+        assert_eq!(in_units("412.3", "millimeter", 1e-3), Ok(412.3));
+        let refusal = in_units("412.5", "meter", 1.0).unwrap_err();
+        assert!(refusal.contains("412.5 meter long") && refusal.contains("0.4125 or 412.5mm"), "{refusal}");
+        assert!(in_units("0.4125", "millimeter", 1e-3).is_err());
     }
 
     #[test]

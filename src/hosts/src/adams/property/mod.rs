@@ -97,6 +97,14 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     Ok(read)
 }
 
+/// Metres in a unit of length by its word, in property files and models of Adams.
+///
+/// # Errors
+/// Where it is none.
+pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
+    units::length(word)
+}
+
 /// A note as it may stand in a comment: in one line, without what neither form of file may hold, and in ASCII, which is what hosts read for
 /// certain. A note names parts of a file that somebody else wrote.
 fn as_comment(note: &str) -> String {
