@@ -280,7 +280,11 @@ pub unsafe extern "C" fn dashpot_params_read(
         };
         let code = found.map_or(DASHPOT_OK, |error| Refused::from(error.problem).0);
         if let Some(report) = report {
-            fill(report, code, line, found.and_then(|error| parameter_name(error.parameter)));
+            // A name that the table does not have is told as it stands in the file.
+            let name = |error: &model_file::ReadError| {
+                parameter_name(error.parameter).or_else(|| model_file::name_at(text, error))
+            };
+            fill(report, code, line, found.as_ref().and_then(name));
         }
         Ok(code)
     })())

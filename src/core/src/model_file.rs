@@ -128,12 +128,16 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                     return Err(at(Problem::Repeated));
                 }
                 has_elements = true;
-                reader.list(|value, line| match value {
-                    Value::Word(word) => Element::all()
-                        .find(|element| element.name().as_bytes() == word)
-                        .map(|element| read.enable(element, true))
-                        .ok_or(ReadError { line, parameter: NO_PARAMETER, problem: Problem::UnknownElement }),
-                    Value::Number(_) => Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Value }),
+                reader.list(|value, line| {
+                    let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
+                    let Value::Word(word) = value else { return Err(at(Problem::Value)) };
+                    let named = Element::all().find(|element| element.name().as_bytes() == word);
+                    let element = named.ok_or(at(Problem::UnknownElement))?;
+                    if read.is_on(element) {
+                        return Err(at(Problem::Repeated));
+                    }
+                    read.enable(element, true);
+                    Ok(())
                 })?;
             }
             _ => {
@@ -161,6 +165,31 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     }
     *params = read;
     Ok(())
+}
+
+/// The name that stands where a file is refused for a name: of a parameter or an element that there is not, or an element named twice.
+pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a str> {
+    let mut lines = text.split(|b| *b == b'\n').map(|line| core::str::from_utf8(line).unwrap_or(""));
+    let line = lines.nth(error.line.checked_sub(1)? as usize)?.trim_start_matches('\u{feff}');
+    match error.problem {
+        Problem::UnknownElement => words(line).find(|word| Element::all().all(|element| element.name() != *word)),
+        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) => line.split('=').next().map(str::trim),
+        Problem::Repeated if error.parameter == NO_PARAMETER => {
+            let up_to = || text.split(|b| *b == b'\n').take(error.line as usize);
+            let count = |word: &str| {
+                let lines = up_to().map(|line| core::str::from_utf8(line).unwrap_or(""));
+                lines.flat_map(words).filter(|other| *other == word).count()
+            };
+            words(line).find(|word| count(word) > 1)
+        }
+        _ => None,
+    }
+}
+
+/// The words in quotes of a line.
+fn words(line: &str) -> impl Iterator<Item = &str> {
+    let code = line.split('#').next().unwrap_or("");
+    code.split('"').enumerate().filter(|(i, _)| i % 2 == 1).map(|(_, word)| word)
 }
 
 enum Value<'a> {
@@ -368,6 +397,17 @@ mod tests {
         assert_eq!(problem("format = 2\nelements = []"), Problem::Format);
         assert_eq!(problem("format = 1"), Problem::NoElements);
         assert_eq!(problem("format = 1\nelements = [\"warp_drive\"]"), Problem::UnknownElement);
+        assert_eq!(problem("format = 1\nelements = [\"fv_curve\",\n\"fv_curve\"]"), Problem::Repeated);
+        let name = |text: &'static str| {
+            read(text.as_bytes(), &mut Params::new()).err().and_then(|error| name_at(text.as_bytes(), &error))
+        };
+        assert_eq!(name("format = 1\nelements = [\"fv_curve\", \"warp_drive\"]"), Some("warp_drive"));
+        assert_eq!(
+            name("format = 1\nelements = [\"fv_curve\", # \"\n\"gas_preload\", \"fv_curve\"]"),
+            Some("fv_curve")
+        );
+        assert_eq!(name("format = 1\nelements = [\"fv_curve\"]\ngas_forse = 5"), Some("gas_forse"));
+        assert_eq!(name("format = 2\n"), None);
         assert_eq!(problem(""), Problem::Format);
     }
 }

@@ -255,16 +255,27 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
             _ => (name_of(e.parameter).map_or(String::new(), |name| format!("{name}: ")), e.problem.text().to_owned()),
         };
         if let model_file::Problem::Parameter(fault) = e.problem {
-            if fault.reason == dashpot_core::Reason::UnknownName {
-                let line = text.lines().nth(e.line as usize - 1).unwrap_or("");
-                let name = line.split('=').next().unwrap_or("").trim();
-                words = format!("{name:?}: {words}{}", nearest(name));
-            } else if fault.reason == dashpot_core::Reason::OutOfBounds {
+            if fault.reason == dashpot_core::Reason::OutOfBounds {
                 words = format!("{words}{}", bounds(fault.parameter));
             }
         }
+        if let Some(name) = model_file::name_at(text.as_bytes(), &e) {
+            let meant = match e.problem {
+                model_file::Problem::UnknownElement => nearest(name, Element::all().map(Element::name)),
+                model_file::Problem::Repeated => String::new(),
+                _ => nearest(name, parameter::table().map(|row| row.parameter.name)),
+            };
+            words = format!("{name:?}: {words}{meant}");
+        }
         ModelFileError::Line { file: file.clone(), line: e.line, subject, text: words }
     })?;
+    let substeps = params.number(number!("substeps"));
+    if substeps.fract() != 0.0 {
+        let line =
+            text.lines().position(|line| line.trim_start().starts_with("substeps")).map_or(1, |at| at as u32 + 1);
+        let words = format!("a whole number is needed; {substeps} would be taken as {}", substeps.trunc());
+        return Err(ModelFileError::Line { file, line, subject: "substeps: ".to_owned(), text: words });
+    }
     prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
     #[derive(Deserialize)]
     struct Tables {
@@ -292,14 +303,13 @@ fn bounds(parameter: u16) -> String {
 }
 
 /// The known name that a misspelt one most resembles.
-fn nearest(name: &str) -> String {
+fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
     let shared = |other: &str| {
         let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
         let (a, b) = (pairs(name), pairs(other));
         2.0 * a.iter().filter(|p| b.contains(p)).count() as f64 / (a.len() + b.len()).max(1) as f64
     };
-    parameter::table()
-        .map(|row| row.parameter.name)
+    known
         .max_by(|a, b| shared(a).total_cmp(&shared(b)))
         .filter(|best| shared(best) > 0.6)
         .map_or(String::new(), |best| format!("; did you mean {best}?"))
@@ -476,6 +486,23 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_that_is_none_is_told_with_what_it_may_mean() {
+        for (text, words) in [
+            ("elements = [\"fv_curve\", \"bumpstop\"]\n", "\"bumpstop\": elements names something that is no element"),
+            ("elements = [\"fv_curve\", \"bumpstop\"]\n", "did you mean bump_stop?"),
+            ("elements = [\"fv_curve\",\n\"fv_curve\"]\n", "\"fv_curve\": the name appears a second time"),
+            ("elements = [\"fv_curve\"]\ngas_forze = 3\n", "did you mean gas_force?"),
+            (
+                "elements = [\"fv_curve\"]\nsubsteps = 2.5\n",
+                "line 3: substeps: a whole number is needed; 2.5 would be taken as 2",
+            ),
+        ] {
+            let error = of_text(&format!("format = 1\n{text}"), Path::new("m.toml")).unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
+    }
 
     #[test]
     fn the_flat_part_is_toml_and_reads_back_exactly() {
