@@ -19,12 +19,44 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
     if four_corners { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") }
 }
 
-/// The static library that an FMU can be compiled from, where cargo puts it: beside the program.
+/// The static library that an FMU can be compiled from: beside the program, where cargo puts it, or in `lib` beside the program's folder, where the
+/// packages have it.
 ///
 /// # Errors
-/// Where the program's own place is not known.
+/// Where the program's own place is not known, or it lies in neither.
 pub fn static_library() -> anyhow::Result<PathBuf> {
-    Ok(std::env::current_exe()?.with_file_name("libdashpot.a"))
+    static_library_of(&std::env::current_exe()?)
+}
+
+fn static_library_of(program: &Path) -> anyhow::Result<PathBuf> {
+    let beside = program.with_file_name("libdashpot.a");
+    let of_package = program.parent().and_then(Path::parent).map(|folder| folder.join("lib").join("libdashpot.a"));
+    let places: Vec<PathBuf> = [Some(beside), of_package].into_iter().flatten().collect();
+    places.iter().find(|place| place.is_file()).cloned().with_context(|| {
+        let named: Vec<String> = places.iter().map(|place| place.display().to_string()).collect();
+        format!(
+            "there is no {}; build it with `cargo build --release -p dashpot-dll`, or name it with --library",
+            named.join(", and no ")
+        )
+    })
+}
+
+/// The routine that every model of `export adams` and `export adm` calls.
+const ROUTINE: &[u8] = b"Dashpot_sfosub";
+
+/// What kind of library for Adams it is, by the name that it gets in a run folder.
+///
+/// # Errors
+/// Where it does not hold the routines.
+pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
+    if !content.windows(ROUTINE.len()).any(|part| part == ROUTINE) {
+        bail!(
+            "this is no dashpot library for Adams: the name of the routine, {}, does not stand in it. It is made by `make -C adams-usersub`",
+            String::from_utf8_lossy(ROUTINE)
+        );
+    }
+    // A library for Windows keeps its name on Linux too.
+    Ok(if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" })
 }
 
 /// A property file ready to be written.
@@ -169,4 +201,32 @@ pub fn run_folder(
     }
     files.extend(libraries);
     RunFolder { files, no_native }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_static_library_of_a_package_lies_in_its_lib() {
+        let folder = tempfile::tempdir().unwrap();
+        let program = folder.path().join("bin").join("dashpot");
+        for place in ["bin", "lib"] {
+            std::fs::create_dir(folder.path().join(place)).unwrap();
+        }
+        let none = format!("{:#}", static_library_of(&program).unwrap_err());
+        assert!(none.contains("--library") && none.contains("lib"), "{none}");
+        for place in ["lib", "bin"] {
+            let library = folder.path().join(place).join("libdashpot.a");
+            std::fs::write(&library, "").unwrap();
+            assert_eq!(static_library_of(&program).unwrap(), library);
+        }
+    }
+
+    #[test]
+    fn a_library_for_adams_holds_the_routine() {
+        assert_eq!(adams_library_name(b"MZ..Dashpot_sfosub..").unwrap(), "dashpot_adams.dll");
+        assert_eq!(adams_library_name(b"\x7fELF..Dashpot_sfosub").unwrap(), "dashpot_adams.so");
+        assert!(adams_library_name(b"format = 1").unwrap_err().to_string().contains("Dashpot_sfosub"));
+    }
 }

@@ -7,6 +7,7 @@ use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
 use anyhow::Context as _;
 use dashpot_core::curve::Interpolation;
+use dashpot_core::parameter::Element;
 use dashpot_core::{Params, element, number};
 use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 
@@ -29,6 +30,8 @@ pub struct PlainCurve {
     pub params: Params,
     /// Whose it is.
     pub source: Source,
+    /// Elements of the model beside its curve.
+    pub beside: Vec<&'static str>,
 }
 
 impl PlainCurve {
@@ -37,6 +40,8 @@ impl PlainCurve {
     /// # Errors
     /// Where the plain curve of the file is no curve.
     pub fn of(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
+        let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
+        let beside = on.map(Element::name).collect();
         let source = match &file.identification.fv_only {
             _ if own => Source::Asked,
             None => Source::Only,
@@ -44,7 +49,7 @@ impl PlainCurve {
             Some(fitted) => {
                 let params = FvOnly::params(fitted).map_err(anyhow::Error::msg);
                 let params = params.context("the table [identification.fv_only] of the model file")?;
-                return Ok(Some(PlainCurve { params, source: Source::Fitted }));
+                return Ok(Some(PlainCurve { params, source: Source::Fitted, beside }));
             }
         };
         if !file.params.is_on(element!("fv_curve")) {
@@ -54,7 +59,7 @@ impl PlainCurve {
         params.disable_all();
         params.enable(element!("fv_curve"), true);
         params.enable(element!("gas_preload"), file.params.is_on(element!("gas_preload")));
-        Ok(Some(PlainCurve { params, source }))
+        Ok(Some(PlainCurve { params, source, beside }))
     }
 
     /// Its points.

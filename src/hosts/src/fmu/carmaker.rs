@@ -23,6 +23,18 @@ impl Scales {
     }
 }
 
+/// What of the model CarMaker's equilibrium does not have, in a sentence. The file has a place for a spring, but no source tells what its numbers
+/// are measured from, so none is written there.
+pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
+    (!curve.beside.is_empty()).then(|| {
+        format!(
+            "Not in the damper that CarMaker looks for its equilibrium with: {}. The FMU has them in the run, so where they hold a force at rest (gas, springs, \
+             stops) the vehicle moves to another height after the start: let it come to rest first.",
+            curve.beside.join(", ")
+        )
+    })
+}
+
 /// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with a curve, where one may be shown.
 ///
 /// # Errors
@@ -60,6 +72,9 @@ pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &s
     if let Some(plain) = shown {
         let curve = plain.curve()?;
         let _ = writeln!(out, "# {}", plain.told());
+        if let Some(left_out) = not_in_the_equilibrium(plain) {
+            let _ = writeln!(out, "# {left_out}");
+        }
         out += "Susp.Damper.SubstModel.Damper:\n";
         for (v, f) in curve.velocities.iter().zip(&curve.forces) {
             let _ = writeln!(out, "\t{v:?} {f:?}");
@@ -71,6 +86,18 @@ pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &s
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_the_equilibrium_lacks_is_said() {
+        let with = |elements: &str| {
+            let text = format!("format = 1\nelements = [{elements}]\n");
+            let file = dashpot_identification::model_file::of_text(&text, std::path::Path::new("m.toml")).unwrap();
+            let curve = PlainCurve::of(&file, false).unwrap().unwrap();
+            plug_info("front", "{1}", Some(&curve), "x").unwrap()
+        };
+        assert!(with("\"fv_curve\", \"gas_preload\"").contains("looks for its equilibrium with: gas_preload."));
+        assert!(!with("\"fv_curve\"").contains("Not in the damper"));
+    }
 
     #[test]
     fn a_length_in_millimetres_and_a_name_of_two_lines_are_refused() {

@@ -10,7 +10,7 @@ mod variables;
 mod veil;
 mod zip;
 
-pub use carmaker::{LONGEST, plug_info};
+pub use carmaker::{LONGEST, not_in_the_equilibrium, plug_info};
 pub use sources::Version;
 pub use variables::Scales;
 pub use zip::check_sum;

@@ -78,8 +78,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 fn libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
     if let Some(path) = named {
         let content = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-        // A library for Windows keeps its name on Linux too.
-        let name = if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" };
+        let name = handed_out::adams_library_name(&content).with_context(|| path.display().to_string())?;
         return Ok(vec![(name.into(), content)]);
     }
     handed_out::adams_libraries()

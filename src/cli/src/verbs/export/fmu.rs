@@ -68,7 +68,7 @@ pub struct Args {
     /// Compile the binary here, for this computer alone, with the model inside it (needs a C compiler: cc, or CC)
     #[arg(long)]
     from_source: bool,
-    /// With --from-source: the static library of dashpot [default: libdashpot.a beside this command]
+    /// With --from-source: the static library of dashpot [default: libdashpot.a beside this command, or in ../lib]
     #[arg(long, value_name = "FILE", requires = "from_source")]
     library: Option<PathBuf>,
     /// The binary for one more platform, such as darwin64, compiled from this FMU's own sources
@@ -158,6 +158,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         )?;
         if let Some(curve) = &curve {
             dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.told()))?;
+            if let Some(left_out) = fmu::not_in_the_equilibrium(curve) {
+                dashpot_output::say(None, &format!("  {left_out}"))?;
+            }
         }
     }
     notes.iter().try_for_each(|note| dashpot_output::say(None, note))
@@ -178,14 +181,14 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     Ok(Binary { platform: platform.to_owned(), content })
 }
 
-/// The static library: as named, or where cargo puts it.
+/// The static library: as named, or where cargo or a package puts it.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
-    let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
+    let Some(path) = named else { return handed_out::static_library() };
     if !path.is_file() {
         bail!(
-            "there is no {}; build it with `cargo build --release -p dashpot-dll`, or name it with --library",
+            "there is no {}; build it with `cargo build --release -p dashpot-dll`, or name another one",
             path.display()
         );
     }
-    Ok(path)
+    Ok(path.to_path_buf())
 }
