@@ -622,6 +622,8 @@ mod tests {
             let message = message(figures);
             assert!(message.contains("3 columns of figures") && message.contains("--unit force=N"), "{message}");
         }
+        let pairs = message("0.1,10\n0.2,20\n");
+        assert!(pairs.contains("--column force=2") && pairs.contains("--sample-rate"), "{pairs}");
         let unit = message("#\ntime_s,x_mm,Force\n0,1,1\n");
         assert!(unit.contains("line 2") && unit.contains("'Force' has no unit") && unit.contains("lbf"), "{unit}");
         let wrong = message("time_s,x_mm,Force [tons]\n0,1,1\n");
@@ -645,6 +647,11 @@ mod tests {
             assert!((x[1] - 0.0508).abs() < 1e-9 && (force[1] - 8896.443).abs() < 1e-3, "{header}: {test:?}");
             assert_eq!(told(&test).matches("by its unit alone").count(), guessed, "{header}");
         }
+        // A name that is understood at need gives way to the usual one.
+        let test = read(
+            "time_s,tout [s],Millis,dist [mm],x_mm,forc [N],Lead Force [N],force_N\n1,9,9,9,1,9,9,1\n2,9,9,9,2,9,9,2\n",
+        );
+        assert_eq!((test.time.as_slice(), test.force.as_slice()), ([1.0, 2.0].as_slice(), [1.0, 2.0].as_slice()));
         // A length beside a velocity may be any.
         let test = read("time (s),velocity (m/s),wear (mm),force (N)\n0,1,1,1\n1,2,2,2\n");
         assert!(test.displacement.is_none(), "{test:?}");

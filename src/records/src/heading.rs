@@ -9,8 +9,6 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
         Channel::Time => &[
             "time",
             "t",
-            "times",
-            "tout",
             "timestamp",
             "time stamp",
             "elapsed time",
@@ -20,6 +18,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "time of day",
             "clock",
             "wall clock",
+            "times",
+            "tout",
             "date time",
             "datetime",
             "zeit",
@@ -49,14 +49,14 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "displacement",
             "disp",
             "displ",
-            "dist",
-            "distance",
             "position",
             "pos",
             "stroke",
             "travel",
             "deflection",
             "extension",
+            "dist",
+            "distance",
             "x",
             "weg",
             "hub",
@@ -105,11 +105,11 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
         ],
         Channel::Force => &[
             "force",
-            "forc",
             "load",
             "f",
             "load cell",
             "loadcell",
+            "forc",
             "kraft",
             "dampferkraft",
             "daempferkraft",
@@ -328,6 +328,17 @@ const CLOCKS: [(&[&str], Unit); 3] = [
     (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
     (&["micros", "microseconds", "mikrosekunden", "microsecondes"], Unit::Microsecond),
 ];
+
+/// Words of headings that are understood where no other one names the quantity: beside `time`, Simulink writes a `tout` of its own.
+const STOPGAPS: [&str; 6] = ["times", "tout", "dist", "distance", "forc", "lead"];
+
+/// Whether a heading gives way to one that names the quantity by its usual name.
+pub(crate) fn is_stopgap(text: &str) -> bool {
+    let is_one = |word: &String| {
+        STOPGAPS.contains(&word.as_str()) || CLOCKS.iter().any(|(names, _)| names.contains(&word.as_str()))
+    };
+    words(text).iter().any(is_one)
+}
 
 /// Words of a heading that name what was wanted of a quantity, or one figure of it, and not its course over time.
 const NO_COURSE: [&str; 30] = [

@@ -123,7 +123,7 @@ crate::phrases! {
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
     BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
     TAKEN_FOR: "'{column}' for {channel}";
-    FIGURES_ALONE: " It holds {count} columns of figures without headings: say which is which by their numbers, with --column time=1 --column displacement=2 --column force=3 and --unit time=s --unit displacement=mm --unit force=N, all in one (--sample-rate 1000 in the place of a time).";
+    FIGURES_ALONE: " It holds {count} columns of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
     // What is wrong with what was asked for.
     NOT_FOUND: "{file}: there is no such file or folder; check the path";

@@ -6,7 +6,9 @@ use super::about::About;
 use super::channel::Channel;
 use super::clock;
 use super::error::{Place, RecordError};
-use super::heading::{Heading, HeadingUnit, by_unit, heading, is_plain, nearest, nearest_to, vocabulary, without_unit};
+use super::heading::{
+    Heading, HeadingUnit, by_unit, heading, is_plain, is_stopgap, nearest, nearest_to, vocabulary, without_unit,
+};
 use super::options::Options;
 use super::phrases;
 use super::record::Note;
@@ -185,7 +187,15 @@ pub(crate) fn no_header_near(at: &Place, first_line: &str, lines: &[(usize, Vec<
             Some(Sentence::from(phrases::BEST_LINE).with("line", line).with_list("known", known, phrases::COMMA))
         }
         (_, Some((_, cells))) if figures(cells) => {
-            Some(Sentence::from(phrases::FIGURES_ALONE).with("count", cells.len()))
+            let options = match cells.len() {
+                2 => {
+                    "--column displacement=1 --column force=2 --unit displacement=mm --unit force=N --sample-rate 1000"
+                }
+                _ => {
+                    "--column time=1 --column displacement=2 --column force=3 --unit time=s --unit displacement=mm --unit force=N"
+                }
+            };
+            Some(Sentence::from(phrases::FIGURES_ALONE).with("count", cells.len()).with("options", options))
         }
         _ => None,
     };
@@ -272,6 +282,7 @@ impl Layout {
                 possible.sort_unstable();
                 // A heading that names the quantity goes before one that names the sensor too; of a pair such as
                 // `Force (V)` and `Force (kN)` the one in a unit of the quantity is meant.
+                prefer(&mut candidates, |i| is_plain(header[i]) && !is_stopgap(header[i]));
                 prefer(&mut candidates, |i| is_plain(header[i]));
                 prefer(&mut candidates, |i| {
                     matches!(&headings[i], Heading::Channel(_, HeadingUnit::Known(u)) if u.dimension() == channel.dimension())

@@ -581,10 +581,10 @@ pub const ALL: &[Said] = &[
     ],
     ["'{column}' for {channel}", "„{column}“ für {channel}", "« {column} » pour {channel}", "“{column}”（{channel}）"],
     [
-        " It holds {count} columns of figures without headings: say which is which by their numbers, with --column time=1 --column displacement=2 --column force=3 and --unit time=s --unit displacement=mm --unit force=N, all in one (--sample-rate 1000 in the place of a time).",
-        " Sie enthält {count} Spalten Zahlen ohne Überschriften: Sagen Sie alles auf einmal mit den Nummern der Spalten, mit --column time=1 --column displacement=2 --column force=3 und --unit time=s --unit displacement=mm --unit force=N (--sample-rate 1000 anstelle einer Zeit).",
-        " Elle contient {count} colonnes de chiffres sans en-têtes : dites tout en une fois par leurs numéros, avec --column time=1 --column displacement=2 --column force=3 et --unit time=s --unit displacement=mm --unit force=N (--sample-rate 1000 à la place d’un temps).",
-        "该行含 {count} 列数值而没有列名：请按列号一次性说明，如 --column time=1 --column displacement=2 --column force=3 以及 --unit time=s --unit displacement=mm --unit force=N（没有时间列时用 --sample-rate 1000）。",
+        " It holds {count} columns of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.",
+        " Sie enthält {count} Spalten Zahlen ohne Überschriften: Sagen Sie alles auf einmal, welche was ist, mit ihren Nummern, und in welchen Einheiten, etwa {options}.",
+        " Elle contient {count} colonnes de chiffres sans en-têtes : dites en une fois laquelle est quoi, par leurs numéros, et dans quelles unités, par exemple {options}.",
+        "该行含 {count} 列数值而没有列名：请按列号一次性说明各列及其单位，例如 {options}。",
     ],
     [
         "{at}: has a header but no data rows",
