@@ -183,12 +183,13 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
 
 /// The static library: as named, or where cargo or a package puts it.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
-    let Some(path) = named else { return handed_out::static_library() };
+    let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {
+        let nor = if named.is_none() { ", nor one in ../lib" } else { "" };
         bail!(
-            "there is no {}; build it with `cargo build --release -p dashpot-dll`, or name another one",
+            "there is no {}{nor}; build it with `cargo build --release -p dashpot-dll`, or name it with --library",
             path.display()
         );
     }
-    Ok(path.to_path_buf())
+    Ok(path)
 }
