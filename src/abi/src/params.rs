@@ -114,9 +114,9 @@ unsafe fn element(name: *const c_char) -> Result<Element, Refused> {
     unsafe { one_of(name, Element::all(), |element| element.name()) }
 }
 
-fn fill(report: &mut dashpot_fault, status: i32, line: u32, parameter: Option<&str>) {
+fn fill(report: &mut dashpot_fault, status: i32, line: u32, parameter: Option<&[u8]>) {
     (report.status, report.line) = (status, line);
-    text::write(&mut report.parameter, parameter.into_iter());
+    text::write_bytes(&mut report.parameter, parameter.into_iter());
 }
 
 impl From<Fault> for Refused {
@@ -282,7 +282,7 @@ pub unsafe extern "C" fn dashpot_params_read(
         if let Some(report) = report {
             // A name that the table does not have is told as it stands in the file.
             let name = |error: &model_file::ReadError| {
-                parameter_name(error.parameter).or_else(|| model_file::name_at(text, error))
+                parameter_name(error.parameter).map(str::as_bytes).or_else(|| model_file::name_at(text, error))
             };
             fill(report, code, line, found.as_ref().and_then(name));
         }
@@ -299,7 +299,7 @@ pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fau
         let (params, report) = unsafe { (values(params)?, exclusive(fault)?) };
         let found = Model::check(params).err();
         let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
-        fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)));
+        fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)).map(str::as_bytes));
         Ok(code)
     })())
 }

@@ -17,11 +17,16 @@ pub(crate) const fn padded<const N: usize>(text: &str) -> [u8; N] {
 
 /// Fills `to` with the pieces one after the other and zeros behind them; what does not fit is cut off.
 pub(crate) fn write<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a str>) {
+    write_bytes(to, pieces.map(str::as_bytes));
+}
+
+/// The same with pieces that a file holds, whatever they are encoded in.
+pub(crate) fn write_bytes<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a [u8]>) {
     let (last, to) = match to.split_last_mut() {
         Some(parts) => parts,
         None => return,
     };
-    let mut bytes = pieces.flat_map(str::bytes);
+    let mut bytes = pieces.flatten().copied();
     for c in to {
         *c = bytes.next().unwrap_or(0) as c_char;
     }

@@ -168,28 +168,73 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
 }
 
 /// The name that stands where a file is refused for a name: of a parameter or an element that there is not, or an element named twice.
-pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a str> {
-    let mut lines = text.split(|b| *b == b'\n').map(|line| core::str::from_utf8(line).unwrap_or(""));
-    let line = lines.nth(error.line.checked_sub(1)? as usize)?.trim_start_matches('\u{feff}');
-    match error.problem {
-        Problem::UnknownElement => words(line).find(|word| Element::all().all(|element| element.name() != *word)),
-        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) => line.split('=').next().map(str::trim),
-        Problem::Repeated if error.parameter == NO_PARAMETER => {
-            let up_to = || text.split(|b| *b == b'\n').take(error.line as usize);
-            let count = |word: &str| {
-                let lines = up_to().map(|line| core::str::from_utf8(line).unwrap_or(""));
-                lines.flat_map(words).filter(|other| *other == word).count()
-            };
-            words(line).find(|word| count(word) > 1)
+///
+/// By bytes: the searches in texts of the standard library have panics that do not go away.
+pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
+    let (from, to) = line_at(text, error.line)?;
+    let line = text.get(from..to)?;
+    let found = match error.problem {
+        Problem::UnknownElement => {
+            find_word(line, |word| Element::all().all(|element| element.name().as_bytes() != word))?
         }
-        _ => None,
-    }
+        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) => {
+            let end = line.iter().position(|b| *b == b'=').unwrap_or(line.len());
+            line.get(..end)?.trim_ascii()
+        }
+        Problem::Repeated if error.parameter == NO_PARAMETER => {
+            let up_to = text.get(..to)?;
+            find_word(line, |word| count_words(up_to, word) > 1)?
+        }
+        _ => return None,
+    };
+    Some(found.strip_prefix(b"\xef\xbb\xbf").unwrap_or(found))
 }
 
-/// The words in quotes of a line.
-fn words(line: &str) -> impl Iterator<Item = &str> {
-    let code = line.split('#').next().unwrap_or("");
-    code.split('"').enumerate().filter(|(i, _)| i % 2 == 1).map(|(_, word)| word)
+/// Where a line begins and ends, counted from 1.
+fn line_at(text: &[u8], line: u32) -> Option<(usize, usize)> {
+    let mut number = 1;
+    let mut from = 0;
+    for (at, byte) in text.iter().enumerate() {
+        if *byte == b'\n' {
+            if number == line {
+                return Some((from, at));
+            }
+            (number, from) = (number + 1, at + 1);
+        }
+    }
+    (number == line).then_some((from, text.len()))
+}
+
+/// Calls `visit` with the words in quotes, remarks left out, until it says true; returns that word.
+fn find_word<'a>(text: &'a [u8], mut visit: impl FnMut(&'a [u8]) -> bool) -> Option<&'a [u8]> {
+    let (mut begins, mut is_remark) = (None, false);
+    for (at, byte) in text.iter().enumerate() {
+        match (*byte, begins) {
+            (b'\n', _) => (begins, is_remark) = (None, false),
+            (b'#', None) => is_remark = true,
+            (b'"', None) if !is_remark => begins = Some(at + 1),
+            (b'"', Some(from)) => {
+                if let Some(word) = text.get(from..at)
+                    && visit(word)
+                {
+                    return Some(word);
+                }
+                begins = None;
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+/// How often a word stands in quotes.
+fn count_words(text: &[u8], wanted: &[u8]) -> usize {
+    let mut count = 0;
+    let _ = find_word(text, |word| {
+        count += usize::from(word == wanted);
+        false
+    });
+    count
 }
 
 enum Value<'a> {
@@ -399,7 +444,9 @@ mod tests {
         assert_eq!(problem("format = 1\nelements = [\"warp_drive\"]"), Problem::UnknownElement);
         assert_eq!(problem("format = 1\nelements = [\"fv_curve\",\n\"fv_curve\"]"), Problem::Repeated);
         let name = |text: &'static str| {
-            read(text.as_bytes(), &mut Params::new()).err().and_then(|error| name_at(text.as_bytes(), &error))
+            read(text.as_bytes(), &mut Params::new())
+                .err()
+                .and_then(|error| name_at(text.as_bytes(), &error).and_then(|name| core::str::from_utf8(name).ok()))
         };
         assert_eq!(name("format = 1\nelements = [\"fv_curve\", \"warp_drive\"]"), Some("warp_drive"));
         assert_eq!(

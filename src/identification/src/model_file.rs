@@ -259,7 +259,8 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
                 words = format!("{words}{}", bounds(fault.parameter));
             }
         }
-        if let Some(name) = model_file::name_at(text.as_bytes(), &e) {
+        if let Some(name) = model_file::name_at(text.as_bytes(), &e).map(String::from_utf8_lossy) {
+            let name = name.as_ref();
             let meant = match e.problem {
                 model_file::Problem::UnknownElement => nearest(name, Element::all().map(Element::name)),
                 model_file::Problem::Repeated => String::new(),
