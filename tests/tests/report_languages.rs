@@ -203,7 +203,7 @@ fn numbers_of_german_and_french_reports_have_a_decimal_comma_and_every_minus_is_
                 if matches!(language, Language::German | Language::French) && !plain {
                     wrong.extend(with_point(&text).map(str::to_owned));
                 }
-                commas += usize::from(language == Language::German && text.contains(|c: char| c == ','));
+                commas += usize::from(language == Language::German && text.contains(','));
                 let letters: Vec<char> = text.chars().collect();
                 let hyphen = letters.windows(2).enumerate().any(|(k, pair)| {
                     pair[0] == '-' && pair[1].is_ascii_digit() && (k == 0 || letters[k - 1].is_whitespace())
