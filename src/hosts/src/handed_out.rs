@@ -6,7 +6,6 @@ use crate::adams::property::{self, Form, Properties};
 use crate::plain_curve::{PlainCurve, Source};
 use crate::{fmu, runtimes};
 use anyhow::{Context as _, bail};
-use dashpot_core::parameter::Element;
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, number};
 use dashpot_identification::model_file::ModelFile;
@@ -82,9 +81,8 @@ pub fn property_file(
         bail!("the element fv_curve is off, so there is no curve to export");
     };
     let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-    let held = |element| element == element!("fv_curve") || (xml && element == element!("gas_preload"));
-    let on = Element::all().filter(|element| file.params.is_on(*element));
-    let left_out: Vec<&str> = on.filter(|element| !held(*element)).map(Element::name).collect();
+    let mut left_out = plain.beside.clone();
+    left_out.retain(|name| !(xml && *name == element!("gas_preload").name()));
     let mut remarks = Vec::new();
     if plain.source == Source::Fitted || !left_out.is_empty() {
         remarks.push(plain.told().to_owned());

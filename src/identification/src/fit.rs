@@ -208,11 +208,12 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     if let Some(s) = segments.iter().find(|s| !s.force.iter().all(|f| f.is_finite())) {
         return Err(FitError::NotFinite { test: s.name.clone() });
     }
+    let about = About::of(records);
     let guess = first_guess::guess(&segments);
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
-        Family::Thesis => fit_thesis(&guess, &segments, options, &About::of(records), &progress),
+        Family::Thesis => fit_thesis(&guess, &segments, options, &about, &progress),
         Family::Fv => as_found(&segments, fv_unknowns(&fv_only)),
         Family::Piecewise => fit_piecewise(&segments, &progress)?,
         Family::Lag => fit_lag(&segments, &progress)?,
@@ -228,14 +229,13 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
     let Found { params, estimates, choices, measured, mut notes, misfit } = found;
-    let given = Off::given(records);
-    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&given)).collect();
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     if params.is_on(element!("gas_warming")) {
         let reference = params.number(number!("gas_warming_reference"));
         notes.push(Sentence::from(phrases::GAS_AT).with("temperature", format!("{reference:.1}")));
     }
-    if measured.iter().any(|m| m.name == "drift" && m.value < 0.0) && temperatures(records).is_none() {
+    if measured.iter().any(|m| m.name == "drift" && m.value < 0.0) && about.temperature.is_none() {
         notes.push(phrases::OR_WARM_GAS.into());
     }
     Ok(Fit {
@@ -449,19 +449,14 @@ fn look_at_the_measurement(
     progress: &impl Fn(Stage),
 ) -> (Structure, Params) {
     progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
-    let mut list = vec![Candidate { name: AS_RECORDED, structure, starts: vec![from] }];
-    let with = |&(name, rig): &(&'static str, OfTheRig)| Candidate {
-        name,
-        structure: Structure { rig, ..structure },
-        starts: vec![from],
+    let with = |name, structure, from| Candidate { name, structure, starts: vec![from] };
+    let beside = |structure: Structure, from: Params| {
+        ways.iter().map(move |(name, rig)| with(*name, Structure { rig: *rig, ..structure }, from))
     };
-    list.extend(ways.iter().map(with));
+    let mut list = vec![with(AS_RECORDED, structure, from)];
+    list.extend(beside(structure, from));
     // Gas that warms moves the force at rest as a zero that drifts does, but with the temperature instead of the clock.
-    list.extend(warms.map(|_| Candidate {
-        name: GAS_WARMS,
-        structure: Structure { warming: warms, ..structure },
-        starts: vec![from],
-    }));
+    list.extend(warms.map(|_| with(GAS_WARMS, Structure { warming: warms, ..structure }, from)));
     if list.len() == 1 {
         return (structure, from);
     }
@@ -475,20 +470,12 @@ fn look_at_the_measurement(
         return (found, chosen.params);
     }
     // What hid behind the one may show beside it: a late channel beside gas that warms, and the gas beside a late channel.
-    let mut list = vec![Candidate { name: list[chosen.place].name, structure: found, starts: vec![chosen.params] }];
+    let mut list = vec![with(list[chosen.place].name, found, chosen.params)];
     if found.warming.is_some() {
-        let beside = |&(name, rig): &(&'static str, OfTheRig)| Candidate {
-            name,
-            structure: Structure { rig, ..found },
-            starts: vec![chosen.params],
-        };
-        list.extend(ways.iter().map(beside));
+        list.extend(beside(found, chosen.params));
     } else {
-        list.push(Candidate {
-            name: GAS_WARMS,
-            structure: Structure { warming: warms, rig: found.rig.without_drift(), ..found },
-            starts: vec![chosen.params],
-        });
+        let warming = Structure { warming: warms, rig: found.rig.without_drift(), ..found };
+        list.push(with(GAS_WARMS, warming, chosen.params));
     }
     let chosen = choose(MEASUREMENT, &list, segments, Keep::First);
     choices.push(chosen.choice);

@@ -12,6 +12,8 @@ const STEP: f64 = 1.3;
 const FROM: f64 = 1e-3;
 /// Share of a test's peak velocity below which it is not looked at: there the noise of a derived velocity decides.
 const LOWEST: f64 = 0.1;
+/// Share of its peak velocity from which on a test is in the middle of its stroke: a sine then has gone less than seven eighths of the way to its end.
+const MIDDLE: f64 = 0.5;
 /// Samples in each direction from which on a median stands for a velocity.
 const FEWEST: usize = 5;
 
@@ -55,6 +57,16 @@ pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels 
         (level, Level { against: 0.5 * (out - back), between: 0.5 * (out + back) })
     })
     .collect()
+}
+
+/// Whether a test is in the middle of its stroke at a sample: at the ends stops and springs push.
+pub(crate) fn is_in_the_middle(record: &Record, i: usize) -> bool {
+    record.velocity[i].abs() >= MIDDLE * record.peak_velocity
+}
+
+/// The levels of each test in the middle of its strokes.
+pub(crate) fn in_the_middle(records: &[Record]) -> Vec<Levels> {
+    records.iter().map(|record| levels(record, |i| is_in_the_middle(record, i))).collect()
 }
 
 #[cfg(test)]

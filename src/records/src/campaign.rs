@@ -22,7 +22,9 @@ use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
-use super::{csv, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn, xlsx};
+use super::{
+    at_speed, csv, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn, xlsx,
+};
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -154,8 +156,9 @@ pub fn load(
     slips::refuse(&records, options)?;
     file_units::refuse(&records, &readings)?;
     plausibility::remark(&records, &mut notes)?;
-    off_the_others::tell(&records, &mut notes);
-    other_settings::tell(&records, &mut notes);
+    let in_the_middle = at_speed::in_the_middle(&records);
+    off_the_others::tell(&records, &in_the_middle, &mut notes);
+    other_settings::tell(&records, &in_the_middle, &mut notes);
     torn::tell(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();

@@ -249,9 +249,7 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Sa
             (k + 1, if blank { line.split_whitespace().map(str::to_owned).collect() } else { cells })
         })
         .collect();
-    let lines: Vec<(usize, Vec<&str>)> =
-        parted.iter().map(|(line, cells)| (*line, cells.iter().map(String::as_str).collect())).collect();
-    Err(no_header_near(at, &first_line, &lines))
+    Err(no_header_near(at, &first_line, &parted))
 }
 
 fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) -> Result<Vec<Samples>, RecordError> {

@@ -46,6 +46,27 @@ pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl 
     }
 }
 
+/// A record without force whose displacement is this at equal times, as read from a file that is called long.
+pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
+    let n = displacement.len();
+    Samples {
+        at: Place::file("long.txt"),
+        name: "long".into(),
+        lines: (1..=n).collect(),
+        time: (0..n).map(|i| i as f64 / rate).collect(),
+        begins: None,
+        force: vec![0.0; n],
+        displacement: Some(displacement),
+        velocity: None,
+        side_force: None,
+        temperature: None,
+        headings: Vec::new(),
+        about: super::about::About::default(),
+        units: Vec::new(),
+        notes: Vec::new(),
+    }
+}
+
 /// A sine test, rebound and tension positive.
 #[derive(Debug, Clone)]
 pub(crate) struct SineTest {

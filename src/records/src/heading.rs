@@ -457,7 +457,10 @@ fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
     const LONG: usize = 9;
     let telling: Vec<&str> = told.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
     let [name] = telling[..] else { return Heading::Unknown };
-    let of = |channel: &Channel| headings(*channel).iter().any(|h| h.chars().count() >= LONG && distance(name, h) == 1);
+    let length = name.chars().count();
+    // Few names have nearly its length, and only those are compared letter by letter: this is asked of every cell that may be a heading.
+    let near = |h: &&&str| h.chars().count() >= LONG && h.chars().count().abs_diff(length) <= 1;
+    let of = |channel: &Channel| headings(*channel).iter().filter(near).any(|h| distance(name, h) == 1);
     match ([Channel::Displacement, Channel::Velocity, Channel::Force].into_iter().find(of), unit) {
         (Some(channel), None) => Heading::Channel(channel, HeadingUnit::Missing),
         (Some(channel), Some(unit)) if unit.dimension() == channel.dimension() => {

@@ -5,7 +5,7 @@
 //! hard as rebound was. Both stand in the force between the directions. It is compared in the middle of the strokes, where
 //! the damper is fast: at the ends of a long one a stop may push the other way. Both flanks of a stroke are in it, so that hysteresis cancels.
 
-use super::at_speed::{Levels, levels};
+use super::at_speed::{Levels, is_in_the_middle, levels};
 use super::phrases;
 use super::record::{Note, Record};
 use super::samples::median;
@@ -18,8 +18,6 @@ const FEWEST: usize = 3;
 const VELOCITIES: usize = 3;
 /// Fewest at which it must be seen to be turned round.
 const TWO: usize = 2;
-/// Share of its peak velocity from which on a test is in the middle of its stroke: a sine then has gone less than seven eighths of the way to its end.
-const MIDDLE: f64 = 0.5;
 /// What a test may lie off the others, N, and in times of their scatter: load cells creep and gas warms up.
 const CELL_OFFSET: f64 = 15.0;
 const OF_SCATTER: f64 = 3.0;
@@ -50,12 +48,11 @@ struct Beside {
     forces: (f64, f64),
 }
 
-/// Notes tests that lie off the others.
-pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
-    let middle = |record: &Record, i: usize| record.velocity[i].abs() >= MIDDLE * record.peak_velocity;
-    let as_read: Vec<Levels> = records.iter().map(|record| levels(record, |i| middle(record, i))).collect();
-    let towards_ends: Vec<Levels> = records.iter().map(|record| levels(record, |i| !middle(record, i))).collect();
-    let (at, at_ends) = (by_velocity(&as_read), by_velocity(&towards_ends));
+/// Notes tests that lie off the others; `as_read` are their levels in the middle of the strokes.
+pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>) {
+    let towards_ends: Vec<Levels> =
+        records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
+    let (at, at_ends) = (by_velocity(as_read), by_velocity(&towards_ends));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
         let Some(own) = beside(i, &as_read[i], 1.0, &at) else { continue };
@@ -138,6 +135,7 @@ fn beside(own: usize, seen: &Levels, turn: f64, at: &Others) -> Option<Beside> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::at_speed::in_the_middle;
     use crate::fixtures::sine_record;
 
     /// Sines of (amplitude, peak velocity) on a damper with gas, and a rebound stop from 45 mm on.
@@ -169,7 +167,7 @@ mod tests {
 
     fn said(records: &[Record]) -> String {
         let mut notes = Vec::new();
-        tell(records, &mut notes);
+        tell(records, &in_the_middle(records), &mut notes);
         notes.iter().map(|n| format!("[{}] {}\n", n.kind, n.text)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Tests of one motion with another force: several dampers in one folder, or one damper at several settings (clicks of an adjuster, current
 //! of a valve). One model cannot hold them, and of a fit to all of them nothing is true of any.
 
-use super::at_speed::{Levels, levels};
+use super::at_speed::Levels;
 use super::phrases;
 use super::record::{Note, Record};
 use super::samples::median;
@@ -14,19 +14,16 @@ const TIMES: f64 = 1.5;
 /// Difference of side force, N, and of temperature, K, from which two tests of one damper may differ so much.
 const SIDE_FORCE: f64 = 20.0;
 const WARMER: f64 = 40.0;
-/// Share of its peak velocity from which on a test is in the middle of its stroke: at the ends stops and springs push.
-const MIDDLE: f64 = 0.5;
 /// Names that a sentence holds of each side.
 const NAMES: usize = 6;
 
-/// Notes tests that are the same motion as others and have another force.
-pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
-    let middle = |record: &Record, i: usize| record.velocity[i].abs() >= MIDDLE * record.peak_velocity;
-    let seen: Vec<Levels> = records.iter().map(|record| levels(record, |i| middle(record, i))).collect();
+/// Notes tests that are the same motion as others and have another force; `seen` are their levels in the middle of the strokes.
+pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
+    let motions: Vec<Motion> = records.iter().map(Motion::of).collect();
     let (mut pairs, mut hard, mut soft) = (Vec::new(), Vec::new(), Vec::new());
-    for (i, a) in records.iter().enumerate() {
-        for (j, b) in records.iter().enumerate() {
-            let Some(times) = same_motion(a, b).then(|| times(&seen[i], &seen[j])).flatten() else { continue };
+    for (i, a) in motions.iter().enumerate() {
+        for (j, b) in motions.iter().enumerate() {
+            let Some(times) = a.is_like(b).then(|| times(&seen[i], &seen[j])).flatten() else { continue };
             if times > TIMES {
                 pairs.push((times, i, j));
                 hard.push(i);
@@ -56,21 +53,44 @@ pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "consistency", text });
 }
 
-/// Whether two tests move alike, at the same place, under the same load and about as warm.
-fn same_motion(a: &Record, b: &Record) -> bool {
-    let alike = |a: f64, b: f64| a > 0.0 && b > 0.0 && (a - b).abs() <= SAME * a.max(b);
-    let mean = |values: &[f64]| values.iter().filter(|v| v.is_finite()).sum::<f64>() / values.len().max(1) as f64;
-    let near = |a: &Option<Vec<f64>>, b: &Option<Vec<f64>>, within: f64| match (a, b) {
-        (Some(a), Some(b)) => (mean(a) - mean(b)).abs() <= within,
-        (None, None) => true,
-        _ => false,
-    };
-    alike(a.amplitude, b.amplitude)
-        && alike(a.peak_velocity, b.peak_velocity)
-        && (a.frequency > 0.0) == (b.frequency > 0.0)
-        && (mean(&a.displacement) - mean(&b.displacement)).abs() <= SAME * a.amplitude
-        && near(&a.side_force, &b.side_force, SIDE_FORCE)
-        && near(&a.temperature, &b.temperature, WARMER)
+/// How a test moves, where, under which load and how warm: in the mean.
+struct Motion {
+    amplitude: f64,
+    peak_velocity: f64,
+    is_periodic: bool,
+    place: f64,
+    side_force: Option<f64>,
+    temperature: Option<f64>,
+}
+
+impl Motion {
+    fn of(record: &Record) -> Motion {
+        let mean = |values: &[f64]| values.iter().filter(|v| v.is_finite()).sum::<f64>() / values.len().max(1) as f64;
+        Motion {
+            amplitude: record.amplitude,
+            peak_velocity: record.peak_velocity,
+            is_periodic: record.frequency > 0.0,
+            place: mean(&record.displacement),
+            side_force: record.side_force.as_deref().map(mean),
+            temperature: record.temperature.as_deref().map(mean),
+        }
+    }
+
+    /// Whether another test moves alike, at the same place, under the same load and about as warm.
+    fn is_like(&self, other: &Motion) -> bool {
+        let alike = |a: f64, b: f64| a > 0.0 && b > 0.0 && (a - b).abs() <= SAME * a.max(b);
+        let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
+            (Some(a), Some(b)) => (a - b).abs() <= within,
+            (None, None) => true,
+            _ => false,
+        };
+        alike(self.amplitude, other.amplitude)
+            && alike(self.peak_velocity, other.peak_velocity)
+            && self.is_periodic == other.is_periodic
+            && (self.place - other.place).abs() <= SAME * self.amplitude
+            && near(self.side_force, other.side_force, SIDE_FORCE)
+            && near(self.temperature, other.temperature, WARMER)
+    }
 }
 
 /// How many times the one's force against the motion is the other's at their velocities; nothing where they share none.
@@ -83,6 +103,7 @@ fn times(a: &Levels, b: &Levels) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::at_speed::in_the_middle;
     use crate::fixtures::sine_record;
 
     /// The same sines with a damper of each of these strengths.
@@ -97,7 +118,7 @@ mod tests {
 
     fn said(records: &[Record]) -> String {
         let mut notes = Vec::new();
-        tell(records, &mut notes);
+        tell(records, &in_the_middle(records), &mut notes);
         notes.iter().map(|n| format!("[{}] {}\n", n.kind, n.text)).collect()
     }
 

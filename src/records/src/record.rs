@@ -123,6 +123,24 @@ pub struct Note {
     pub text: Sentence,
 }
 
+impl Note {
+    /// Whether it tells of damage to a record or of what was only guessed of it, and not of routine.
+    pub fn is_of_damage(&self) -> bool {
+        [
+            "clipped",
+            "rounded",
+            "guessed",
+            "duplicated",
+            "missing",
+            "out_of_order",
+            "outlier",
+            "time_resolution",
+            "noisy_last_cycle",
+        ]
+        .contains(&self.kind)
+    }
+}
+
 /// A kind read back, as a word that lasts: there are some dozens of kinds, each of which is kept once.
 fn known_kind<'de, D: Deserializer<'de>>(from: D) -> Result<Kind, D::Error> {
     static KINDS: Mutex<BTreeSet<Kind>> = Mutex::new(BTreeSet::new());

@@ -159,7 +159,7 @@ pub(crate) fn no_header<S: AsRef<str>>(at: &Place, cells: &[S]) -> RecordError {
 }
 
 /// As [`no_header`]; of several lines the one whose columns are best understood is told.
-pub(crate) fn no_header_near(at: &Place, first_line: &str, lines: &[(usize, Vec<&str>)]) -> RecordError {
+pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines: &[(usize, Vec<S>)]) -> RecordError {
     let shortened = |text: &str| {
         let mut short: String = text.trim().chars().filter(|c| !c.is_control()).take(120).collect();
         if short.len() < text.trim().len() {
@@ -167,18 +167,19 @@ pub(crate) fn no_header_near(at: &Place, first_line: &str, lines: &[(usize, Vec<
         }
         short
     };
-    let understood = |cells: &[&str]| -> Vec<(Channel, String)> {
-        let of = |text: &&str| match heading(text) {
+    let understood = |cells: &[S]| -> Vec<(Channel, String)> {
+        let of = |text: &str| match heading(text) {
             Heading::Channel(channel, _) => Some((channel, shortened(text))),
             _ => by_unit(text, None).map(|channel| (channel, shortened(text))),
         };
-        cells.iter().filter_map(of).collect()
+        cells.iter().map(AsRef::as_ref).filter_map(of).collect()
     };
     // The first of those with most.
-    let best = lines.iter().rev().max_by_key(|(_, cells)| understood(cells).len());
+    let best = lines.iter().rev().map(|(line, cells)| (line, understood(cells))).max_by_key(|(_, known)| known.len());
     let first = lines.first();
-    let figures = |cells: &[&str]| cells.len() > 1 && cells.iter().all(|c| number(c, true).is_some_and(f64::is_finite));
-    let near = match (best.map(|(line, cells)| (line, understood(cells))), first) {
+    let figures =
+        |cells: &[S]| cells.len() > 1 && cells.iter().all(|c| number(c.as_ref(), true).is_some_and(f64::is_finite));
+    let near = match (best, first) {
         (Some((line, known)), _) if !known.is_empty() => {
             let said = |(channel, text): &(Channel, String)| {
                 Sentence::from(phrases::TAKEN_FOR).with("column", text).with_word("channel", channel.name())

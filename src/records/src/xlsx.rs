@@ -65,8 +65,6 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         tests.extend(reading.finish()?);
     }
     if tests.is_empty() {
-        let lines: Vec<(usize, Vec<&str>)> =
-            lines.iter().map(|(line, cells)| (*line, cells.iter().map(String::as_str).collect())).collect();
         let first = lines.first().map_or_else(String::new, |(_, cells)| cells.join(", "));
         return Err(no_header_near(&Place::file(file), &first, &lines));
     }

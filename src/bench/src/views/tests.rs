@@ -3,25 +3,17 @@
 use crate::session::Session;
 use crate::units::digits;
 use crate::views::{View, hue};
-use dashpot_records::{Positive, Record};
+use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Kinds of notes that tell of damage to a record, not of routine.
-const DAMAGE: [&str; 9] = [
-    "clipped",
-    "duplicated",
-    "missing",
-    "out_of_order",
-    "outlier",
-    "time_resolution",
-    "noisy_last_cycle",
-    "frozen",
-    "gap",
-];
+/// Whether a note is of damage; in a list of tests also what the command says of the whole campaign, or in a report.
+fn is_of_damage(note: &Note) -> bool {
+    note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
+}
 
 /// Whether something about a test deserves a look.
 fn is_damaged(record: &Record) -> bool {
-    record.notes.iter().any(|n| DAMAGE.contains(&n.kind))
+    record.notes.iter().any(is_of_damage)
 }
 
 /// Draws the list and what is known of the chosen test.
@@ -185,7 +177,7 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
     let said = view.language.words();
     for note in &record.notes {
         let text = egui::RichText::new(format!("• {}", said.say(&note.text)));
-        let text = if DAMAGE.contains(&note.kind) { text.color(ui.visuals().warn_fg_color) } else { text.weak() };
+        let text = if is_of_damage(note) { text.color(ui.visuals().warn_fg_color) } else { text.weak() };
         ui.add(egui::Label::new(text).wrap());
     }
     if ui.add_enabled(session.task.is_none(), egui::Button::new(w.exclude)).on_hover_text(w.exclude_hint).clicked() {

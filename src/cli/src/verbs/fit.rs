@@ -129,18 +129,6 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     Ok(found)
 }
 
-/// Kinds of notes that tell of damage and of what was only guessed, not of routine.
-const DAMAGE: [&str; 9] = [
-    "clipped",
-    "rounded",
-    "guessed",
-    "duplicated",
-    "missing",
-    "out_of_order",
-    "outlier",
-    "time_resolution",
-    "noisy_last_cycle",
-];
 /// Damaged tests that are told one by one.
 const TOLD: usize = 10;
 
@@ -150,8 +138,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
         .records
         .iter()
         .filter_map(|r| {
-            let texts: Vec<String> =
-                r.notes.iter().filter(|n| DAMAGE.contains(&n.kind)).map(|n| n.text.to_string()).collect();
+            let texts: Vec<String> = r.notes.iter().filter(|n| n.is_of_damage()).map(|n| n.text.to_string()).collect();
             (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
         })
         .collect();

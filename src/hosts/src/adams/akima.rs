@@ -59,6 +59,11 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     chords.windows(4).map(of).collect()
 }
 
+/// The point from which on a velocity lies, the last but one at most.
+fn piece(v: &[f64], at: f64) -> usize {
+    v.partition_point(|v| *v <= at).clamp(1, v.len() - 1) - 1
+}
+
 /// A table read in one way.
 struct Read<'a> {
     curve: &'a Curve,
@@ -73,7 +78,7 @@ impl<'a> Read<'a> {
     /// The force at a velocity inside the table.
     fn at(&self, at: f64) -> f64 {
         let (v, f) = (&self.curve.velocities, &self.curve.forces);
-        let i = v.partition_point(|v| *v <= at).clamp(1, v.len() - 1) - 1;
+        let i = piece(v, at);
         let (h, t) = (v[i + 1] - v[i], at - v[i]);
         let chord = (f[i + 1] - f[i]) / h;
         let Some(m) = &self.slopes else { return f[i] + t * chord };
@@ -185,7 +190,7 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
         }
     }
     let rising = |at: f64| {
-        let i = points.velocities.partition_point(|v| *v <= at).clamp(1, points.velocities.len() - 1) - 1;
+        let i = piece(&points.velocities, at);
         let (from, low, high) = (points.velocities[i], points.forces[i], points.forces[i + 1].max(points.forces[i]));
         let so_far = (0..=PLACES).map(|k| akima.at(from + (at - from) * k as f64 / PLACES as f64));
         so_far.fold(low, f64::max).min(high)

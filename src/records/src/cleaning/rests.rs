@@ -256,8 +256,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::error::Place;
-    use super::super::super::fixtures::Random;
+    use super::super::super::fixtures::{Random, moving};
     use super::*;
     use std::f64::consts::TAU;
 
@@ -293,23 +292,7 @@ mod tests {
 
         fn parts(self) -> Vec<Samples> {
             let mut random = Random::new(3);
-            let n = self.x.len();
-            split(Samples {
-                at: Place::file("long.txt"),
-                name: "long".into(),
-                lines: (1..=n).collect(),
-                time: (0..n).map(|i| i as f64 / self.rate).collect(),
-                begins: None,
-                force: vec![0.0; n],
-                displacement: Some(self.x.iter().map(|x| 1e-3 * x + 3e-6 * random.normal()).collect()),
-                velocity: None,
-                side_force: None,
-                temperature: None,
-                headings: Vec::new(),
-                about: crate::about::About::default(),
-                units: Vec::new(),
-                notes: Vec::new(),
-            })
+            split(moving(self.rate, self.x.iter().map(|x| 1e-3 * x + 3e-6 * random.normal()).collect()))
         }
 
         fn names(self) -> Vec<String> {

@@ -109,8 +109,7 @@ fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::error::Place;
-    use super::super::super::fixtures::Random;
+    use super::super::super::fixtures::{Random, moving};
     use super::*;
     use std::f64::consts::TAU;
 
@@ -124,23 +123,7 @@ mod tests {
             phase += frequency / RATE;
             1e-3 * amplitude * (TAU * phase).sin() + 3e-6 * random.normal()
         });
-        let x: Vec<f64> = x.collect();
-        split(Samples {
-            at: Place::file("long.txt"),
-            name: "long".into(),
-            lines: (1..=n).collect(),
-            time: (0..n).map(|i| i as f64 / RATE).collect(),
-            begins: None,
-            force: vec![0.0; n],
-            displacement: Some(x),
-            velocity: None,
-            side_force: None,
-            temperature: None,
-            headings: Vec::new(),
-            about: crate::about::About::default(),
-            units: Vec::new(),
-            notes: Vec::new(),
-        })
+        split(moving(RATE, x.collect()))
     }
 
     fn names(parts: Vec<Samples>) -> Vec<String> {
