@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::channel::Channel;
 use super::cleaning;
 use super::delay::Delay;
+use super::endings::{extension, is_record_name};
 use super::error::RecordError;
 use super::one_clock;
 use super::options::Options;
@@ -22,6 +23,7 @@ use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
+use super::whole_motion::Motion;
 use super::{
     at_speed, csv, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn, xlsx,
 };
@@ -166,7 +168,7 @@ pub fn load(
 }
 
 /// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
-fn tell_splits(motions: &[cleaning::Motion], notes: &mut Vec<Note>) {
+fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
         for note in motion.notes.iter().filter(|n| ["gap", "rests"].contains(&n.kind)) {
@@ -434,21 +436,8 @@ fn entries(
     Ok((files, subfolders))
 }
 
-/// How the names of records end, in small letters.
-pub const ENDINGS: [&str; 16] =
-    ["csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
-
-/// Whether a file is read as a record where its folder is given, by its name.
-pub fn is_record_name(path: &Path) -> bool {
-    ENDINGS.contains(&extension(path).as_str())
-}
-
 fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-fn extension(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
 /// The tests of one file, read by its extension.

@@ -1,11 +1,9 @@
 //! The channels of a rig record.
 
 use std::fmt;
-use std::str::FromStr;
 
 use serde::Serialize;
 
-use super::heading::{headings, words};
 use super::phrases;
 use super::sentence::Sentence;
 use super::unit::{Dimension, Unit};
@@ -102,20 +100,6 @@ impl Channel {
 impl fmt::Display for Channel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
-    }
-}
-
-impl FromStr for Channel {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let words = words(text).join(" ");
-        Channel::ALL
-            .into_iter()
-            .find(|c| c.name().replace('_', " ") == words || headings(*c).contains(&words.as_str()))
-            .ok_or_else(|| {
-                format!("'{text}' is no channel; the channels are {}", Channel::ALL.map(Channel::name).join(", "))
-            })
     }
 }
 

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use super::cleaning::Motion;
+use super::whole_motion::Motion;
 
 /// A delay of the force channel, as the records show it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

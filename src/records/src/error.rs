@@ -10,7 +10,7 @@ use super::unit::Unit;
 
 /// The files that are read, for messages.
 fn kinds() -> Sentence {
-    let all = super::campaign::ENDINGS.map(|ending| format!(".{ending}"));
+    let all = super::endings::ENDINGS.map(|ending| format!(".{ending}"));
     let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
     Sentence::from(phrases::KINDS).with("others", others.join(", ")).with("last", last)
 }

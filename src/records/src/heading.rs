@@ -2,6 +2,7 @@
 
 use super::channel::Channel;
 use super::unit::{Dimension, Unit, plain};
+use std::str::FromStr;
 
 /// Headings understood for a channel, without the unit and without accents, in lower case with blanks between the words.
 pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
@@ -653,6 +654,20 @@ pub(crate) fn vocabulary() -> String {
     let units = |c: Channel| c.units_understood();
     let channels = Channel::ALL.map(|c| format!("{} ({}) in {}", c.name(), some(c), units(c))).join("; ");
     format!("{channels}; the names also in German, French, Italian, Spanish and Chinese")
+}
+
+impl FromStr for Channel {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let words = words(text).join(" ");
+        Channel::ALL
+            .into_iter()
+            .find(|c| c.name().replace('_', " ") == words || headings(*c).contains(&words.as_str()))
+            .ok_or_else(|| {
+                format!("'{text}' is no channel; the channels are {}", Channel::ALL.map(Channel::name).join(", "))
+            })
+    }
 }
 
 #[cfg(test)]

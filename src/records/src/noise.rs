@@ -1,6 +1,6 @@
 //! The noise floor of the force: what no model can explain.
 
-use super::cleaning::Cycle;
+use super::cycle::Cycle;
 use super::record::{Noise, NoiseSource};
 use super::samples::median;
 

@@ -1,9 +1,5 @@
 //! Every text that reading says of records, in English, in one place: a language that lacks one of them is found by a test.
 
-use super::channel::Channel;
-use super::not_read;
-use super::sentence::each_once;
-
 crate::phrases! {
     // Lists.
     COMMA: ", ";
@@ -231,13 +227,4 @@ crate::phrases! {
     MM_NOT_CM: "displacement or velocity is in mm where the header says cm";
     INCH_NOT_MM: "one of them is in inches where the header says mm, or the reverse";
     INCH_NOT_M: "one of them is in inches where the header says m, or the reverse";
-}
-
-/// What a channel, a direction, or the end of a record is called.
-const WORDS: &[&str] =
-    &["rebound", "compression", "displacement or velocity", "an incomplete cycle or run-down", "rest", "nothing"];
-
-/// Every English text that is said of records, each once: sentences with the places of their values, and words.
-pub fn texts() -> Vec<&'static str> {
-    each_once(TEMPLATES, WORDS.iter().copied().chain(Channel::ALL.map(Channel::name)).chain(not_read::words()))
 }

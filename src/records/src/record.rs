@@ -1,8 +1,8 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
 use super::about::About;
+use super::off::Off;
 use super::sentence::Sentence;
-use super::taken_out::Off;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};

@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cleaning::{Motion, delay_motion};
+use super::cleaning::delay_motion;
 use super::delay::{self, Cause, Delay, UNCLEAR};
 use super::error::RecordError;
 use super::options::{Options, Positive};
@@ -16,6 +16,7 @@ use super::record::Note;
 use super::samples::{median, quantile};
 use super::sentence::Sentence;
 use super::swapped::Overtones;
+use super::whole_motion::Motion;
 
 /// What is known about the direction that the files count positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -1,12 +1,13 @@
 //! Headings that stand over each other's columns: time over something that does not advance, displacement over force.
 
 use super::channel::Channel;
-use super::cleaning::{Cycle, Motion};
+use super::cycle::Cycle;
 use super::error::RecordError;
 use super::options::Options;
 use super::phrases;
 use super::samples::{Samples, median, quantile, range};
 use super::sentence::Sentence;
+use super::whole_motion::Motion;
 
 /// Largest range of displacement, m, that a damper rig has.
 const LONGEST: f64 = 1.0;

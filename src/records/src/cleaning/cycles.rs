@@ -6,36 +6,10 @@
 //! frequency that wanders. Cycles that differ in stroke or length from the rest (run-up, run-down, a pause) are not
 //! taken.
 
+use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
 use super::super::samples::{median, quantile, range, sample_time};
 use super::drift::time_mean;
-
-/// One whole cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cycle {
-    /// First sample.
-    pub start: usize,
-    /// One past the last sample.
-    pub end: usize,
-    /// Time of the crossing at which it starts, between samples, s.
-    pub start_time: f64,
-    /// Time of the crossing at which it ends, s.
-    pub end_time: f64,
-    /// Lowest displacement, m.
-    pub low: f64,
-    /// Highest displacement, m.
-    pub high: f64,
-}
-
-impl Cycle {
-    pub fn period(&self) -> f64 {
-        self.end_time - self.start_time
-    }
-
-    pub fn stroke(&self) -> f64 {
-        self.high - self.low
-    }
-}
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
 const TOLERANCE: (f64, f64) = (0.03, 0.15);

@@ -1,10 +1,10 @@
 //! Slow change of mean displacement and force over the cycles: reported, never removed.
 
+use super::super::cycle::Cycle;
 use super::super::noise;
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::sentence::Sentence;
-use super::cycles::Cycle;
 
 /// Drift of a cycle mean, over the record.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {

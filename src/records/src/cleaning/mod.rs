@@ -17,24 +17,26 @@ mod settings;
 mod still;
 mod trim;
 
-use super::about::About;
 use super::consistency;
+use super::cycle::Cycle;
 use super::derive;
-use super::error::{Place, RecordError};
+use super::error::RecordError;
 use super::noise;
+use super::off::Off;
 use super::options::Options;
 use super::phrases;
-use super::record::{Note, Record};
+use super::record::Record;
 use super::samples::{Samples, range};
 use super::sentence::Sentence;
 use super::swapped;
-use super::taken_out::{Off, take_mass};
+use super::taken_out::take_mass;
+use super::whole_motion::{Motion, steady};
 
 pub(crate) use clipped::Reach;
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
-pub(crate) use cycles::{Cycle, robust_peak, turning_points};
+pub(crate) use cycles::{robust_peak, turning_points};
 pub(crate) use drift::time_mean;
 pub(crate) use earlier::Earlier;
 
@@ -48,40 +50,6 @@ const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 const WINDOW_NO_CYCLE: f64 = 0.017;
 /// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
 const BY_CHANCE: f64 = 0.01;
-
-/// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
-#[derive(Debug, Clone)]
-pub(crate) struct Motion {
-    pub at: Place,
-    pub name: String,
-    pub time: Vec<f64>,
-    pub begins: Option<f64>,
-    /// See [`Samples::about`].
-    pub about: About,
-    pub displacement: Vec<f64>,
-    pub velocity: Vec<f64>,
-    pub force: Vec<f64>,
-    pub side_force: Option<Vec<f64>>,
-    pub temperature: Option<Vec<f64>>,
-    pub cycles: Vec<Cycle>,
-    /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
-    pub given: Off,
-    pub notes: Vec<Note>,
-}
-
-impl Motion {
-    /// Sample range of the steady part: from the first whole cycle to the last, or everything.
-    pub fn steady(&self) -> std::ops::Range<usize> {
-        steady(&self.cycles, self.time.len())
-    }
-}
-
-fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
-    match (cycles.first(), cycles.last()) {
-        (Some(first), Some(last)) => first.start..last.end,
-        _ => 0..samples,
-    }
-}
 
 /// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where the
 /// setting of a motion that goes on changes.
@@ -301,6 +269,8 @@ mod tests {
     use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
+    use super::super::about::About;
+    use super::super::error::Place;
     use super::super::fixtures::SineTest;
     use super::super::record::NoiseSource;
     use super::*;

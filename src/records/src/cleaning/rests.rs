@@ -1,13 +1,14 @@
 //! Several tests one after the other in one record, without a column that tells them apart: rigs that run through a list write so. They are
 //! told apart at rests, where what comes before moves otherwise than what follows. A pause between equal cycles parts nothing.
 
+use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::{Samples, median, quantile, quantum, sample_time};
 use super::super::sentence::Sentence;
+use super::FEWEST;
 use super::cycles::{self, turning_points};
-use super::{Cycle, FEWEST};
 use std::f64::consts::PI;
 use std::ops::Range;
 

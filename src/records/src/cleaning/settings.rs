@@ -1,14 +1,15 @@
 //! Several tests one after the other without a rest between them, as a drive writes that steps through amplitudes or frequencies: they are
 //! told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is one test.
 
+use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::{Samples, median, range};
 use super::super::sentence::Sentence;
+use super::FEWEST;
 use super::cycles::{self, candidates};
 use super::rests::part;
-use super::{Cycle, FEWEST};
 use std::ops::Range;
 
 /// Share of the whole range below which a swing is no cycle of a test: small tests beside large ones are found down to it.

@@ -1,11 +1,12 @@
 //! Cuts off what is not whole cycles: rest and run-up before, run-down and rest after, a noisy last cycle.
 
+use super::super::cycle::Cycle;
 use super::super::noise::cycle_deviations;
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::median;
 use super::super::sentence::Sentence;
-use super::Motion;
+use super::super::whole_motion::Motion;
 
 /// A last cycle that deviates from the others by so many times their typical deviation is left out.
 const NOISY: f64 = 3.0;
@@ -22,7 +23,7 @@ pub(crate) fn trim(motion: &mut Motion) {
     let first = &motion.cycles[0];
     let (before, after) = (motion.time[span.start] - motion.time[0], motion.time[n - 1] - motion.time[span.end - 1]);
     let count = motion.cycles.len();
-    let frequency = count as f64 / motion.cycles.iter().map(super::Cycle::period).sum::<f64>();
+    let frequency = count as f64 / motion.cycles.iter().map(Cycle::period).sum::<f64>();
     if span.start > 0 || span.end < n {
         // What follows the last whole cycle is the beginning of another, a run-down or rest.
         let moved = super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();

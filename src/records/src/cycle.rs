@@ -1,0 +1,28 @@
+//! A whole cycle of a periodic test; [`crate::cleaning`] finds them.
+
+/// One whole cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cycle {
+    /// First sample.
+    pub start: usize,
+    /// One past the last sample.
+    pub end: usize,
+    /// Time of the crossing at which it starts, between samples, s.
+    pub start_time: f64,
+    /// Time of the crossing at which it ends, s.
+    pub end_time: f64,
+    /// Lowest displacement, m.
+    pub low: f64,
+    /// Highest displacement, m.
+    pub high: f64,
+}
+
+impl Cycle {
+    pub fn period(&self) -> f64 {
+        self.end_time - self.start_time
+    }
+
+    pub fn stroke(&self) -> f64 {
+        self.high - self.low
+    }
+}
