@@ -8,7 +8,7 @@ use dashpot_core::parameter::{Element, Params, Shape};
 use std::path::{Path, PathBuf};
 
 use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
-use dashpot_core::elements::{GROUPS, names};
+use dashpot_core::parameter::{GROUPS, names};
 
 /// The sections in order, by source file.
 const SECTIONS: [&str; 9] = ["lib", "version", "status", "params", "model", "input", "state", "step", "evaluate"];

@@ -1,6 +1,6 @@
 //! The figures of the elements in the book are drawn by the kernel; `UPDATE_DOCS=1` draws them anew.
 
-use dashpot_core::elements::{self, GROUPS};
+use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Input, Model, Params, step};
 use dashpot_tests::library::root;
@@ -178,7 +178,7 @@ fn drawing(case: &Case) -> String {
 #[test]
 fn every_element_has_its_figure_in_the_book() {
     let page = std::fs::read_to_string(root().join("docs/book/src/model.md")).expect("the page of the model");
-    for group in &GROUPS[..elements::COUNT] {
+    for group in &GROUPS[..ELEMENTS] {
         let name = group.name;
         let case =
             CASES.iter().find(|c| c.element == name).unwrap_or_else(|| panic!("no figure for the element {name}"));

@@ -44,7 +44,7 @@ fn truth() -> Params {
     let records = campaign(&params, 1, 0.0, |_| None);
     let velocities = first_guess::velocities(&segments(&records.iter().collect::<Vec<_>>()));
     let model = Model::new(&params).unwrap();
-    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().fv_curve.at(*v).value).collect();
+    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().paths.fv_curve.at(*v).value).collect();
     params.set_list(list!("fv_velocity"), &velocities).unwrap();
     params.set_list(list!("fv_force"), &forces).unwrap();
     params
@@ -73,6 +73,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
                 Some(k) => {
                     model
                         .elements()
+                        .paths
                         .fv_curve
                         .at(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
                         .value

@@ -1,7 +1,7 @@
 //! The page of elements and parameters follows the kernel's table; `UPDATE_DOCS=1` rewrites it.
 
 use dashpot_core::Params;
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::priors::{self, PRIORS, Usual};
 use std::fmt::Write as _;

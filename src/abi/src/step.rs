@@ -50,7 +50,7 @@ fn long(model: &Model, velocity: f64) -> i32 {
 /// The warning for a velocity.
 #[inline(always)]
 pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
-    let (low, high) = model.elements().fv_curve.range();
+    let (low, high) = model.elements().paths.fv_curve.range();
     if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
 }
 

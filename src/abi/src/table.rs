@@ -5,7 +5,7 @@
 use core::ffi::c_char;
 use core::mem::size_of;
 
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{COUNT, Shape, table};
 
 use crate::pointer::exclusive;

@@ -20,7 +20,7 @@ use dashpot_abi::status::{
 use dashpot_abi::step::{dashpot_force, dashpot_step, dashpot_step_batch};
 use dashpot_abi::table::{dashpot_parameter, dashpot_parameter_count, dashpot_parameter_info};
 use dashpot_abi::version::{DASHPOT_ABI_VERSION, dashpot_version};
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use std::ffi::{CStr, CString, c_char};
 use std::mem::{MaybeUninit, size_of};
 use std::ptr::{null, null_mut};

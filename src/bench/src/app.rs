@@ -2,7 +2,7 @@
 
 use crate::dialogs::{Ask, Dialogs};
 use crate::session::recent::Recent;
-use crate::session::{Session, Waker, outputs};
+use crate::session::{Session, Waker, guarded, outputs};
 use crate::views::plots::{self, Which};
 use crate::views::{Corner, Side, View, answer, bar, closing, matrix, records, status, study, tests, tune};
 use crate::words;
@@ -115,7 +115,7 @@ impl App {
             Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.words()),
             Ask::Text(_, text) => {
                 let kind = Kind::of(text.as_bytes());
-                self.told(&first, outputs::write(&first, kind, text.as_bytes()));
+                self.told(&first, guarded::write(&first, kind, text.as_bytes()));
             }
             Ask::Picture(part) => {
                 let (send, scale, waker) = (self.pictures.0.clone(), ctx.pixels_per_point(), self.waker.clone());
@@ -136,7 +136,7 @@ impl App {
 
     fn write_picture(&mut self, picture: &Picture) {
         let written = png(&picture.image, picture.part, picture.scale)
-            .and_then(|bytes| outputs::write(&picture.path, Kind::Picture, &bytes));
+            .and_then(|bytes| guarded::write(&picture.path, Kind::Picture, &bytes));
         self.told(&picture.path, written);
     }
 }

@@ -2,9 +2,11 @@
 
 pub(crate) mod paths;
 
-use crate::elements::{MAX_MEMORY, Motion, Outer};
+use crate::assembly::Outer;
+use crate::element::Motion;
 use crate::input::Input;
 use crate::model::Model;
+use crate::state::MAX_MEMORY;
 use crate::state::{Output, State};
 
 /// All partial derivatives of force and state rates at one instant.
@@ -79,7 +81,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
         let through = paths::force(e, state, input);
         output.primary_force = through.primary;
         output.spring_force = through.inner;
-        output.hand_out(e, &at(x_m, v_m, input));
+        e.hand_out(&mut output, &at(x_m, v_m, input));
         output.series_deflection = x - x_m;
         output.oil_temperature += through.heat;
         output.force += through.force;
@@ -88,11 +90,11 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
         memories(model, state, &outer, &mut output);
         return output;
     }
-    let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));
+    let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.at(v_m));
     output.primary_force = primary.value;
     output.spring_force = inner.force;
     if e.has_series() {
-        let s = &e.series_compliance;
+        let s = &e.paths.series_compliance;
         output.series_deflection = x - x_m;
         output.force += s.stiffness * (x - x_m) + s.damping * (v - v_m);
         output.force_by_displacement += s.stiffness;
@@ -129,12 +131,12 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
     if e.has_paths() {
         paths::rates(e, state, input, &mut rate);
     } else if e.has_series() {
-        let s = &e.series_compliance;
+        let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
         let series = s.stiffness * (x - x_m) + s.damping * (v - v_m);
         let inner = e.inner(&at(x_m, v_m, input));
         rate.mass_displacement = v_m;
-        rate.mass_velocity = (series - inner.force - e.fv_curve.at(v_m).value) / s.mass;
+        rate.mass_velocity = (series - inner.force - e.paths.fv_curve.at(v_m).value) / s.mass;
     }
     e.each_memory(|place, element| {
         if let (Some(rate), Some(z)) = (rate.memory.get_mut(place), state.memory.get(place)) {
@@ -156,9 +158,9 @@ pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     if e.has_paths() {
         paths::partials(e, state, input, &mut p);
     } else if e.has_series() {
-        let s = &e.series_compliance;
+        let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
-        let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.fv_curve.at(v_m));
+        let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.at(v_m));
         let per_mass = 1.0 / s.mass;
         p.force_by_state[0] = -s.stiffness;
         p.force_by_state[1] = -s.damping;

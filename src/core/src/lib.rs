@@ -25,19 +25,27 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod assembly;
 pub mod curve;
 pub mod dual;
+pub mod element;
 pub mod elements;
 pub mod evaluate;
 pub mod fault;
 pub mod input;
+pub mod integration;
+mod laid_out;
 mod layout;
+pub mod list;
 pub mod math;
 pub mod model;
 pub mod model_file;
 pub mod number;
 pub mod parameter;
 pub mod paths;
+mod preparing;
+pub mod schema;
+pub mod settings;
 pub mod settle;
 pub mod state;
 pub mod step;
@@ -46,6 +54,7 @@ pub use evaluate::{Partials, evaluate};
 pub use fault::{Fault, Reason};
 pub use input::Input;
 pub use model::Model;
-pub use parameter::{Parameter, Params};
+pub use parameter::Params;
+pub use schema::Parameter;
 pub use state::{Output, State};
 pub use step::step;

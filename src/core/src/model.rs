@@ -1,10 +1,11 @@
 //! A model: parameters checked and made ready for evaluation.
 
-use crate::elements::Elements;
+use crate::assembly::Elements;
 use crate::fault::{Fault, Reason};
+use crate::integration::Integration;
 use crate::parameter::{Element, Params};
 use crate::paths;
-use crate::step::Integration;
+
 use crate::{element, number};
 
 /// Displacements within which the springs on the mass must stay softer than the series spring, m.
@@ -80,11 +81,11 @@ impl Model {
     /// Name and unit of state `index`, in the order of [`crate::Partials`]; `None` beyond the last.
     pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
         let e = &self.elements;
-        let in_paths = (0..paths::STATES).find(|place| e.slots().index(*place) == Some(index));
+        let in_paths = (0..paths::STATES).find(|place| e.paths.slots().index(*place) == Some(index));
         if let Some(place) = in_paths {
-            return Some(paths::state_name(e, place));
+            return Some(e.paths.state_name(place));
         }
-        let (mut at, mut found) = (2 + e.slots().count(), None);
+        let (mut at, mut found) = (2 + e.paths.slots().count(), None);
         e.each_memory_name(|name| {
             if at == index {
                 found = Some((
@@ -115,7 +116,7 @@ impl Model {
     /// Whether `velocity` lies inside the identified FV curve; outside, the curve is prolonged straight.
     #[inline(always)]
     pub fn covers(&self, velocity: f64) -> bool {
-        let (low, high) = self.elements.fv_curve.range();
+        let (low, high) = self.elements.paths.fv_curve.range();
         velocity >= low && velocity <= high || low == high
     }
 }
@@ -142,7 +143,7 @@ mod tests {
             params.set(number!("bushing_slow_stiffness"), (bits >> 43 & 1) as f64).unwrap();
             match Model::new(&params) {
                 Ok(model) => {
-                    assert_eq!(paths::states_of(&params), model.elements.slots().count());
+                    assert_eq!(paths::slots::states_of(&params), model.elements.paths.slots().count());
                     let named: std::collections::BTreeSet<_> =
                         (0..model.states()).map(|i| model.state_name(i).unwrap().0).collect();
                     assert_eq!(named.len(), model.states(), "{named:?}");

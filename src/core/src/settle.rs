@@ -1,6 +1,6 @@
 //! The static answer: the state and the force when displacement and velocity have been held.
 
-use crate::elements::Motion;
+use crate::element::Motion;
 use crate::input::Input;
 use crate::model::Model;
 use crate::paths;
@@ -41,18 +41,18 @@ impl Model {
         };
         let mut x_m = x;
         let (states, primary) = if e.has_paths() {
-            crate::evaluate::paths::settled(e, x, v, input.temperature)
+            crate::evaluate::paths::settled(&e.paths, x, v, input.temperature)
         } else {
-            ([0.0; paths::STATES], e.fv_curve.at(v).value)
+            ([0.0; paths::STATES], e.paths.fv_curve.at(v).value)
         };
         if e.has_series() {
             // The springs never fall, so that the series spring alone would go further than both together.
             let alone = primary + e.on_the_mass(&motion(x)).force;
-            let furthest = x - paths::series::furthest(e, alone).copysign(alone);
+            let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
             for _ in 0..STEPS {
                 let inner = e.on_the_mass(&motion(x_m));
-                let (series, k) = paths::series::held(e, x - x_m);
+                let (series, k) = paths::series::held(&e.paths, x - x_m);
                 let left = series - primary - inner.force;
                 if left > 0.0 {
                     low = x_m;
@@ -70,7 +70,7 @@ impl Model {
             }
         });
         let mut state = State { memory, layout: self.layout, ..State::ZERO };
-        e.slots().write(&states, &mut state);
+        e.paths.slots().write(&states, &mut state);
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
 
@@ -115,11 +115,11 @@ impl Model {
         }
         if e.has_series() {
             // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
-            let k = e.series_compliance.stiffness;
-            let (inner, primary) = (e.inner(&at), e.fv_curve.at(input.velocity));
+            let k = e.paths.series_compliance.stiffness;
+            let (inner, primary) = (e.inner(&at), e.paths.fv_curve.at(input.velocity));
             let share = k / (k + inner.by_x);
             output.force_by_displacement += share * inner.by_x - k;
-            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.series_compliance.damping;
+            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.paths.series_compliance.damping;
         }
         // A private state that is drawn to where it settles follows the input there.
         e.each_memory(|place, element| {

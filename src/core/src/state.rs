@@ -1,6 +1,9 @@
 //! What the damper remembers between steps, and what it answers.
 
-use crate::elements::{Elements, MAX_MEMORY, Motion, Outer, Share};
+use crate::element::Share;
+
+/// Most private states that a model may carry.
+pub const MAX_MEMORY: usize = 8;
 
 /// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
 /// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
@@ -99,18 +102,6 @@ impl Output {
 }
 
 impl Output {
-    /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where
-    /// they belong.
-    #[inline(always)]
-    pub(crate) fn hand_out(&mut self, e: &Elements, mass: &Motion) {
-        if e.carries_whole() {
-            let Outer { friction, preload } = e.behind(mass);
-            self.friction_force = friction.force;
-            self.gas_force = preload.force;
-            self.spring_force -= friction.force + preload.force;
-        }
-    }
-
     /// Counts the force of an element beside the damper where it belongs, besides the total.
     pub(crate) fn count(&mut self, share: Share, force: f64) {
         match share {

@@ -2,11 +2,11 @@
 
 mod common;
 use common::*;
-use dashpot_core::elements::{Motion, names};
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
 use dashpot_core::{element, number};
+use dashpot_core::{element::Motion, parameter::names};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 

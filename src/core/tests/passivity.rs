@@ -24,7 +24,7 @@ proptest! {
         dt in (-4.5..-2.0f64).prop_map(|d| 10f64.powf(d)),
     ) {
         let mut params = params;
-        for element in dashpot_core::elements::names() {
+        for element in dashpot_core::parameter::names() {
             // More than all that is below would be too many states: those stay as they were drawn.
             let drawn = WITH_STATES.contains(&element) && params.is_on(Element::find(element).unwrap());
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
@@ -73,11 +73,11 @@ proptest! {
 /// Energy in the springs and masses: the series spring with its gap and rubber, the oil column, what moves with the piston and
 /// with the driven end.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
-    let e = model.elements();
+    let e = &model.elements().paths;
     let series = &e.series_compliance;
     let stretched = s.displacement - s.mass_displacement;
     let number = |id| params.number(id);
-    let in_series = match e.has_paths() && e.has_series() {
+    let in_series = match model.elements().has_paths() && e.has_series() {
         true => under(|d| held_by(e, d).0, stretched),
         false => 0.5 * series.stiffness * stretched * stretched,
     };

@@ -155,7 +155,7 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
         assert!((output.force_by_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
-        let by_v = model.elements().fv_curve.at(0.0).slope;
+        let by_v = model.elements().paths.fv_curve.at(0.0).slope;
         assert!((output.force_by_velocity - by_v).abs() < 1e-2 * by_v, "{elements:?}: {by_v} {output:?}");
     }
 }

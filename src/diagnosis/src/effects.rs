@@ -3,7 +3,7 @@
 use super::phrases;
 use super::situation::Situation;
 use dashpot_core::element;
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_records::sentence::{Sentence, Template};
 
 /// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the

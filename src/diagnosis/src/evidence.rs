@@ -7,7 +7,7 @@
 
 use super::decisions::{FORM, MOST_FORM, OWN_FORM};
 use dashpot_estimation::hypothesis::Hypothesis;
-use dashpot_estimation::priors::implausibility;
+use dashpot_estimation::implausibility::implausibility;
 use dashpot_estimation::refit::{HUBER, Refit};
 use dashpot_estimation::samples::Test;
 use nalgebra::DVector;

@@ -105,7 +105,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
 /// The same explanation with more points on its FV curve; `None` where that is full.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
-    let curve = Model::new(&params).ok()?.elements().fv_curve;
+    let curve = Model::new(&params).ok()?.elements().paths.fv_curve;
     let mut velocity = params.list(list!("fv_velocity")).to_vec();
     velocity.extend_from_slice(points);
     velocity.sort_by(f64::total_cmp);
@@ -137,10 +137,10 @@ mod tests {
         assert_eq!(to.base.list(list!("fv_velocity")).len(), 2 * base.list(list!("fv_velocity")).len() - 1);
         assert_eq!(to.numbers.len() - from.numbers.len(), base.list(list!("fv_velocity")).len() - 1);
         let [a, b] = [from.params(&theta), to.params(&to.start())].map(|p| Model::new(&p).unwrap());
-        let top = a.elements().fv_curve.at(1.0).value;
+        let top = a.elements().paths.fv_curve.at(1.0).value;
         for i in -100..=100 {
             let v = 0.01 * f64::from(i);
-            let (a, b) = (a.elements().fv_curve.at(v).value, b.elements().fv_curve.at(v).value);
+            let (a, b) = (a.elements().paths.fv_curve.at(v).value, b.elements().paths.fv_curve.at(v).value);
             assert!((a - b).abs() < 0.01 * top, "{v}: {a} {b}");
         }
     }

@@ -42,6 +42,7 @@ mod round;
 mod screening;
 mod search;
 mod situation;
+mod texts;
 mod tree;
 mod unbent;
 mod untestable;
@@ -52,7 +53,8 @@ pub use changes::{Change, CurveMoved, MovedBy};
 pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_held_out;
 pub use outcome::*;
-pub use phrases::{templates, texts};
+pub use phrases::templates;
+pub use texts::texts;
 pub use tree::Branch;
 
 use answer::{explained, judge, rivals};

@@ -1,7 +1,6 @@
 //! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
 
-use super::effects::{CARDS, EFFECTS, meaning};
-use dashpot_records::sentence::{Template, each_once};
+use dashpot_records::sentence::Template;
 
 dashpot_records::phrases! {
     // How far a diagnosis is.
@@ -176,12 +175,4 @@ pub(super) const FORMS: &[&str] = &[
 /// Every template of a sentence.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
-}
-
-/// Every English text that is said of a diagnosis, each once: sentences with the places of their values, and what paths, families,
-/// effects and forms are called.
-pub fn texts() -> Vec<&'static str> {
-    let of_cards = CARDS.iter().flat_map(|card| [card.path, card.family]);
-    let words = of_cards.chain([NOTHING, SOMETHING_ELSE]).chain(EFFECTS.iter().map(|e| meaning(e)));
-    each_once(TEMPLATES, words.chain(FORMS.iter().copied()))
 }

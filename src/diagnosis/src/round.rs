@@ -9,7 +9,7 @@ use super::situation::Situation;
 use super::vocabulary::{Candidate, candidates};
 use dashpot_estimation::cancel;
 use dashpot_estimation::hypothesis::Hypothesis;
-use dashpot_estimation::priors::implausibility;
+use dashpot_estimation::implausibility::implausibility;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::{Test, Thin};
 use dashpot_estimation::sensitivity::Accuracy;

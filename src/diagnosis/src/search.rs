@@ -10,7 +10,7 @@ use super::round::{Ground, Round, Tried, look};
 use super::unbent::{is_bent, unbent};
 use super::vocabulary::Candidate;
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
-use dashpot_estimation::priors::implausibility;
+use dashpot_estimation::implausibility::implausibility;
 use dashpot_estimation::refit::{Effort, Refit, refit};
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::Unknown;

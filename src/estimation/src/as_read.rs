@@ -9,29 +9,9 @@ use crate::unknowns::Unknowns;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
 
-/// A number of the rig in a fit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RigNumber {
-    /// What it is.
-    pub artefact: Artefact,
-    /// Where it starts.
-    pub start: f64,
-    /// What is usual of a rig: mean and standard deviation.
-    pub usual: (f64, f64),
-}
-
-/// Standard deviations that a number may be from what is usual.
-const FARTHEST: f64 = 5.0;
 /// Share of the standard deviation over which the derivative of a moved motion is a difference: far above what rounding leaves, far below what
 /// bends.
 const STEP: f64 = 1e-3;
-
-impl RigNumber {
-    /// Bounds.
-    pub fn bounds(&self) -> (f64, f64) {
-        (self.usual.0 - FARTHEST * self.usual.1, self.usual.0 + FARTHEST * self.usual.1)
-    }
-}
 
 impl Unknowns {
     /// The number of the rig, where it is fitted.
@@ -99,6 +79,7 @@ impl Unknowns {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rig_number::RigNumber;
     use crate::sensitivity::Accuracy;
     use crate::unknowns::{CurveName, Unknown};
     use dashpot_core::number;

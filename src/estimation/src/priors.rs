@@ -4,7 +4,6 @@
 //! bound. A number that many dampers would have to be strange to show costs its explanation something: little at first and never
 //! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
 
-use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{Unknown, Unknowns};
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
@@ -171,30 +170,7 @@ pub fn price(off: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * (off * off / FREEDOM).ln_1p()
 }
 
-/// How far off each number of an explanation is from what is usual; those without a prior are not in it.
-pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
-    let params = hypothesis.params(theta);
-    let mut all = Vec::new();
-    for (number, value) in hypothesis.numbers.iter().zip(theta) {
-        let (number, value) = match number.free {
-            Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
-            Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
-            Free::HeatCapacity => (number!("heat_capacity"), value.exp()),
-            Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
-        };
-        if let Some(prior) = of(number) {
-            all.push((number, prior.usual.off(value)));
-        }
-    }
-    all
-}
-
-/// What the numbers of an explanation cost it, in units of the logarithm of the odds.
-pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
-    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
-}
-
-/// The same of the model's numbers in a fit.
+/// What the model's numbers in a fit cost it, in units of the logarithm of the odds.
 pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
     let params = unknowns.params(theta);
     let off = |unknown: &Unknown| {

@@ -8,11 +8,15 @@
 use super::curve_weights::CurveWeights;
 use super::segment::Segment;
 use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
-use dashpot_core::elements::{Acts, Elements, Motion, acts};
 use dashpot_core::parameter::Number;
 use dashpot_core::step::paths::{Carried, FollowPaths, Seed, StageSlopes};
 use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths, force_in_place};
 use dashpot_core::{Model, Output, Params};
+use dashpot_core::{
+    assembly::Elements,
+    element::Motion,
+    parameter::{Acts, acts},
+};
 use dashpot_core::{element, list, number};
 use nalgebra::DMatrix;
 
@@ -55,7 +59,7 @@ struct Tangent<'a> {
 
 impl Follow for Tangent<'_> {
     fn stage(&mut self, elements: &Elements, s: &Stage) {
-        let e = &elements.series_compliance;
+        let e = &elements.paths.series_compliance;
         let divide = 1.0 / s.denominator;
         let stiffness = e.stiffness + s.inner.by_x;
         if let Some(length) = self.lengths.get_mut(s.index) {
@@ -344,7 +348,7 @@ impl Run {
             stages: vec![(vec![0.0; p], vec![0.0; p]); 8],
             lengths: [0.0; 5],
         };
-        let series = model.elements().series_compliance;
+        let series = model.elements().paths.series_compliance;
         let has_series = model.elements().has_series();
         let mut state = model.settled(&segment.input[0]);
         let mut output = Output::ZERO;
@@ -466,7 +470,7 @@ pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
 mod tests {
     use super::*;
     use dashpot_core::Input;
-    use dashpot_core::elements::GROUPS;
+    use dashpot_core::parameter::GROUPS;
     use dashpot_core::parameter::{Element, Shape};
 
     fn segment(amplitude: f64, frequency: f64) -> Segment {

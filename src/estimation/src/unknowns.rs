@@ -1,6 +1,6 @@
 //! What a fit may change, and how a vector of unknowns becomes a parameter set.
 
-use crate::as_read::RigNumber;
+use crate::rig_number::RigNumber;
 use dashpot_core::Params;
 use dashpot_core::parameter::{List, Number};
 use dashpot_core::{list, number};

@@ -10,8 +10,7 @@ use super::variants::{
     Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
     physical_springs, with_slow_points,
 };
-use dashpot_core::elements;
-use dashpot_core::parameter::{Element, Number};
+use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::campaign_clock::{clock_from, clock_runs_on};
@@ -91,7 +90,7 @@ impl FitError {
             FitError::NoTests => phrases::NO_TESTS.into(),
             FitError::UnknownElement { name } => Sentence::from(phrases::UNKNOWN_ELEMENT)
                 .with("name", quoted(name))
-                .with_names("known", elements::names(), phrases::COMMA),
+                .with_names("known", names(), phrases::COMMA),
             FitError::NotFitted { name } => Sentence::from(phrases::NOT_FITTED).with("name", name).with_names(
                 "known",
                 identified().iter().map(|element| element.name()),

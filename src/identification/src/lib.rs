@@ -14,6 +14,7 @@ pub mod model_file;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;
+mod texts;
 pub mod validation;
 mod variants;
 
@@ -21,5 +22,6 @@ pub use as_the_fit_saw::AS_THE_FIT_SAW;
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
 pub use of_the_rig::{Measured, off};
-pub use phrases::{templates, texts};
+pub use phrases::templates;
+pub use texts::texts;
 pub use variants::Choice;

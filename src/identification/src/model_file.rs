@@ -4,7 +4,7 @@
 //! are for validation, diagnosis and people.
 
 use crate::{Choice, Estimate, Fit, Measured, Standing, off};
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};

@@ -7,9 +7,9 @@
 
 use super::intervals::Z;
 use super::phrases;
-use dashpot_estimation::as_read::RigNumber;
 use dashpot_estimation::least_squares::covariance;
 use dashpot_estimation::measurement::Artefact;
+use dashpot_estimation::rig_number::RigNumber;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::unknowns::Unknowns;

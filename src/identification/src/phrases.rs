@@ -2,9 +2,7 @@
 //!
 //! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::sentence::Reader`]).
 
-use super::variants::{FRICTION, PHYSICAL_SPRING, SPRING};
-use super::{fit, of_the_rig};
-use dashpot_records::sentence::{Template, each_once};
+use dashpot_records::sentence::Template;
 
 dashpot_records::phrases! {
     // Lists.
@@ -77,11 +75,4 @@ pub(crate) const KINDS_OF_TESTS: [&str; 3] = ["slow tests", "small strokes", "la
 /// Every template of a sentence.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
-}
-
-/// Every English text that is said of a fit, each once: sentences with the places of their values, and words.
-pub fn texts() -> Vec<&'static str> {
-    let variants =
-        FRICTION.iter().chain(SPRING).chain(PHYSICAL_SPRING).flat_map(|variant| [variant.name, variant.rigid]);
-    each_once(TEMPLATES, KINDS_OF_TESTS.into_iter().chain(fit::WORDS).chain(of_the_rig::WORDS).chain(variants))
 }

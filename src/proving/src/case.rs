@@ -1,18 +1,14 @@
 //! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
 
 use crate::ProvingError;
+use crate::measured::{base_model, read, without_noise};
 use crate::severity;
 use dashpot_core::Params;
-use dashpot_core::parameter::Element;
 use dashpot_core::{element, number};
 use dashpot_identification::{FitOptions, fit, off};
+use dashpot_records::Record;
 use dashpot_records::taken_out::taken_out;
-use dashpot_records::{self as records, Record};
-use dashpot_rig::{CHECK_PREFIX, Campaign, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
-
-/// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
-pub const BASE: [Element; 4] =
-    [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
+use dashpot_rig::{CHECK_PREFIX, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// What is asked for.
 #[derive(Debug, Clone)]
@@ -166,48 +162,4 @@ pub(crate) fn model_of(
     }
     let found = fit(records, &FitOptions::default(), |_| ())?;
     Ok((found.params, found.measured))
-}
-
-/// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.
-pub fn base_model(records: &[&Record]) -> Result<Params, ProvingError> {
-    let options =
-        FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
-    let mut params = fit(records, &options, |_| ())?.params;
-    for element in [
-        element!("series_compliance"),
-        element!("coulomb_friction"),
-        element!("side_force_friction"),
-        element!("parallel_spring"),
-        element!("gas_preload"),
-    ] {
-        params.enable(element, true);
-    }
-    for (number, value) in [
-        (number!("spring_linear"), 300.0),
-        (number!("spring_quadratic"), 0.0),
-        (number!("spring_cubic"), 0.0),
-        (number!("spring_quartic"), 0.0),
-    ] {
-        let _ = params.set(number, value);
-    }
-    Ok(params)
-}
-
-/// The same campaign with ideal force sensors.
-pub fn without_noise(campaign: &Campaign) -> Campaign {
-    let mut clean = campaign.clone();
-    for record in &mut clean.records {
-        record.force_n.clone_from(&record.clean_force_n);
-    }
-    clean
-}
-
-/// The records as a user reads them: written to files and loaded.
-pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
-    let folder = tempfile::tempdir()?;
-    let path = folder.path().join("campaign");
-    campaign.write(&path)?;
-    let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
-    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| ProvingError::Records(e.to_string()))?;
-    Ok(loaded.records)
 }

@@ -2,7 +2,8 @@
 //! severity that they make.
 
 use crate::ProvingError;
-use crate::case::{Measured, base_model, model_of};
+use crate::case::{Measured, model_of};
+use crate::measured::base_model;
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_core::element;

@@ -18,6 +18,7 @@
 pub mod calibrate;
 pub mod case;
 pub mod laboratory;
+pub mod measured;
 pub mod outcome;
 pub mod score;
 pub mod severity;

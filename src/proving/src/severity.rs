@@ -6,7 +6,7 @@
 //! happens to point along what is left anyway.
 
 use crate::ProvingError;
-use crate::case::{base_model, read, without_noise};
+use crate::measured::{base_model, read, without_noise};
 use dashpot_core::Params;
 use dashpot_core::element;
 use dashpot_diagnosis::refitted;

@@ -1,7 +1,7 @@
 //! The second laboratory's laws against the model's: a law that enters the kernel is no proof of a diagnosis any more and has to leave the
 //! laboratory as a hidden form.
 
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_other_lab::hidden::KNOWN;
 use std::collections::{BTreeMap, BTreeSet};
 

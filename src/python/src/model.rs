@@ -1,7 +1,7 @@
 //! Model files as Python sees them.
 
 use crate::errors::{ModelError, MotionError, OutputError, raise};
-use dashpot_core::elements::GROUPS;
+use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Shape};
 use dashpot_core::{Input, evaluate};
 use dashpot_identification::model_file::{self, Interval, ModelFile};
@@ -131,7 +131,7 @@ impl Model {
 
     /// Lowest and highest velocity, m/s, of the FV curve; beyond, it is prolonged straight.
     fn velocity_range(&self) -> (f64, f64) {
-        self.prepared.elements().fv_curve.range()
+        self.prepared.elements().paths.fv_curve.range()
     }
 
     /// Forces, N, of the damper moving steadily at each velocity, m/s, through displacement 0.

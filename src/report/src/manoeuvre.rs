@@ -169,7 +169,7 @@ pub fn figures(
                 energy_j: energy(model) * step,
                 energy_fv_j: energy(curve) * step,
                 curve_ends_m_s: {
-                    let (low, high) = models[i].elements().fv_curve.range();
+                    let (low, high) = models[i].elements().paths.fv_curve.range();
                     (low < high).then_some([low, high])
                 },
                 share_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64

@@ -76,7 +76,7 @@ mod tests {
     fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
         // An overdamped mass: its fast rate is the slope of the FV curve over the mass, at most.
         let model = model(3e6, 0.05);
-        let slope = model.elements().fv_curve.at(0.0).slope;
+        let slope = model.elements().paths.fv_curve.at(0.0).slope;
         let rate = fastest_rate(&model);
         assert!(rate > 0.5 * slope / 0.05, "{rate} {slope}");
         assert!(remark(&model).unwrap().contains("model exchange"));

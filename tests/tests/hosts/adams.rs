@@ -227,7 +227,7 @@ fn states_wanted(solver: &Path, path: &Path) -> String {
 fn every_element_of_the_model_agrees() {
     let folder = tempfile::tempdir().unwrap();
     let solver = solver();
-    let elements = dashpot_core::elements::GROUPS.iter().map(|group| group.name);
+    let elements = dashpot_core::parameter::GROUPS.iter().map(|group| group.name);
     for element in elements {
         for base in ["\"fv_curve\"", "\"fv_curve\", \"series_compliance\""] {
             if base.contains(element) {

@@ -490,7 +490,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     };
     let (said, read_me) = export(&HELD, "");
     assert!(!said.contains("native.adm") && read_me.contains("native.adm  "), "{said}");
-    for element in dashpot_core::elements::names().filter(|name| !HELD.contains(name)) {
+    for element in dashpot_core::parameter::names().filter(|name| !HELD.contains(name)) {
         let (said, read_me) = export(&["fv_curve", "series_compliance", element], "");
         let why = format!("no native.adm, because splines of velocity and displacement cannot hold {element}");
         assert!(said.contains(&why), "{said}");

@@ -1,7 +1,7 @@
 //! Model exchange in a stock solver with its defaults: FMPy's CVODE sets the inputs where its steps end and holds them in between.
 //! The force must stay within 1 % of the largest all the same.
 
-use dashpot_core::elements::{COUNT, GROUPS};
+use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
@@ -42,7 +42,7 @@ fn every_element() {
     if !has_python() {
         return;
     }
-    for (i, group) in GROUPS[..COUNT].iter().enumerate() {
+    for (i, group) in GROUPS[..ELEMENTS].iter().enumerate() {
         let mut on = vec!["fv_curve", "series_compliance", "gas_preload"];
         if !on.contains(&group.name) {
             on.push(group.name);

@@ -11,8 +11,8 @@ use dashpot_abi::params::{
 use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init};
 use dashpot_abi::step::dashpot_step;
 use dashpot_abi::version::DASHPOT_ABI_VERSION;
-use dashpot_core::elements::{GROUPS, names};
 use dashpot_core::parameter::Element;
+use dashpot_core::parameter::{GROUPS, names};
 use dashpot_core::parameter::{Shape, table};
 use dashpot_test_support::Random;
 use std::ffi::CString;

@@ -13,7 +13,7 @@ mod minimise;
 mod motion;
 
 use case::{Case, Failure, prepare};
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use dashpot_test_support::Random;
 use std::time::{SystemTime, UNIX_EPOCH};
 

@@ -1,6 +1,6 @@
 //! Records that are open: as they were read, with what every view needs of a test.
 
-use crate::session::tasks::Report;
+use crate::session::progress::Report;
 use dashpot_records::smoothing::{Motion, smooth};
 use dashpot_records::{Campaign, Note, Options, Record, RecordError, load};
 use dashpot_simulation::warm_starts::WarmStarts;

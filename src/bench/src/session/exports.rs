@@ -1,6 +1,6 @@
 //! The damper for other programs, as `dashpot export` writes it.
 
-use crate::session::outputs::write;
+use crate::session::guarded::write;
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
 use dashpot_hosts::{fmu, handed_out, runtimes};

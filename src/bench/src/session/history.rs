@@ -1,20 +1,18 @@
 //! What was, is and will be again: undo and redo.
 
-use crate::session::model::Change;
-
 /// Steps that can be taken back; a model takes a few kilobytes, so all of them a few megabytes.
 const DEPTH: usize = 500;
 
-/// A value with its past and its future.
-pub struct History<T> {
+/// A value with its past and its future. `C` is what a change belongs to.
+pub struct History<T, C> {
     past: Vec<T>,
     now: T,
     future: Vec<T>,
     /// What the change under way belongs to; a change of the same kind takes its place.
-    open: Option<Change>,
+    open: Option<C>,
 }
 
-impl<T: Clone + PartialEq> History<T> {
+impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
     /// Nothing was before `now`.
     pub fn new(now: T) -> Self {
         History { past: Vec::new(), now, future: Vec::new(), open: None }
@@ -26,18 +24,19 @@ impl<T: Clone + PartialEq> History<T> {
     }
 
     /// Takes another value; whether it is another.
-    pub fn change(&mut self, change: Change, value: T) -> bool {
+    pub fn change(&mut self, change: C, value: T) -> bool {
         if value == self.now {
             return false;
         }
         let before = std::mem::replace(&mut self.now, value);
-        if self.open != Some(change) {
+        let change = Some(change);
+        if self.open != change {
             self.past.push(before);
             if self.past.len() > DEPTH {
                 self.past.remove(0);
             }
         }
-        self.open = Some(change);
+        self.open = change;
         self.future.clear();
         true
     }

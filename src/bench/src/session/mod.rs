@@ -14,11 +14,13 @@
 
 pub mod campaign;
 pub mod exports;
+pub mod guarded;
 pub mod history;
 pub mod matrix;
 pub mod model;
 pub mod outputs;
 pub mod papers;
+pub mod progress;
 pub mod recent;
 pub mod simulation;
 pub mod study;
@@ -225,7 +227,7 @@ impl Session {
     pub fn begin(
         &mut self,
         kind: Kind,
-        work: impl FnOnce(tasks::Report<'_>) -> Result<Outcome, Sentence> + Send + 'static,
+        work: impl FnOnce(progress::Report<'_>) -> Result<Outcome, Sentence> + Send + 'static,
     ) -> bool {
         if self.task.is_some() {
             return false;

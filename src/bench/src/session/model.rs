@@ -18,7 +18,7 @@ pub struct Tuned {
     /// The text that a fit or a diagnosis made, while nothing was tuned since.
     text: Option<String>,
     /// Values as they are now, and were.
-    history: History<Params>,
+    history: History<Params, Change>,
     /// Values as they were saved last.
     saved: Option<Params>,
     /// Why the last change was refused.

@@ -4,8 +4,8 @@
 use crate::session::Session;
 use crate::session::campaign::Loaded;
 use crate::session::exports::{Export, Host};
+use crate::session::guarded::write;
 use crate::session::tasks::{Kind as Work, Outcome};
-use anyhow::Context as _;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, Sentence, profile};
 use std::path::{Path, PathBuf};
@@ -75,17 +75,6 @@ impl Session {
             export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
         });
     }
-}
-
-/// Refuses a place where something else would be lost.
-pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
-    dashpot_output::check_kinds([(Some(path), kind)])
-}
-
-/// Writes a file of a kind.
-pub fn write(path: &Path, kind: Kind, bytes: &[u8]) -> anyhow::Result<()> {
-    checked(path, kind)?;
-    dashpot_output::replace_file(path, bytes).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// A plot as a table: every line with its two columns.

@@ -2,8 +2,9 @@
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
+use crate::session::guarded::checked;
 use crate::session::model::Tuned;
-use crate::session::outputs::{checked, told};
+use crate::session::outputs::told;
 use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;

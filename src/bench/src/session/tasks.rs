@@ -3,6 +3,7 @@
 
 use crate::session::Waker;
 use crate::session::campaign::Loaded;
+use crate::session::progress::{Progress, Report};
 use crate::session::study::Study;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
@@ -64,18 +65,6 @@ pub enum Outcome {
     /// A file or folder was written, and what must be known beside it.
     Written(PathBuf, Vec<String>),
 }
-
-/// How far it is.
-#[derive(Debug, Clone, Default)]
-pub struct Progress {
-    /// Share done, 0..1.
-    pub done: f64,
-    /// What is being done, where that is known.
-    pub text: Option<Template>,
-}
-
-/// Reports how far work is.
-pub type Report<'a> = &'a (dyn Fn(f64, Option<Template>) + Sync);
 
 /// Work under way.
 pub struct Task {

@@ -3,7 +3,7 @@
 use crate::session::campaign::Loaded;
 use crate::session::study::{Question, study};
 use crate::session::tasks::{Diagnosed, Kind, Outcome};
-use crate::session::{Session, tasks};
+use crate::session::{Session, progress};
 use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
 use dashpot_identification::model_file::{self, ModelFile};
@@ -82,7 +82,7 @@ pub fn compared<'a>(
     file: &ModelFile,
     loaded: &'a Arc<Loaded>,
     ticked: &[usize],
-    report: tasks::Report<'_>,
+    report: progress::Report<'_>,
 ) -> Result<Vec<Compared<'a>>, Sentence> {
     let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
     let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();

@@ -345,7 +345,7 @@ fn gas_in_tension(params: &dashpot_core::Params) -> f64 {
 fn curve(params: &dashpot_core::Params, reach: f64) -> Vec<[f64; 2]> {
     let Ok(model) = dashpot_core::Model::new(params) else { return Vec::new() };
     let gas = gas_in_tension(params);
-    let fv = model.elements().fv_curve;
+    let fv = model.elements().paths.fv_curve;
     let at = |k: usize| reach * (2.0 * k as f64 / (CURVE - 1) as f64 - 1.0);
     // Closer together where the curve bends, at low speeds.
     let bent = |k: usize| at(k) * (at(k).abs() / reach);

@@ -91,7 +91,7 @@ fn coarse(answers: &[Answer]) -> Option<String> {
 /// A remark where the motion is faster than the FV curve reaches.
 fn beyond(model: &Model, answers: &[Answer]) -> Option<String> {
     let outside = answers.iter().filter(|a| !model.covers(a.velocity)).count();
-    let (low, high) = model.elements().fv_curve.range();
+    let (low, high) = model.elements().paths.fv_curve.range();
     let fastest = answers.iter().map(|a| a.velocity).max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     (outside > 0).then(|| {
         format!(

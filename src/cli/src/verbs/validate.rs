@@ -89,7 +89,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let mut rivals = Vec::new();
     if !args.against.is_empty() {
         let found = identify_rivals(&args.against, &model, &campaign, json)?;
-        validation.against.push(Against::validated(&validation));
+        validation.against.push(validation.as_against());
         for (literature, forces) in found {
             let name = literature.name();
             let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
@@ -110,7 +110,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let curve = prepared(&model.params)?;
     let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
     if let Some(first) = fast.first() {
-        let (low, high) = curve.elements().fv_curve.range();
+        let (low, high) = curve.elements().paths.fv_curve.range();
         let text = format!(
             "note: {} of {} tests are faster than the FV curve reaches ({low:.3} to {high:.3} m/s), the first is {first}; the \
              curve is prolonged straight there",

@@ -1,10 +1,10 @@
 //! Air in the oil: a soft stroke after every reversal, until the force has pressed the bubbles together.
 
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
+use crate::elements::soft_gap::SoftGap;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
-use crate::paths::soft_gap::SoftGap;
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// q(F) = F/k_o + d F/(|F| + F_a) for the oil column of `oil_compressibility`; k_o is 3e7 N/m where that is off.
 ///

@@ -1,10 +1,10 @@
 //! Bump stop: the end of the compression stroke.
 
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::elements::end_stop::EndStop;
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = −P(−x, −v): pushes the rod out; P is the law of [`EndStop`].
 #[derive(Clone, Copy, Debug)]

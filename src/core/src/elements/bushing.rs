@@ -1,10 +1,10 @@
 //! Rubber bushing in line with the damper: it hardens, and gives back less than it took.
 
 use crate::dual::{Dual, Real};
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the straight series spring's force φ.
 ///

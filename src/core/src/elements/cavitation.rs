@@ -2,10 +2,10 @@
 //! refill the chamber, and that the other has to close again.
 
 use crate::dual::{Dual, Real};
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// Towards the capped side (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil carries no more than the cap C:
 /// what the driven stroke exceeds opens a void, of depth e as a stroke.

@@ -1,10 +1,10 @@
 //! Coulomb friction (thesis 3.1).
 
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
 use crate::math::tanh;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = F_s tanh(K v).
 #[derive(Clone, Copy, Debug)]

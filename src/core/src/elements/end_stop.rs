@@ -1,6 +1,6 @@
 //! The law of a stop at one end of the stroke, rubber or hydraulic; `bump_stop` and `rebound_stop` are its two ends.
 
-use crate::elements::Response;
+use crate::element::Response;
 use crate::math::tanh;
 
 /// With the depth d beyond the clearance and the speed s into the stop,

@@ -1,10 +1,10 @@
 //! Free play (backlash) in an eye or mount, in line with the series spring.
 
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
+use crate::elements::soft_gap::SoftGap;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
-use crate::paths::soft_gap::SoftGap;
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// d(F) = F/k_s + g F/(|F| + F_0): between its contacts the eye moves freely by 2 g. The series damping acts in
 /// proportion to the stiffness there is, so it vanishes in the gap.

@@ -1,11 +1,11 @@
 //! Frequency-selective damping: fast strokes are damped less than slow ones of the same speed.
 
 use crate::dual::Real;
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
+use crate::elements::passage::{law, per_stated};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
-use crate::paths::bypass::{law, per_stated};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// Three forms. F is counted from the force at standstill, which no stroke makes: it keeps its size.
 ///

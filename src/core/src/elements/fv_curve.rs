@@ -1,11 +1,11 @@
 //! The primary damper: force over velocity of the internal mass (thesis 3, F_d).
 
 use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::{Fault, Reason};
-use crate::parameter::id::{Many, One};
-use crate::parameter::own::own;
-use crate::parameter::{Own, Parameter, View};
+use crate::schema::kind::{Many, One};
+use crate::schema::own::own;
+use crate::schema::{Describe, Own, Parameter, View};
 
 /// F_d(v): a table with monotone cubic or linear interpolation, or the piecewise-linear form with knees.
 #[derive(Clone, Copy, Debug)]

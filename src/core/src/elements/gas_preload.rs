@@ -1,9 +1,9 @@
 //! Constant gas force that pushes the rod out (thesis 3, identified from the slow test).
 
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = −F_gas: a push, so negative where tension is positive.
 #[derive(Clone, Copy, Debug)]

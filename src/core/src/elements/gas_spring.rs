@@ -1,11 +1,11 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
+use crate::element::{Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{drawn, power};
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
 ///

@@ -1,9 +1,9 @@
 //! Gas that warms with the damper: it pushes the rod out harder.
 
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = −c (T − T_0) with the temperature T that the host gives; T_0 is that of the gas force.
 ///

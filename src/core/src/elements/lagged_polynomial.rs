@@ -1,13 +1,13 @@
 //! Polynomial FV curve behind a first-order lag: one of the models the thesis compares itself with.
 
 use crate::dual::{Dual, Real};
-use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
+use crate::element::{Memory, Motion, Prepare, Recall};
 use crate::fault::{Fault, Reason};
 use crate::input::Path;
 use crate::math::drawn;
-use crate::parameter::id::One;
-use crate::parameter::own::own;
-use crate::parameter::{Own, Parameter, View};
+use crate::schema::kind::One;
+use crate::schema::own::own;
+use crate::schema::{Describe, Own, Parameter, View};
 
 /// T(|v|) dy/dt + y = Σ a_k v^k, F = y.
 ///

@@ -2,12 +2,12 @@
 //! passage, which the piston has to speed up.
 
 use crate::dual::Dual;
-use crate::elements::{Describe, Memory, Motion, Prepare, Recall};
+use crate::element::{Memory, Motion, Prepare, Recall};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::drawn;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = M (v − z)/τ, dz/dt = (v − z)/τ.
 ///

@@ -1,10 +1,10 @@
 //! Compressibility of the oil column between piston and valves.
 
 use crate::dual::Real;
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
 ///

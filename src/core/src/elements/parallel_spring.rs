@@ -1,11 +1,11 @@
 //! Parallel spring on the internal mass (thesis 3, F_p): the source of most of the hysteresis.
 
 use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::{Fault, Reason};
 use crate::math::pair;
-use crate::parameter::id::{Many, One};
-use crate::parameter::{Own, Parameter, View};
+use crate::schema::kind::{Many, One};
+use crate::schema::{Describe, Own, Parameter, View};
 
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
 #[derive(Clone, Copy, Debug)]

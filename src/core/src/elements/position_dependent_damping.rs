@@ -1,10 +1,10 @@
 //! Position-dependent damping: bypass grooves or a tapered needle over a part of the stroke.
 
 use crate::dual::Real;
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// A zone of the stroke, p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x, in two
 /// forms.

@@ -1,12 +1,12 @@
 //! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
 
 use crate::dual::{Dual, Real};
-use crate::elements::{Describe, Memory, Motion, Prepare, Recall, Share};
+use crate::element::{Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::power;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1): the force turns over within a few z_0 of travel, whatever the speed.
 /// n = 1 is Dahl's contact, which slips from the first; a larger n bends elastically first. Where the return is elastic a

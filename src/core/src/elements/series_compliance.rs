@@ -1,9 +1,9 @@
 //! Series spring and damper between the driven end and the internal mass (thesis 3, F_s and m): compressibility.
 
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
 ///

@@ -1,10 +1,10 @@
 //! Friction that grows with side force (thesis 4.2).
 
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = k_avg |F_side| tanh(K v).
 #[derive(Clone, Copy, Debug)]

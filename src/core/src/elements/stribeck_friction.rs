@@ -1,11 +1,11 @@
 //! Stribeck friction: a break-away peak that falls to the Coulomb level (thesis 3.3–3.7).
 
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
 use crate::fault::Fault;
 use crate::math::{exp_below_bound, power};
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// Two forms.
 ///

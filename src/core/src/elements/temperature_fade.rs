@@ -1,10 +1,10 @@
 //! Temperature fade: warm oil damps less.
 
 use crate::dual::Real;
-use crate::elements::{Describe, Prepare};
+use crate::element::Prepare;
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by the viscosity over that at T_0,
 /// exp(−α (T − T_0)/(1 + κ (T − T_0))): what passes orifices and blow-off valves does not know it. κ = 0 is an exponential,

@@ -1,9 +1,9 @@
 //! Viscous friction that grows with the square of velocity (thesis 3.2, the F_v term).
 
-use crate::elements::{Describe, Force, Motion, Prepare, Response};
+use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 
 /// F = F_v v|v|: odd in v. Thesis 3.5 prints v² without a sign, which would push in compression.
 #[derive(Clone, Copy, Debug)]

@@ -1,14 +1,15 @@
 //! Force, rates and partials of a damper with elements in its series or hydraulic path (see [`crate::paths`]).
 
 use super::Partials;
+use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
-use crate::elements::{Elements, Motion};
+use crate::element::Motion;
 use crate::input::Input;
 use crate::paths::bypass;
 use crate::paths::hydraulic::{Around, column_force, flow, taken_up_by_place};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{Residual, oil_velocity};
-use crate::paths::{STATES, place};
+use crate::paths::{Paths, STATES, place};
 use crate::state::State;
 
 /// What the oil does at given states.
@@ -21,7 +22,8 @@ struct Instant<R> {
     inner: R,
 }
 
-fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R, curve: R) -> Instant<R> {
+fn instant<R: Real>(elements: &Elements, states: &[R; STATES], around: &Around<R>, w: R, curve: R) -> Instant<R> {
+    let e = &elements.paths;
     let frame = Frame::of(e);
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let standing = R::constant(e.fv_curve.at_zero());
@@ -60,7 +62,7 @@ fn instant<R: Real>(e: &Elements, states: &[R; STATES], around: &Around<R>, w: R
         side_force: around.side_force,
         temperature: around.temperature,
     };
-    let inner = e.on_the_mass(&at);
+    let inner = elements.on_the_mass(&at);
     let inner = x.chain(inner.force, inner.by_x) + u.chain(0.0, inner.by_v);
     let mut force = inner + primary;
     if e.has_series() {
@@ -84,7 +86,8 @@ fn sloped(residual: impl Fn(Dual<2>, Dual<2>) -> Dual<2>, w: f64, f: f64) -> Res
 }
 
 /// The velocity of the oil at given states.
-fn oil(e: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
+fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
+    let e = &elements.paths;
     let Around { x, v, side_force, temperature } = *at;
     let u = if e.has_series() { states[place::U] } else { v };
     if !e.has_column() && !e.has_cavitation() && !bypass::is_open(e) {
@@ -94,7 +97,7 @@ fn oil(e: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
     oil_velocity(e, u, least, TOLERANCE, &|w: f64, f: f64| {
-        sloped(|w, f| instant(e, &lifted, &around, w, f).residual, w, f)
+        sloped(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f)
     })
     .answer()
 }
@@ -112,14 +115,14 @@ impl<'a> Sloped<'a> {
     fn new(e: &'a Elements, state: &State, input: &Input) -> Sloped<'a> {
         let x = super::displacement(state, input);
         let Input { velocity: v, side_force, temperature, .. } = *input;
-        let states = e.slots().read(state);
+        let states = e.paths.slots().read(state);
         let w = oil(e, &states, &Around { x, v, side_force, temperature });
         let mut lifted = [Dual::constant(0.0); STATES];
         for (direction, (to, value)) in lifted.iter_mut().zip(states).enumerate() {
             *to = Dual::along(value, direction);
         }
         let around = Around { x: Dual::along(x, STATES), v: Dual::along(v, STATES + 1), side_force, temperature };
-        let read = e.fv_curve.at(w);
+        let read = e.paths.fv_curve.at(w);
         let w = Dual::along(w, STATES + 2);
         let curve = w.chain(read.value, read.slope);
         Sloped { e, by: instant(e, &lifted, &around, w, curve) }
@@ -154,24 +157,24 @@ pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
         primary: sloped.by.primary.value,
         inner: sloped.by.inner.value,
         by_input: [by_x, by_v],
-        heat: e.slots().read(state)[place::HEAT],
+        heat: e.paths.slots().read(state)[place::HEAT],
     }
 }
 
 /// Rates of the states.
 pub(super) fn rates(e: &Elements, state: &State, input: &Input, rate: &mut State) {
     let x = super::displacement(state, input);
-    let states = e.slots().read(state);
+    let states = e.paths.slots().read(state);
     let around = Around { x, v: input.velocity, side_force: input.side_force, temperature: input.temperature };
     let w = oil(e, &states, &around);
-    let instant = instant(e, &states, &around, w, e.fv_curve.at(w).value);
-    e.slots().write(&instant.rates, rate);
+    let instant = instant(e, &states, &around, w, e.paths.fv_curve.at(w).value);
+    e.paths.slots().write(&instant.rates, rate);
 }
 
 /// Adds the slopes of force and rates.
 pub(super) fn partials(e: &Elements, state: &State, input: &Input, p: &mut Partials) {
     let sloped = Sloped::new(e, state, input);
-    let slots = sloped.e.slots();
+    let slots = sloped.e.paths.slots();
     let force = sloped.slopes(&sloped.by.force);
     for (place, slope) in force.iter().enumerate().take(STATES) {
         if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
@@ -195,7 +198,7 @@ pub(super) fn partials(e: &Elements, state: &State, input: &Input, p: &mut Parti
 }
 
 /// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
-pub(crate) fn settled(e: &Elements, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
+pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
     // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
     let mut force = 0.0;

@@ -8,31 +8,11 @@ use core::fmt;
 use core::hash::{Hash, Hasher};
 use core::marker::PhantomData;
 
-use crate::elements::{COUNT, GROUPS};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
-use crate::parameter::{Group, Parameter, Row, Shape, find};
-
-/// What kind of row an id stands for.
-pub trait Kind: Copy + 'static {
-    /// Whether it holds a list.
-    const IS_LIST: bool;
-}
-
-/// Rows that hold one number, or the number of a choice.
-#[derive(Clone, Copy, Debug)]
-pub struct One;
-
-/// Rows that hold a list of numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Many;
-
-impl Kind for One {
-    const IS_LIST: bool = false;
-}
-
-impl Kind for Many {
-    const IS_LIST: bool = true;
-}
+use crate::parameter::groups::{ELEMENTS, GROUPS};
+use crate::parameter::row::{Row, find};
+use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
+use crate::schema::{Group, Parameter};
 
 /// A row of the table that holds what `K` says.
 #[derive(Clone, Copy)]
@@ -121,9 +101,6 @@ impl Number {
     }
 }
 
-/// What the compiler says of a row that holds something else.
-pub(super) const OTHER_KIND: &str = "this parameter is a list where a number is meant, or the reverse";
-
 /// A name that is none of the table's.
 const UNKNOWN: Fault = Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName };
 
@@ -137,12 +114,6 @@ impl<K: Kind> TryFrom<Row> for Id<K> {
         } else {
             Err(row.fault(Reason::WrongShape))
         }
-    }
-}
-
-impl Parameter {
-    pub(super) const fn holds_list(&self) -> bool {
-        matches!(self.shape, Shape::List(_))
     }
 }
 
@@ -187,7 +158,7 @@ impl Element {
     #[inline]
     pub const fn named(name: &str) -> Element {
         let mut place = 0;
-        while place < COUNT {
+        while place < ELEMENTS {
             let group = &GROUPS[place];
             if same(group.name, name) {
                 return Element { place, group };
@@ -207,7 +178,7 @@ impl Element {
 
     /// All elements, in the order of the list.
     pub fn all() -> impl Iterator<Item = Element> {
-        GROUPS.iter().take(COUNT).enumerate().map(|(place, group)| Element { place, group })
+        GROUPS.iter().take(ELEMENTS).enumerate().map(|(place, group)| Element { place, group })
     }
 
     /// The element whose rows stand in group `place`; `None` for the settings.
@@ -232,6 +203,13 @@ impl Element {
 
     pub(super) const fn bit(self) -> u64 {
         1 << self.place
+    }
+}
+
+impl Row {
+    /// The element it belongs to; `None` for the settings.
+    pub fn element(&self) -> Option<Element> {
+        Element::of_group(self.group)
     }
 }
 
@@ -264,22 +242,6 @@ impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.pad(self.name())
     }
-}
-
-/// Whether two names are the same, where `==` cannot be asked yet: in constants.
-pub(super) const fn same(a: &str, b: &str) -> bool {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    if a.len() != b.len() {
-        return false;
-    }
-    let mut i = 0;
-    while i < a.len() {
-        if a[i] != b[i] {
-            return false;
-        }
-        i += 1;
-    }
-    true
 }
 
 /// The [`Number`](crate::parameter::Number) of a name, looked up when the code is compiled.
@@ -375,7 +337,8 @@ macro_rules! element {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parameter::table;
+    use crate::parameter::row::table;
+    use crate::schema::Shape;
     use std::format;
 
     #[test]
@@ -394,7 +357,7 @@ mod tests {
             assert_eq!(Element::find(element.name()), Ok(element));
             assert_eq!((element.place(), Element::of_group(place)), (place, Some(element)));
         }
-        assert_eq!(Element::of_group(COUNT), None);
+        assert_eq!(Element::of_group(ELEMENTS), None);
     }
 
     #[test]

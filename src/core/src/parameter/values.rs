@@ -1,8 +1,10 @@
 //! The values a user fills in.
 
-use crate::elements::DEFAULT_ON;
 use crate::fault::{Fault, Reason};
-use crate::parameter::{COUNT, Element, List, Number, Row, SLOTS, Shape, table};
+use crate::parameter::groups::{DEFAULT_ON, GROUPS};
+use crate::parameter::id::{Element, List, Number};
+use crate::parameter::row::{COUNT, Row, SLOTS, table};
+use crate::schema::{Describe, Shape, View};
 
 /// A full set of parameter values, and which elements are on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +55,13 @@ impl Params {
     /// The values of a list.
     pub fn list(&self, list: List) -> &[f64] {
         self.get(list.row())
+    }
+
+    /// What the element `E`, whose rows make group `group`, sees of it.
+    pub(crate) fn view<E: Describe>(&self, group: usize) -> View<'_, E> {
+        let before = GROUPS.iter().take(group).flat_map(|group| group.parameters);
+        let (first, slot) = before.fold((0, 0), |(index, slot), row| (index + 1, slot + row.slots()));
+        View::new(first, self.lengths.get(first..).unwrap_or(&[]), self.values.get(slot..).unwrap_or(&[]))
     }
 
     /// Sets one number or choice.
@@ -141,7 +150,7 @@ fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parameter::find;
+    use crate::parameter::row::find;
     use crate::{list, number};
 
     #[test]

@@ -1,79 +1,15 @@
-//! What acts in a stage of the coupled paths, as bits: the stages of common dampers are compiled for their own.
+//! What acts in a stage, and how sharply it bends the forces: the stages of common dampers are compiled for their own.
 
-use super::place;
-use crate::elements::Elements;
+pub use super::bits::*;
 
-/// The series compliance.
-pub const SERIES: u32 = 1;
-/// Free play in it.
-pub const FREE_PLAY: u32 = 1 << 1;
-/// A bushing in it.
-pub const BUSHING: u32 = 1 << 2;
-/// The oil column.
-pub const COLUMN: u32 = 1 << 3;
-/// Air in the oil column.
-pub const AIR: u32 = 1 << 4;
-/// Cavitation.
-pub const CAVITATION: u32 = 1 << 5;
-/// Position-dependent damping.
-pub const POSITION: u32 = 1 << 6;
-/// Temperature fade.
-pub const FADE: u32 = 1 << 7;
-/// The damper's own heat.
-pub const HEAT: u32 = 1 << 8;
-/// Frequency-selective damping.
-pub const SELECTIVE: u32 = 1 << 9;
-/// Valve hysteresis.
-pub const VALVE: u32 = 1 << 10;
-/// Flow beside the valves through a groove.
-pub const GROOVE: u32 = 1 << 11;
-/// Flow beside the valves through the passage of frequency-selective damping.
-pub const PASSAGE: u32 = 1 << 12;
-/// A length of the oil column that depends on the place.
-pub const LENGTH: u32 = 1 << 13;
-/// A part of the bushing that gives way slowly.
-pub const SLOW_BUSHING: u32 = 1 << 14;
-/// A valve with mass.
-pub const SPOOL: u32 = 1 << 15;
-/// Friction and gas on the internal mass.
-pub const WHOLE: u32 = 1 << 16;
-/// Whatever the model says.
-pub const ANY: u32 = u32::MAX;
+use super::Paths;
+use super::slots::place;
 
 /// Those that scale the FV curve slowly and do nothing else.
 const FACTORS: u32 = FADE | HEAT;
 
-/// The bits of an element set.
-pub(crate) fn of(e: &Elements) -> u32 {
-    let mut acting = 0;
-    for (bit, on) in [
-        (SERIES, e.has_series()),
-        (FREE_PLAY, e.has_free_play()),
-        (BUSHING, e.has_bushing()),
-        (SLOW_BUSHING, e.has_slow_bushing()),
-        (COLUMN, e.has_column()),
-        (AIR, e.has_aeration()),
-        (LENGTH, e.has_length()),
-        (CAVITATION, e.has_cavitation()),
-        (POSITION, e.has_position()),
-        (GROOVE, e.has_groove()),
-        (PASSAGE, e.has_passage()),
-        (FADE, e.has_fade()),
-        (HEAT, e.temperature_fade.heats_itself),
-        (SELECTIVE, e.has_frequency_selective()),
-        (VALVE, e.has_valve()),
-        (SPOOL, e.has_spool()),
-        (WHOLE, e.carries_whole()),
-    ] {
-        if on {
-            acting |= bit;
-        }
-    }
-    acting
-}
-
 /// Whether the elements of the paths bend the forces more sharply within a step than the plain damper does.
-pub(crate) fn is_sharp(e: &Elements) -> bool {
+pub(crate) fn is_sharp(e: &Paths) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
@@ -95,7 +31,7 @@ pub(crate) enum Bends {
 }
 
 /// How sharply those of an element set do.
-pub(crate) fn bends(e: &Elements) -> Bends {
+pub(crate) fn bends(e: &Paths) -> Bends {
     let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
     let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
     match acting {
@@ -114,7 +50,7 @@ pub(crate) fn bends(e: &Elements) -> Bends {
 
 /// Whether one acts in a stage that is compiled for those `ON`.
 #[inline(always)]
-pub fn acts<const ON: u32>(e: &Elements, bit: u32) -> bool {
+pub fn acts<const ON: u32>(e: &Paths, bit: u32) -> bool {
     if ON == ANY { e.acting() & bit != 0 } else { ON & bit != 0 }
 }
 

@@ -5,28 +5,14 @@
 //! Flows through parallel passages add, so a bypass takes more force where the FV curve is steep than where a blow-off valve
 //! holds it.
 
+use super::Paths;
 use super::acting::{GROOVE, PASSAGE, acts};
 use super::{STATES, place};
 use crate::dual::{Dual, Real};
-use crate::elements::Elements;
+use crate::elements::passage::{STATED, law};
 
 /// F_l of a groove, which is short, N.
 const LAMINAR: f64 = 20.0;
-/// Force at which the flows are stated, N.
-const STATED: f64 = 1000.0;
-
-/// 1/r(1 kN) of a passage.
-pub(crate) fn per_stated(laminar: f64) -> f64 {
-    libm::sqrt(libm::hypot(STATED, laminar)) / STATED
-}
-
-/// r(F).
-#[inline(always)]
-pub(crate) fn law<R: Real>(force: R, laminar: f64) -> R {
-    let root = (force * force).plus(laminar * laminar).sqrt().sqrt();
-    force * root.inverse()
-}
-
 /// r(F)/r(1 kN) of a groove.
 #[inline(always)]
 fn short<R: Real>(force: R) -> R {
@@ -34,13 +20,13 @@ fn short<R: Real>(force: R) -> R {
 }
 
 /// Whether oil flows past the valves.
-pub(crate) fn is_open(e: &Elements) -> bool {
+pub(crate) fn is_open(e: &Paths) -> bool {
     e.has_groove() || e.has_passage()
 }
 
 /// b at given states, m/s; 0 where nothing is open.
 #[inline(always)]
-pub fn flow<R: Real>(e: &Elements, force: R, x: R, states: &[R; STATES]) -> R {
+pub fn flow<R: Real>(e: &Paths, force: R, x: R, states: &[R; STATES]) -> R {
     let mut flow = R::constant(0.0);
     if e.has_groove() {
         flow = e.position_dependent_damping.groove(x, force.value() >= 0.0) * short(force);
@@ -70,7 +56,7 @@ impl Past {
 
     /// From the `known` states and the force that the stage tries, at displacement `x`.
     #[inline(always)]
-    pub fn stage<const ON: u32>(e: &Elements, force: f64, x: f64, known: f64, g: f64) -> Past {
+    pub fn stage<const ON: u32>(e: &Paths, force: f64, x: f64, known: f64, g: f64) -> Past {
         let force = Dual::<3>::along(force, 0);
         let mut flow = Dual::constant(0.0);
         let (mut state, mut state_by) = (known, [0.0, 1.0]);

@@ -1,10 +1,11 @@
 //! The hydraulic path: what the valves make of the oil's velocity, and what the oil makes of the piston's.
 
+use super::Paths;
+use super::STATES;
 use super::acting::{AIR, FADE, LENGTH, POSITION, SELECTIVE, VALVE, acts};
 use super::place;
-use super::{STATES, soft_gap::SoftGap};
 use crate::dual::{Dual, Real};
-use crate::elements::Elements;
+use crate::elements::soft_gap::SoftGap;
 use core::cell::Cell;
 
 /// What surrounds the path at one instant.
@@ -40,7 +41,7 @@ const LEAKAGE: f64 = 0.01;
 /// F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). What the FV curve has at standstill is no flow's: the
 /// force `standing` keeps its size.
 #[inline(always)]
-pub fn flow<R: Real>(e: &Elements, curve: R, standing: R, w: R, around: &Around<R>, states: &[R; STATES]) -> Flow<R> {
+pub fn flow<R: Real>(e: &Paths, curve: R, standing: R, w: R, around: &Around<R>, states: &[R; STATES]) -> Flow<R> {
     let mut above = curve - standing;
     if e.has_position() {
         above = above * e.position_dependent_damping.factor(around.x, above.value() >= 0.0);
@@ -76,7 +77,7 @@ pub(crate) struct Factors {
 
 impl Factors {
     #[inline(always)]
-    pub fn of<const ON: u32>(e: &Elements, x: f64, temperature: f64, rise: f64) -> Factors {
+    pub fn of<const ON: u32>(e: &Paths, x: f64, temperature: f64, rise: f64) -> Factors {
         let mut factors = Factors { strokes: [[1.0, 0.0]; 2], fade: [1.0, 0.0] };
         if acts::<ON>(e, POSITION) {
             let x = Dual::<1>::along(x, 0);
@@ -139,7 +140,7 @@ impl Valves {
     /// taken, `raised` by how much it raised the force when it was solved last; `leaks` where there is an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
-        e: &Elements,
+        e: &Paths,
         factors: &Factors,
         [curve, standing, w]: [f64; 3],
         known: &[f64; STATES],
@@ -201,7 +202,7 @@ impl Valves {
 
     /// What the force, where the valve stands and the state of frequency-selective damping become in a direction.
     #[inline(always)]
-    pub fn along<const ON: u32>(&self, e: &Elements, by: &Moves, leaks: bool) -> [f64; 3] {
+    pub fn along<const ON: u32>(&self, e: &Paths, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
         let mut force = factor * by.curve + (1.0 - factor) * by.standing;
         if acts::<ON>(e, POSITION) {
@@ -234,26 +235,26 @@ impl Valves {
 
 /// The oil column as air in line with oil, on the side of a force or deflection, and the oil's compliance.
 #[inline(always)]
-fn column(e: &Elements, side: f64) -> (SoftGap, f64) {
+fn column(e: &Paths, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
 /// q(F_h).
 #[inline(always)]
-pub fn deflection<R: Real>(e: &Elements, force: R) -> R {
+pub fn deflection<R: Real>(e: &Paths, force: R) -> R {
     let (air, compliance) = column(e, force.value());
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
 /// What the oil column has taken up of the piston's stroke under a force: its state.
-pub(crate) fn taken_up(e: &Elements, x: f64, force: f64) -> f64 {
+pub(crate) fn taken_up(e: &Paths, x: f64, force: f64) -> f64 {
     let q = deflection(e, force);
     if e.has_length() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
 /// F_h = φ_o(q) of a column that has taken up so much, and q.
 #[inline(always)]
-pub fn column_force<R: Real>(e: &Elements, x: R, taken_up: R) -> (R, R) {
+pub fn column_force<R: Real>(e: &Paths, x: R, taken_up: R) -> (R, R) {
     let q = if e.has_length() { e.oil_compressibility.deflection(x, taken_up) } else { taken_up };
     let (air, compliance) = column(e, q.value());
     (air.force(R::constant(1.0 / compliance), q).0, q)
@@ -261,7 +262,7 @@ pub fn column_force<R: Real>(e: &Elements, x: R, taken_up: R) -> (R, R) {
 
 /// What the column takes up by being moved with its pressure held.
 #[inline(always)]
-pub fn taken_up_by_place<R: Real>(e: &Elements, x: R, deflection: R) -> R {
+pub fn taken_up_by_place<R: Real>(e: &Paths, x: R, deflection: R) -> R {
     if e.has_length() { e.oil_compressibility.taken_up_by_place(x, deflection) } else { R::constant(0.0) }
 }
 
@@ -284,7 +285,7 @@ impl Column {
     /// Under a force, from what it is `known` to have taken up. The stage is that of ds/dt = u − w + v ∂s/∂x, whose last term
     /// is taken as s(x) − s(x − g v): s(x − g v) − S = g (u − w) then rises with the force wherever the damper stands.
     #[inline(always)]
-    pub fn stage<const ON: u32>(e: &Elements, force: f64, [x, v]: [f64; 2], known: f64, g: f64) -> Column {
+    pub fn stage<const ON: u32>(e: &Paths, force: f64, [x, v]: [f64; 2], known: f64, g: f64) -> Column {
         let (air, compliance) = column(e, force);
         let [q, per_force] = if acts::<ON>(e, AIR) {
             let q = air.deflection(compliance, Dual::<1>::along(force, 0));

@@ -15,166 +15,297 @@
 //! short formulas of [`crate::evaluate`] then do, and nothing here is called.
 
 pub mod acting;
+pub mod bits;
 pub mod bypass;
 pub mod hydraulic;
+pub mod list;
 pub mod series;
-pub mod soft_gap;
+pub mod slots;
 pub(crate) mod solve;
 
-use crate::elements::{Elements, MAX_MEMORY};
+use crate::element::Prepare;
+use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
-use crate::state::State;
-use crate::{element, number};
+use crate::parameter::groups::Place;
+use crate::preparing::{checked, placed};
+use bits::{
+    AIR, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
+    SLOW_BUSHING, SPOOL, VALVE, WHOLE,
+};
+use list::each_path_element;
+pub use slots::{STATES, Slots, place};
 
-/// Number of states that act on each other.
-pub const STATES: usize = 10;
-
-/// Places of the states among them.
-pub mod place {
-    /// Displacement of the internal mass.
-    pub const X: usize = 0;
-    /// Its velocity.
-    pub const U: usize = 1;
-    /// Deflection of the bushing's spring that gives way, z.
-    pub const BUSHING: usize = 2;
-    /// Of the one that does so slowly, y.
-    pub const SLOW_BUSHING: usize = 3;
-    /// What the oil column has taken up of the piston's stroke, s: its deflection q where its length does not matter.
-    pub const COLUMN: usize = 4;
-    /// The void that cavitation left, e.
-    pub const VOID: usize = 5;
-    /// Frequency-selective damping.
-    pub const SELECTIVE: usize = 6;
-    /// Opening of the valve, or the force at which it stands.
-    pub const VALVE: usize = 7;
-    /// Rate of that, in its own unit.
-    pub const VALVE_RATE: usize = 8;
-    /// Rise of the oil's temperature.
-    pub const HEAT: usize = 9;
-}
-
-/// Where the private states among them are kept in [`State::memory`]: one after the other, those of elements that are
-/// on only.
-#[derive(Clone, Copy, Debug)]
-pub struct Slots {
-    /// For each place its slot; [`NOWHERE`] where its element is off.
-    slots: [u8; STATES],
-    count: u8,
-}
-
-const NOWHERE: u8 = u8::MAX;
-
-impl Slots {
-    /// No private states.
-    pub const NONE: Slots = Slots { slots: [NOWHERE; STATES], count: 0 };
-
-    /// Gives each place that is `on` the next slot.
-    pub fn new(on: [bool; STATES]) -> Slots {
-        let mut slots = Slots::NONE;
-        for (slot, on) in slots.slots.iter_mut().zip(on) {
-            if on {
-                *slot = slots.count;
-                slots.count += 1;
-            }
+/// Expands the list into the prepared set.
+macro_rules! gathered {
+    (
+        primary { $primary:ident: $Primary:ty }
+        series { $series:ident: $Series:ty }
+        series_law { $($law:ident: $Law:ty,)* }
+        hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+    ) => {
+        /// The prepared elements in the way of the force.
+        #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
+        pub struct Paths {
+            on: u64,
+            /// The primary damper.
+            pub $primary: $Primary,
+            /// The series compliance.
+            pub $series: $Series,
+            $(pub(crate) $law: $Law,)*
+            $(pub(crate) $hydraulic: $Hydraulic,)*
+            /// Where the states are kept.
+            slots: Slots,
+            /// What acts in a stage.
+            acting: u32,
         }
-        slots
-    }
 
-    /// Number of private states.
-    #[inline(always)]
-    pub fn count(&self) -> usize {
-        self.count as usize
-    }
-
-    /// The slot of a place, if it has one.
-    #[inline(always)]
-    pub fn of(&self, place: usize) -> Option<usize> {
-        match self.slots.get(place) {
-            Some(&slot) if slot != NOWHERE && usize::from(slot) < MAX_MEMORY => Some(usize::from(slot)),
-            _ => None,
-        }
-    }
-
-    /// The states of the paths; 0 where there is none.
-    pub fn read(&self, state: &State) -> [f64; STATES] {
-        let mut states = [0.0; STATES];
-        for (place, value) in states.iter_mut().enumerate() {
-            *value = match place {
-                place::X => state.mass_displacement,
-                place::U => state.mass_velocity,
-                _ => self.of(place).and_then(|slot| state.memory.get(slot)).copied().unwrap_or(0.0),
+        impl Paths {
+            /// No element.
+            pub const OFF: Paths = Paths {
+                on: 0,
+                $primary: <$Primary>::OFF,
+                $series: <$Series>::OFF,
+                $($law: <$Law>::OFF,)*
+                $($hydraulic: <$Hydraulic>::OFF,)*
+                slots: Slots::NONE,
+                acting: 0,
             };
-        }
-        states
-    }
 
-    /// Puts the states of the paths where they are kept.
-    pub fn write(&self, states: &[f64; STATES], state: &mut State) {
-        for (place, value) in states.iter().enumerate() {
-            match place {
-                place::X => state.mass_displacement = *value,
-                place::U => state.mass_velocity = *value,
-                _ => {
-                    if let Some(to) = self.of(place).and_then(|slot| state.memory.get_mut(slot)) {
-                        *to = *value;
-                    }
+            /// Those beside the FV curve and a straight series spring: where one of them is on, the plain step does not do.
+            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
+            /// The series compliance.
+            pub(crate) const MASS: u64 = 1 << Place::$series as usize;
+
+            /// Whether the elements that are on can be prepared, one by one.
+            ///
+            /// # Errors
+            /// The parameter that does not fit.
+            pub(crate) fn check(params: &Params) -> Result<(), Fault> {
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        if params.elements() & (1 << Place::$name as usize) != 0 {
+                            checked::<$Type>(params, Place::$name as usize)?;
+                        }
+                    };
                 }
+                each!($primary, $Primary);
+                each!($series, $Series);
+                $(each!($law, $Law);)*
+                $(each!($hydraulic, $Hydraulic);)*
+                Ok(())
+            }
+
+            /// Whether what the elements that are on need of each other is there.
+            ///
+            /// # Errors
+            /// The element that lacks it.
+            pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
+                if params.elements() & Paths::MASS == 0 {
+                    $(if params.elements() & (1 << Place::$law as usize) != 0 {
+                        return Err(params.view::<$Law>(Place::$law as usize).fault_of_all(Reason::NeedsSeries));
+                    })*
+                }
+                Ok(())
+            }
+
+            /// Prepares the elements that are on, where they are kept, from a set that [`Paths::check`] accepted.
+            pub(crate) fn set(&mut self, params: &Params) {
+                let on = params.elements();
+                self.on = on;
+                macro_rules! each {
+                    ($name:ident) => {
+                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                    };
+                }
+                each!($primary);
+                each!($series);
+                $(each!($law);)*
+                $(each!($hydraulic);)*
+                self.acting = self.bits();
+                self.slots = self.laid_out();
+            }
+
+            #[inline(always)]
+            fn has(&self, place: Place) -> bool {
+                self.on & (1 << place as usize) != 0
             }
         }
+    };
+}
+
+each_path_element!(gathered);
+
+/// What they are asked for.
+impl Paths {
+    /// Whether the series compliance is on: without it the internal mass is the driven end.
+    #[inline(always)]
+    pub fn has_series(&self) -> bool {
+        self.on & Paths::MASS != 0
     }
 
-    /// Index among the states of [`crate::Partials`].
-    pub fn index(&self, place: usize) -> Option<usize> {
-        match place {
-            place::X | place::U => Some(place),
-            _ => self.of(place).map(|slot| slot + 2),
+    /// Whether friction and preload act on the internal mass, behind the series compliance.
+    #[inline(always)]
+    pub fn carries_whole(&self) -> bool {
+        self.has_series() && self.series_compliance.carries_whole
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_free_play(&self) -> bool {
+        self.has(Place::free_play)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_bushing(&self) -> bool {
+        self.has(Place::bushing)
+    }
+
+    /// Whether a part of the bushing gives way slowly.
+    #[inline(always)]
+    pub(crate) fn has_slow_bushing(&self) -> bool {
+        self.has_bushing() && self.bushing.slow_share > 0.0
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_cavitation(&self) -> bool {
+        self.has(Place::cavitation)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_position(&self) -> bool {
+        self.has(Place::position_dependent_damping) && !self.position_dependent_damping.is_groove
+    }
+
+    /// Whether position-dependent damping is a flow beside the valves.
+    #[inline(always)]
+    pub(crate) fn has_groove(&self) -> bool {
+        self.has(Place::position_dependent_damping) && self.position_dependent_damping.is_groove
+    }
+
+    /// Whether frequency-selective damping is a flow beside the valves.
+    #[inline(always)]
+    pub(crate) fn has_passage(&self) -> bool {
+        self.has(Place::frequency_selective_damping) && self.frequency_selective_damping.is_bypass
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_fade(&self) -> bool {
+        self.has(Place::temperature_fade)
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_frequency_selective(&self) -> bool {
+        self.has(Place::frequency_selective_damping) && !self.frequency_selective_damping.is_bypass
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_valve(&self) -> bool {
+        self.has(Place::valve_hysteresis)
+    }
+
+    /// Whether the valve has mass.
+    #[inline(always)]
+    pub(crate) fn has_spool(&self) -> bool {
+        self.has_valve() && self.valve_hysteresis.is_spool()
+    }
+
+    /// Whether there is an oil column that yields.
+    #[inline(always)]
+    pub(crate) fn has_column(&self) -> bool {
+        self.has(Place::oil_compressibility) || self.has(Place::aeration)
+    }
+
+    /// Whether the oil column is shorter at one end of the stroke than at the other.
+    #[inline(always)]
+    pub(crate) fn has_length(&self) -> bool {
+        self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_aeration(&self) -> bool {
+        self.has(Place::aeration)
+    }
+
+    /// What acts in a stage: bits of [`bits`].
+    #[inline(always)]
+    pub(crate) fn acting(&self) -> u32 {
+        self.acting
+    }
+
+    /// Where the states are kept.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> &Slots {
+        &self.slots
+    }
+}
+
+/// What they need of each other.
+impl Paths {
+    /// Gives one element what another one brings along: a late valve, the FV curve.
+    pub(crate) fn join(&mut self) {
+        if self.has_valve() {
+            self.valve_hysteresis.join(&self.fv_curve);
         }
     }
-}
 
-/// Number of private states of the elements in both paths that are on in a parameter set: as [`slots`] counts those of the
-/// prepared elements, before they are prepared.
-pub(crate) fn states_of(params: &Params) -> usize {
-    let on = |element| usize::from(params.is_on(element));
-    let with = |element, number, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.number(number)));
-    on(element!("bushing"))
-        + with(element!("bushing"), number!("bushing_slow_stiffness"), |share| share > 0.0)
-        + usize::from(params.is_on(element!("oil_compressibility")) || params.is_on(element!("aeration")))
-        + on(element!("cavitation"))
-        + on(element!("frequency_selective_damping"))
-        + on(element!("valve_hysteresis"))
-        + with(element!("valve_hysteresis"), number!("valve_form"), |form| form == 2.0)
-        + with(element!("temperature_fade"), number!("fade_source"), |source| source == 1.0)
-}
-
-/// Name and unit of the private state at a place, of the element set `e`.
-pub fn state_name(e: &Elements, place: usize) -> (&'static str, &'static str) {
-    match place {
-        place::X => ("internal_mass", "m"),
-        place::U => ("internal_mass_velocity", "m/s"),
-        place::BUSHING => ("bushing", "m"),
-        place::SLOW_BUSHING => ("bushing_slow", "m"),
-        place::COLUMN => ("oil_column", "m"),
-        place::VOID => ("cavitation_void", "m"),
-        place::SELECTIVE if e.frequency_selective_damping.holds_force() => ("frequency_selective_damping", "N"),
-        place::SELECTIVE => ("frequency_selective_damping", "-"),
-        place::VALVE if e.valve_hysteresis.holds_force() => ("valve_hysteresis", "N"),
-        place::VALVE => ("valve_hysteresis", "-"),
-        place::VALVE_RATE => ("valve_hysteresis_rate", "N"),
-        _ => ("oil_temperature_rise", "K"),
+    /// Those that are on, as bits.
+    fn bits(&self) -> u32 {
+        let mut acting = 0;
+        for (bit, on) in [
+            (SERIES, self.has_series()),
+            (FREE_PLAY, self.has_free_play()),
+            (BUSHING, self.has_bushing()),
+            (SLOW_BUSHING, self.has_slow_bushing()),
+            (COLUMN, self.has_column()),
+            (AIR, self.has_aeration()),
+            (LENGTH, self.has_length()),
+            (CAVITATION, self.has_cavitation()),
+            (POSITION, self.has_position()),
+            (GROOVE, self.has_groove()),
+            (PASSAGE, self.has_passage()),
+            (FADE, self.has_fade()),
+            (HEAT, self.temperature_fade.heats_itself),
+            (SELECTIVE, self.has_frequency_selective()),
+            (VALVE, self.has_valve()),
+            (SPOOL, self.has_spool()),
+            (WHOLE, self.carries_whole()),
+        ] {
+            if on {
+                acting |= bit;
+            }
+        }
+        acting
     }
-}
 
-/// Which states an element set has.
-pub(crate) fn slots(e: &Elements) -> Slots {
-    let mut on = [false; STATES];
-    on[place::BUSHING] = e.has_bushing();
-    on[place::SLOW_BUSHING] = e.has_slow_bushing();
-    on[place::COLUMN] = e.has_column();
-    on[place::VOID] = e.has_cavitation();
-    on[place::SELECTIVE] = e.has_frequency_selective() || e.has_passage();
-    on[place::VALVE] = e.has_valve();
-    on[place::VALVE_RATE] = e.has_spool();
-    on[place::HEAT] = e.temperature_fade.heats_itself;
-    Slots::new(on)
+    /// Where the states of those that are on are kept.
+    fn laid_out(&self) -> Slots {
+        let mut on = [false; STATES];
+        on[place::BUSHING] = self.has_bushing();
+        on[place::SLOW_BUSHING] = self.has_slow_bushing();
+        on[place::COLUMN] = self.has_column();
+        on[place::VOID] = self.has_cavitation();
+        on[place::SELECTIVE] = self.has_frequency_selective() || self.has_passage();
+        on[place::VALVE] = self.has_valve();
+        on[place::VALVE_RATE] = self.has_spool();
+        on[place::HEAT] = self.temperature_fade.heats_itself;
+        Slots::new(on)
+    }
+
+    /// Name and unit of the private state at a place.
+    pub fn state_name(&self, place: usize) -> (&'static str, &'static str) {
+        match place {
+            place::X => ("internal_mass", "m"),
+            place::U => ("internal_mass_velocity", "m/s"),
+            place::BUSHING => ("bushing", "m"),
+            place::SLOW_BUSHING => ("bushing_slow", "m"),
+            place::COLUMN => ("oil_column", "m"),
+            place::VOID => ("cavitation_void", "m"),
+            place::SELECTIVE if self.frequency_selective_damping.holds_force() => ("frequency_selective_damping", "N"),
+            place::SELECTIVE => ("frequency_selective_damping", "-"),
+            place::VALVE if self.valve_hysteresis.holds_force() => ("valve_hysteresis", "N"),
+            place::VALVE => ("valve_hysteresis", "-"),
+            place::VALVE_RATE => ("valve_hysteresis_rate", "N"),
+            _ => ("oil_temperature_rise", "K"),
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The one scalar equation of a stage or an instant: which velocity w of the oil answers R(w, F_d(w)) = 0.
 
+use super::Paths;
 use crate::curve::Value;
-use crate::elements::Elements;
 
 /// Most rounds; two are common. Past [`PATIENCE`] every other one halves what is left, so that the bracket has shrunk by 2^40
 /// when they end.
@@ -91,7 +91,7 @@ struct End {
 /// inside, so that a slope is never carried beyond the places where R was looked at.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
-    e: &Elements,
+    e: &Paths,
     guess: f64,
     least: [f64; 2],
     tolerance: f64,
@@ -150,7 +150,7 @@ pub fn oil_velocity<Q: Equation>(
 /// The middle of a bracket; while one end is open, twice as far out in every round.
 #[cold]
 #[inline(never)]
-fn between(e: &Elements, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
+fn between(e: &Paths, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
     match (low.w.is_finite(), high.w.is_finite()) {
         (true, true) => {
             let (middle, _) = e.fv_curve.solve::<STEPS>(a, 0.5 * (a * (low.w + high.w) + low.curve + high.curve));

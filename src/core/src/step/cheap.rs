@@ -22,7 +22,8 @@
 //! standstill or inside a jump of the curve, and a spring of a table has another slope past its next point. There the step is
 //! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
 
-use crate::elements::{Elements, Motion, Response};
+use crate::assembly::Elements;
+use crate::element::{Motion, Response};
 use crate::input::PathPoint;
 
 /// The mass before the step, and what the step is given.
@@ -100,7 +101,7 @@ impl Before {
 /// Moves the mass by one step to the driven end at `end`; `springs` are those on the mass at `springs_at`.
 #[inline(always)]
 pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint, springs_at: f64, springs: Response) -> After {
-    let e = &elements.series_compliance;
+    let e = &elements.paths.series_compliance;
     let h = before.h;
     let mut held = springs.force + springs.by_x * (before.x - springs_at);
     let mut spring_slope = h * springs.by_x;
@@ -111,11 +112,11 @@ pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint, spring
     }
     let inertia = e.mass + h * (e.damping + spring_slope + h * e.stiffness);
     let drive = e.stiffness * (end.x - before.x) + e.damping * end.v;
-    let offset = elements.fv_curve.at_zero();
+    let offset = elements.paths.fv_curve.at_zero();
     let impulse = e.mass * before.v + h * (drive - held - offset);
 
     let guess = before.v + before.gain;
-    let curve = elements.fv_curve.above_zero(guess);
+    let curve = elements.paths.fv_curve.above_zero(guess);
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.slope * speed <= level {

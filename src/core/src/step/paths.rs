@@ -13,14 +13,14 @@
 mod stage;
 
 use super::{Euler, MOST_STAGES, REACH, Rows, Second, Tableau};
-use crate::elements::Elements;
+use crate::assembly::Elements;
 use crate::input::Path;
 use crate::model::Model;
 use crate::paths::acting::{
     AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
     VALVE, acts, moves,
 };
-use crate::paths::{STATES, place};
+use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};
 use stage::PathsStage;
 pub use stage::Seed;
@@ -211,7 +211,7 @@ fn known_part<const ON: u32>(
 /// not lie there: a valve that is open two and a half times over takes more than all its force away, and the stage's
 /// equation then has no one answer.
 #[inline(always)]
-fn keep<const ON: u32>(e: &Elements, known: &mut [f64; STATES]) -> u32 {
+fn keep<const ON: u32>(e: &Paths, known: &mut [f64; STATES]) -> u32 {
     let mut kept = 0;
     let mut within = |place: usize, (low, high): (f64, f64)| {
         let at = known[place];
@@ -292,7 +292,7 @@ pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, fol
     /// Elements that are on alone.
     macro_rules! compiled {
         ($($on:expr,)*) => {
-            match drive.model.elements.acting() {
+            match drive.model.elements.paths.acting() {
                 $(on if on == $on => advance_on::<{ $on }>(drive, state, output, follow),)*
                 _ => advance_on::<ANY>(drive, state, output, follow),
             }
@@ -323,7 +323,7 @@ fn advance_on<const ON: u32>(
     follow: &mut impl EachStage,
 ) -> Through {
     let Drive { model, path, substeps, side, .. } = *drive;
-    let e = &model.elements;
+    let e = &model.elements.paths;
     let part = 1.0 / substeps as f64;
     let slots = e.slots();
     let states = slots.read(state);
@@ -332,7 +332,7 @@ fn advance_on<const ON: u32>(
     let mut now = Now { states, oil_velocity, driven: start, ..Now::START };
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        let substep = Substep { elements: e, path, theta, part, ends_step: left == 0, side };
+        let substep = Substep { elements: &model.elements, path, theta, part, ends_step: left == 0, side };
         now = substep.taken::<ON>(&drive.method, now, follow);
         theta += part;
     }
@@ -423,12 +423,12 @@ impl Substep<'_> {
     /// elements turn.
     #[inline(always)]
     fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl EachStage) -> Now {
-        let turns = acts::<ON>(self.elements, CAVITATION) && self.driven_turns(&from);
+        let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(&from);
         let ended = if turns { Ended::VoidClosed } else { self.run::<ON, true>(method, &from, follow) };
         match ended {
             Ended::At(end) => end,
             // Nothing else is compiled for it where there is no cavitation.
-            Ended::VoidClosed if acts::<ON>(self.elements, CAVITATION) => {
+            Ended::VoidClosed if acts::<ON>(&self.elements.paths, CAVITATION) => {
                 self.in_pieces::<ON>(&Table::of::<Euler>(), PIECES, from, follow)
             }
             // So rare that it is compiled once for all.
@@ -445,7 +445,7 @@ impl Substep<'_> {
         from: &Now,
         follow: &mut impl EachStage,
     ) -> Ended {
-        let e = self.elements;
+        let e = &self.elements.paths;
         let h = self.path.length() * self.part;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
@@ -469,7 +469,7 @@ impl Substep<'_> {
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
             let known = Known { index, last, row, g, since, valve_jumps, raised: now.raised, states: known, kept };
-            let mut stage = PathsStage::<ON>::solve(e, &known, point, self.side, guess);
+            let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
                 least = if balance.force < least { balance.force } else { least };

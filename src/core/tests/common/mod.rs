@@ -1,7 +1,7 @@
 //! What the property tests share: motions, an independent reference and random models.
 #![allow(dead_code)]
 
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Number, Shape, table};
 use dashpot_core::step::{Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
@@ -330,7 +330,7 @@ pub fn any_params() -> impl Strategy<Value = Params> {
 pub fn told(params: &Params) -> String {
     let mut text = String::new();
     for row in table() {
-        let group = dashpot_core::elements::GROUPS[row.group].name;
+        let group = dashpot_core::parameter::GROUPS[row.group].name;
         if Element::find(group).map_or(true, |element| params.is_on(element)) {
             text += &format!("{} {:?}; ", row.parameter.name, params.get(&row));
         }

@@ -1,6 +1,6 @@
 //! Random dampers at random instants.
 
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::{Input, Model, Params, State};
 use dashpot_core::{element, list};

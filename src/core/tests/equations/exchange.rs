@@ -3,7 +3,7 @@
 use crate::draw::Case;
 use crate::kernel::states;
 use crate::python;
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use std::fmt::Debug;
 

@@ -8,7 +8,7 @@ mod kernel;
 mod page;
 mod python;
 
-use dashpot_core::elements::names;
+use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use dashpot_test_support::Random;
 use dashpot_test_support::drawn;

@@ -1,7 +1,7 @@
 //! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`): which quantity of
 //! CarMaker goes to which variable. Its form is that of the vendor's templates; see `vi-crt-bridge/FACTS.md`.
 
-use super::Scales;
+use super::scales::Scales;
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use std::fmt::Write as _;

@@ -4,6 +4,7 @@ mod carmaker;
 mod description;
 mod kernel;
 mod page;
+mod scales;
 mod sources;
 mod units;
 mod variables;
@@ -11,8 +12,8 @@ mod veil;
 mod zip;
 
 pub use carmaker::{LONGEST, not_in_the_equilibrium, plug_info};
+pub use scales::Scales;
 pub use sources::Version;
-pub use variables::Scales;
 pub use zip::check_sum;
 
 use crate::runtimes;
@@ -81,32 +82,6 @@ pub fn corners(models: &[Params], four: bool) -> anyhow::Result<Vec<Params>> {
         ([front, rear], _) => Ok(vec![*front, *front, *rear, *rear]),
         ([_, _, _, _], _) => Ok(models.to_vec()),
         _ => bail!("give one model file, two (front, rear) or four (L1, R1, L2, R2)"),
-    }
-}
-
-impl Scales {
-    /// Scales as the user gives them. Where he does not, one damper counts extension and tension, a vehicle compression.
-    ///
-    /// # Errors
-    /// A scale that is 0 or no number, an offset that no damper has.
-    pub fn checked(
-        corners: usize,
-        motion: Option<f64>,
-        force: Option<f64>,
-        position_offset: f64,
-    ) -> anyhow::Result<Scales> {
-        let usual = if corners == 1 { 1.0 } else { -1.0 };
-        let scales =
-            Scales { motion: motion.unwrap_or(usual), force: force.unwrap_or(usual), position_offset, start: 0.0 };
-        if !(scales.position_offset.abs() <= 1.0) {
-            bail!("--position-offset is in m and lies between -1 and 1, not {}", scales.position_offset);
-        }
-        for (name, scale) in [("--motion-scale", scales.motion), ("--force-scale", scales.force)] {
-            if !scale.is_finite() || scale == 0.0 {
-                bail!("{name} must be finite and not 0");
-            }
-        }
-        Ok(scales)
     }
 }
 

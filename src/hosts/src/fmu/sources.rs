@@ -1,6 +1,7 @@
 //! The C sources of the FMU: those that ship with the command, and the tables of this model.
 
-use super::variables::{Scales, Variable};
+use super::scales::Scales;
+use super::variables::Variable;
 use std::fmt::Write as _;
 
 /// FMI 2.0 or 3.0.

@@ -3,7 +3,7 @@
 //! An importer that knows units converts by what is declared, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must say
 //! what the FMU takes after its scales; a metre declared where millimetres come in would be converted twice.
 
-use super::variables::Scales;
+use super::scales::Scales;
 
 /// A unit.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,5 +1,6 @@
 //! The variables of a damper FMU, in the order of their value references.
 
+use super::scales::Scales;
 use super::units::{HostUnits, Unit};
 use dashpot_core::parameter::{self, Parameter, Shape};
 use dashpot_core::{Input, Model, Params, step};
@@ -83,19 +84,6 @@ pub struct Variable {
     pub meaning: String,
     /// Of a state: what it is usually like.
     pub nominal: Option<f64>,
-}
-
-/// How host and damper count motion and force.
-#[derive(Clone, Copy)]
-pub struct Scales {
-    /// Damper extension per unit of the host's displacement.
-    pub motion: f64,
-    /// The host's force per N of tension.
-    pub force: f64,
-    /// The damper's extension, from the rig's zero, where the host's displacement is 0, m.
-    pub position_offset: f64,
-    /// The host's displacement where it sets none before it begins.
-    pub start: f64,
 }
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];

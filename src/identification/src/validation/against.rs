@@ -1,6 +1,5 @@
 //! The same tests with the models of the literature, each identified from the tests that the model was fitted to.
 
-use super::campaign::Validation;
 use super::compared::Compared;
 use super::deviation::Deviation;
 use crate::literature::Literature;
@@ -62,17 +61,8 @@ impl Against {
         Self::from_tests(model, meaning, tests)
     }
 
-    /// The model that is validated, in the same form.
-    pub fn validated(validation: &Validation) -> Against {
-        let test = |t: &super::campaign::TestValidation| AgainstTest {
-            name: t.name.clone(),
-            used_in_fit: t.used_in_fit,
-            errors: t.errors.model,
-        };
-        Self::from_tests("MODEL", "the model that is validated", validation.tests.iter().map(test).collect())
-    }
-
-    fn from_tests(model: &str, meaning: &str, tests: Vec<AgainstTest>) -> Against {
+    /// From errors test by test.
+    pub(super) fn from_tests(model: &str, meaning: &str, tests: Vec<AgainstTest>) -> Against {
         let summary = |used: bool| {
             let errors: Vec<Deviation> = tests.iter().filter(|t| t.used_in_fit == used).map(|t| t.errors).collect();
             (!errors.is_empty()).then(|| AgainstSummary { tests: errors.len(), errors: Deviation::mean(&errors) })

@@ -4,8 +4,8 @@
 //! equal weight inside its row, so that no densely sampled frequency dominates; the percent is taken of the largest
 //! measured force of the whole row.
 
-use super::TestValidation;
 use super::deviation::Errors;
+use super::of_test::TestValidation;
 use serde::Serialize;
 
 /// Tests whose peak velocity stays below this are friction tests and form a row of their own, m/s. The reference

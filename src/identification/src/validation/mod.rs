@@ -20,10 +20,12 @@ mod compared;
 pub mod deviation;
 pub mod hysteresis;
 pub mod matrix;
+mod of_test;
 
 pub use against::{Against, AgainstSummary, AgainstTest};
-pub use campaign::{PeakForce, Summary, TestValidation, Validation, validate};
+pub use campaign::{Summary, Validation, validate};
 pub use compared::{Compared, ValidationError};
 pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};
 pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};
+pub use of_test::{PeakForce, TestValidation};

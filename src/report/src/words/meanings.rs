@@ -810,8 +810,8 @@ const MEANINGS: &[Meaning] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::elements::GROUPS;
     use dashpot_core::parameter;
+    use dashpot_core::parameter::GROUPS;
     use std::collections::BTreeSet;
 
     #[test]

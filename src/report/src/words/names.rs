@@ -717,8 +717,8 @@ const NAMES: &[Named] = &[
 mod tests {
     use super::super::{DE, EN, FR, TERMINAL, ZH};
     use super::*;
-    use dashpot_core::elements::GROUPS;
     use dashpot_core::parameter;
+    use dashpot_core::parameter::GROUPS;
     use dashpot_diagnosis::EFFECTS;
     use std::collections::BTreeSet;
 

@@ -4,10 +4,14 @@
 //! friction and a constant gas preload act beside all that. With nothing hidden, a model of the thesis's kind can follow it
 //! up to the form of its curves; whatever is hidden is what such a model lacks.
 
+mod hidden;
+mod instant;
 mod motion;
 mod valve_law;
 
-pub(crate) use motion::{Here, Line, OWN, Rest, System};
+pub(crate) use hidden::Hidden;
+pub(crate) use instant::{Here, Line, Rest};
+pub(crate) use motion::{OWN, System};
 pub(crate) use valve_law::ValveLaw;
 
 use crate::draw::Draw;

@@ -7,7 +7,8 @@
 use std::cell::RefCell;
 
 use super::Neutral;
-use crate::hidden::Hidden;
+use super::hidden::Hidden;
+use super::instant::{Here, Line, Rest};
 use crate::solver::Tolerance;
 
 /// Stiffness of the oil column of the neutral damper, N/m.
@@ -18,46 +19,6 @@ const VELOCITY: usize = 1;
 const OIL_FORCE: usize = 2;
 /// Number of the neutral damper's own states.
 pub(crate) const OWN: usize = 3;
-
-/// What the rig imposes at one instant.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Line {
-    /// Extension of the driven end from mid-stroke (m), its rate and acceleration.
-    pub displacement_m: f64,
-    pub velocity_m_s: f64,
-    pub acceleration_m_s2: f64,
-    pub side_force_n: f64,
-    /// Campaign clock, s.
-    pub clock_s: f64,
-    /// Peak velocity of the test, m/s.
-    pub peak_velocity_m_s: f64,
-    /// Temperature of the oil, °C.
-    pub oil_c: f64,
-}
-
-/// What a hidden effect can see at one instant.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Here {
-    pub line: Line,
-    /// Position of the mass (m) and its velocity (m/s).
-    pub position_m: f64,
-    pub velocity_m_s: f64,
-    /// Deflection of the series spring (m) and its rate.
-    pub deflection_m: f64,
-    pub deflection_m_s: f64,
-    /// Force of the oil, N.
-    pub oil_n: f64,
-    /// Force on the rod at the driven end, N; known to rates and sensors, zero before.
-    pub rod_n: f64,
-}
-
-/// The damper at rest before a test.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Rest {
-    pub displacement_m: f64,
-    /// Force on the rod of the neutral damper, N.
-    pub rod_n: f64,
-}
 
 /// The damper and what is hidden in it, as a system of `N` states.
 pub(crate) struct System<'a, const N: usize> {

@@ -3,11 +3,11 @@
 mod conductance;
 
 use crate::dual::{Dual, Real};
+use crate::element::Prepare;
 use crate::elements::fv_curve::FvCurve;
-use crate::elements::{Describe, Prepare};
 use crate::fault::Fault;
-use crate::parameter::own::own;
-use crate::parameter::{Parameter, View};
+use crate::schema::own::own;
+use crate::schema::{Describe, Parameter, View};
 use conductance::Conductance;
 use core::cell::Cell;
 

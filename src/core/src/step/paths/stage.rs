@@ -1,8 +1,10 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
 use super::{Balance, Carried, Known, REACH, StageSlopes};
+use crate::assembly::Elements;
 use crate::dual::Dual;
-use crate::elements::{Elements, Motion, Relaxed, Response};
+use crate::element::{Motion, Response};
+use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
 use crate::paths::acting::{
     BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL, acts,
@@ -11,7 +13,7 @@ use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Residual, oil_velocity};
-use crate::paths::{STATES, place};
+use crate::paths::{Paths, STATES, place};
 use core::cell::Cell;
 
 /// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
@@ -21,7 +23,7 @@ const TOLERANCE: f64 = 1e-5;
 /// ([`crate::paths::acting`]).
 #[derive(Clone, Copy, Debug)]
 pub struct PathsStage<'a, const ON: u32> {
-    elements: &'a Elements,
+    paths: &'a Paths,
     /// Place of the stage in its substep.
     pub index: usize,
     /// Whether it ends the substep.
@@ -134,12 +136,13 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         side: (f64, f64),
         guess: f64,
     ) -> PathsStage<'a, ON> {
-        let e = elements;
+        let e = &elements.paths;
         let (g, states) = (known.g, known.states);
         let factors = Factors::of::<ON>(e, path.x, side.1, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
         let given = Given {
+            elements,
             path,
             side,
             states,
@@ -165,7 +168,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         at.go::<ON>(e, g, step, curve.slope);
         let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
         PathsStage {
-            elements,
+            paths: e,
             index: known.index,
             last: known.last,
             row: known.row,
@@ -189,7 +192,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
     /// States and forces after the stage.
     #[inline(always)]
     pub(super) fn balance(&self) -> Balance {
-        let (e, at, g) = (self.elements, &self.at, self.g);
+        let (e, at, g) = (self.paths, &self.at, self.g);
         let mut states = self.known;
         let primary = at.valves.force;
         states[place::X] = at.x;
@@ -225,7 +228,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
     /// The derivatives of the stage in one direction.
     #[inline(always)]
     pub fn along(&self, seed: &Seed) -> Derivative {
-        let (e, at, g) = (self.elements, &self.at, self.g);
+        let (e, at, g) = (self.paths, &self.at, self.g);
         let (known, has_series) = (&seed.known, acts::<ON>(e, SERIES));
         let leaks = acts::<ON>(e, COLUMN);
         let per_g = 1.0 / g;
@@ -347,7 +350,8 @@ impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
 }
 
 /// What a stage is given.
-struct Given {
+struct Given<'a> {
+    elements: &'a Elements,
     path: PathPoint,
     /// Side force and temperature.
     side: (f64, f64),
@@ -361,7 +365,7 @@ struct Given {
 }
 
 /// The equation of a stage.
-struct Stage<'a, const ON: u32>(&'a Elements, &'a Given);
+struct Stage<'a, const ON: u32>(&'a Paths, &'a Given<'a>);
 
 impl<const ON: u32> Equation for Stage<'_, ON> {
     type Seen = Look;
@@ -385,7 +389,7 @@ fn springs(e: &Elements, x: f64, u: f64, driven: f64, (side_force, temperature):
 impl Look {
     /// Goes straight on by a step of w.
     #[inline(always)]
-    fn go<const ON: u32>(&mut self, e: &Elements, g: f64, step: f64, slope: f64) {
+    fn go<const ON: u32>(&mut self, e: &Paths, g: f64, step: f64, slope: f64) {
         let moves = Moves { curve: slope * step, w: step, ..Moves::NONE };
         let [force, valve, selective] = self.valves.along::<ON>(e, &moves, acts::<ON>(e, COLUMN));
         self.valves.force += force;
@@ -412,8 +416,8 @@ impl Look {
     }
 
     #[inline(always)]
-    fn new<const ON: u32>(e: &Elements, given: &Given, w: f64, curve: f64) -> Look {
-        let Given { path, side, states: known, g, since, raised, per_g, standing, factors } = given;
+    fn new<const ON: u32>(e: &Paths, given: &Given, w: f64, curve: f64) -> Look {
+        let Given { elements, path, side, states: known, g, since, raised, per_g, standing, factors } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
@@ -456,7 +460,7 @@ impl Look {
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
             law = series::sloped::<ON>(e, path.x - x, rate, relaxing);
-            at = springs(e, x, u, path.x, side);
+            at = springs(elements, x, u, path.x, side);
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
@@ -476,7 +480,7 @@ impl Look {
                 by_curve: u_by_force * valves.by_curve,
             };
             (x, u) = (path.x, path.v);
-            (law, at, resists) = (series::Sloped::NONE, springs(e, x, u, x, side), 1.0);
+            (law, at, resists) = (series::Sloped::NONE, springs(elements, x, u, x, side), 1.0);
         }
         Look {
             residual,

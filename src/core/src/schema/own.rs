@@ -2,17 +2,15 @@
 
 use core::marker::PhantomData;
 
-use crate::elements::{Describe, GROUPS};
 use crate::fault::{Fault, Reason};
-use crate::parameter::id::{Kind, Many, OTHER_KIND, One, same};
-use crate::parameter::{Parameter, Params, Row};
+use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
+use crate::schema::{Describe, Parameter};
 
 /// A row that the element `E` brings, looked up among its rows when the code is compiled: a row of another element, or a list
 /// where a number is meant, does not compile.
 ///
 /// ```
-/// # use dashpot_core::elements::Describe;
-/// # use dashpot_core::parameter::{Own, Parameter, id::One};
+/// # use dashpot_core::schema::{Describe, Own, Parameter, kind::One};
 /// struct Rope;
 ///
 /// impl Describe for Rope {
@@ -25,8 +23,7 @@ use crate::parameter::{Parameter, Params, Row};
 /// ```
 ///
 /// ```compile_fail,E0080
-/// # use dashpot_core::elements::Describe;
-/// # use dashpot_core::parameter::{Own, Parameter, id::One};
+/// # use dashpot_core::schema::{Describe, Own, Parameter, kind::One};
 /// # struct Rope;
 /// # impl Describe for Rope {
 /// #     const MEANING: &'static str = "a rope";
@@ -37,8 +34,7 @@ use crate::parameter::{Parameter, Params, Row};
 /// ```
 ///
 /// ```compile_fail,E0080
-/// # use dashpot_core::elements::Describe;
-/// # use dashpot_core::parameter::{Own, Parameter, id::Many};
+/// # use dashpot_core::schema::{Describe, Own, Parameter, kind::Many};
 /// # struct Rope;
 /// # impl Describe for Rope {
 /// #     const MEANING: &'static str = "a rope";
@@ -83,50 +79,47 @@ impl<E: Describe, K: Kind> Own<E, K> {
 /// The row of that name of the element whose [`View`] is asked.
 macro_rules! own {
     ($name:literal) => {
-        const { $crate::parameter::Own::named($name) }
+        const { $crate::schema::Own::named($name) }
     };
 }
 pub(crate) use own;
 
 /// What an element sees of a parameter set when it prepares itself: its own rows.
 pub struct View<'a, E> {
-    params: &'a Params,
-    group: usize,
-    /// Places of its first row and of that row's first value.
-    first: (usize, usize),
+    /// Place of its first row in the table: what a fault names.
+    first: usize,
+    /// How many values each of its rows has.
+    lengths: &'a [u32],
+    /// The values, each row beginning where its room does.
+    values: &'a [f64],
     owner: PhantomData<fn() -> E>,
 }
 
 impl<'a, E: Describe> View<'a, E> {
-    /// The rows of group `group`, which are those of `E`.
-    pub fn new(params: &'a Params, group: usize) -> View<'a, E> {
-        let before = GROUPS.iter().take(group).flat_map(|group| group.parameters);
-        let first = before.fold((0, 0), |(index, slot), row| (index + 1, slot + row.slots()));
-        View { params, group, first, owner: PhantomData }
-    }
-
-    fn row<K>(&self, own: Own<E, K>) -> Row {
-        let (index, slot) = self.first;
-        Row { index: index + own.local, group: self.group, slot: slot + own.slot, parameter: own.parameter }
+    /// The rows of `E`, of which the first stands at `first` in the table.
+    pub(crate) fn new(first: usize, lengths: &'a [u32], values: &'a [f64]) -> View<'a, E> {
+        View { first, lengths, values, owner: PhantomData }
     }
 
     /// The number in a row of the element.
     pub fn number(&self, own: Own<E, One>) -> f64 {
-        self.params.get(&self.row(own)).first().copied().unwrap_or(0.0)
+        self.values.get(own.slot).copied().unwrap_or(0.0)
     }
 
     /// The list in a row of the element.
     pub fn list(&self, own: Own<E, Many>) -> &'a [f64] {
-        self.params.get(&self.row(own))
+        let length = self.lengths.get(own.local).map_or(0, |l| *l as usize);
+        let tail = self.values.get(own.slot..).unwrap_or(&[]);
+        tail.get(..length.min(own.parameter.slots())).unwrap_or(&[])
     }
 
     /// A fault that names a row of the element.
     pub fn fault<K>(&self, own: Own<E, K>, reason: Reason) -> Fault {
-        self.row(own).fault(reason)
+        Fault { parameter: (self.first + own.local) as u16, reason }
     }
 
     /// A fault that names the element by its first row.
     pub fn fault_of_all(&self, reason: Reason) -> Fault {
-        Fault { parameter: self.first.0 as u16, reason }
+        Fault { parameter: self.first as u16, reason }
     }
 }

@@ -1,0 +1,16 @@
+//! Files written through the guards of the command's outputs.
+
+use anyhow::Context as _;
+use dashpot_output::Kind;
+use std::path::Path;
+
+/// Refuses a place where something else would be lost.
+pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
+    dashpot_output::check_kinds([(Some(path), kind)])
+}
+
+/// Writes a file of a kind.
+pub fn write(path: &Path, kind: Kind, bytes: &[u8]) -> anyhow::Result<()> {
+    checked(path, kind)?;
+    dashpot_output::replace_file(path, bytes).with_context(|| format!("cannot write {}", path.display()))
+}

@@ -1,0 +1,337 @@
+//! The elements of one model put together: prepared, and summed where they act.
+
+use crate::element::{Force, Memory, Motion, Prepare, Response};
+use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::list::each_element;
+use crate::parameter::Params;
+use crate::parameter::groups::Place;
+use crate::paths::Paths;
+use crate::paths::slots::states_of;
+use crate::preparing::{checked, placed};
+use crate::state::{MAX_MEMORY, Output};
+
+/// What acts between the ends or, where the series compliance carries the whole, on the mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outer {
+    /// Friction without memory.
+    pub friction: Response,
+    /// Position forces without memory.
+    pub preload: Response,
+}
+
+impl Outer {
+    /// Nothing.
+    pub const NONE: Outer = Outer { friction: Response::NONE, preload: Response::NONE };
+}
+
+/// Beside the bits of the elements: friction and preload act on the mass.
+const CARRIES_WHOLE: u64 = 1 << 63;
+
+/// Expands the list of elements into their prepared set and the sums the equations need.
+macro_rules! assembled {
+    (
+        primary { $primary:ident: $Primary:ty }
+        series { $series:ident: $Series:ty }
+        series_law { $($law:ident: $Law:ty,)* }
+        hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        inner { $($inner:ident: $Inner:ty,)* }
+        friction { $($friction:ident: $Friction:ty,)* }
+        preload { $($preload:ident: $Preload:ty,)* }
+        memory { $($memory:ident: $Memory:ty,)* }
+        stops { $($stop:ident: $Stop:ty,)* }
+        default { $($default:ident,)* }
+        settings { $settings:ident: $Settings:ty }
+    ) => {
+        /// The prepared elements of one model.
+        #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
+        pub struct Elements {
+            on: u64,
+            /// Those in the way of the force, which act on each other.
+            pub paths: Paths,
+            $($inner: $Inner,)*
+            $($friction: $Friction,)*
+            $($preload: $Preload,)*
+            $($memory: $Memory,)*
+            $($stop: $Stop,)*
+        }
+
+        impl Elements {
+            /// No element.
+            pub const OFF: Elements = Elements {
+                on: 0,
+                paths: Paths::OFF,
+                $($inner: <$Inner>::OFF,)*
+                $($friction: <$Friction>::OFF,)*
+                $($preload: <$Preload>::OFF,)*
+                $($memory: <$Memory>::OFF,)*
+                $($stop: <$Stop>::OFF,)*
+            };
+
+            /// Whether the elements that are on can be prepared, one by one and together.
+            ///
+            /// # Errors
+            /// The parameter that does not fit.
+            pub fn check(params: &Params) -> Result<(), Fault> {
+                let on = |place: Place| params.elements() & (1 << place as usize) != 0;
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        if on(Place::$name) {
+                            checked::<$Type>(params, Place::$name as usize)?;
+                        }
+                    };
+                }
+                Paths::check(params)?;
+                $(each!($inner, $Inner);)*
+                $(each!($friction, $Friction);)*
+                $(each!($preload, $Preload);)*
+                $(each!($memory, $Memory);)*
+                $(each!($stop, $Stop);)*
+                Paths::check_together(params)?;
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                let beside = (params.elements() & MEMORY).count_ones() as usize;
+                if states_of(params) + beside > MAX_MEMORY {
+                    return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
+                }
+                Ok(())
+            }
+
+            /// Largest slope of the elements on the internal mass over the displacements `places`.
+            ///
+            /// # Errors
+            /// The parameter that does not fit.
+            #[inline(never)]
+            pub fn steepest_inner(params: &Params, places: impl Iterator<Item = f64>) -> Result<f64, Fault> {
+                $(
+                    let mut $inner = <$Inner>::OFF;
+                    if params.elements() & (1 << Place::$inner as usize) != 0 {
+                        $inner.set(&params.view(Place::$inner as usize))?;
+                    }
+                )*
+                let mut steepest = 0.0;
+                for displacement in places {
+                    let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
+                    let slope = 0.0 $(+ $inner.force(&at).by_x)*;
+                    steepest = if slope > steepest { slope } else { steepest };
+                }
+                Ok(steepest)
+            }
+
+            /// Prepares the elements that are on, where they are kept, from a set that [`Elements::check`] accepted.
+            pub fn set(&mut self, params: &Params) {
+                let on = params.elements();
+                self.on = on;
+                macro_rules! each {
+                    ($name:ident) => {
+                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                    };
+                }
+                self.paths.set(params);
+                $(each!($inner);)*
+                $(each!($friction);)*
+                $(each!($preload);)*
+                $(each!($memory);)*
+                $(each!($stop);)*
+                if self.paths.carries_whole() {
+                    self.on |= CARRIES_WHOLE;
+                }
+            }
+
+            #[inline(always)]
+            fn has(&self, place: Place) -> bool {
+                self.on & (1 << place as usize) != 0
+            }
+
+            /// Whether the series compliance is on: without it the internal mass is the driven end.
+            #[inline(always)]
+            pub fn has_series(&self) -> bool {
+                self.paths.has_series()
+            }
+
+            /// Whether friction and preload act on the internal mass, behind the series compliance.
+            #[inline(always)]
+            pub fn carries_whole(&self) -> bool {
+                self.on & CARRIES_WHOLE != 0
+            }
+
+            /// Sum of all that acts on the internal mass beside the FV curve, wherever it belongs.
+            #[inline(always)]
+            pub fn on_the_mass(&self, at: &Motion) -> Response {
+                let mut sum = self.inner(at);
+                if self.carries_whole() {
+                    let behind = self.behind(at);
+                    sum.add(behind.friction);
+                    sum.add(behind.preload);
+                }
+                sum
+            }
+
+            /// Friction and preload of a damper whose series compliance carries the whole, out of the way of all others.
+            #[inline(never)]
+            pub fn behind(&self, at: &Motion) -> Outer {
+                Outer { friction: self.friction(at), preload: self.preload(at) }
+            }
+
+            /// Friction and preload beside the whole damper: nothing where they act on the mass.
+            #[inline(always)]
+            pub fn beside(&self, at: &Motion) -> Outer {
+                if self.carries_whole() {
+                    return Outer::NONE;
+                }
+                Outer { friction: self.friction(at), preload: self.preload(at) }
+            }
+
+            /// Sum of the elements that always act on the internal mass.
+            #[inline(always)]
+            pub fn inner(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$inner) { sum.add(self.$inner.force(at)); })*
+                sum
+            }
+
+            /// Whether one of them bends so sharply that no straight line holds for a stage.
+            #[inline(always)]
+            pub fn bends(&self) -> bool {
+                false $(|| self.has(Place::$inner) && self.$inner.bends())*
+            }
+
+            /// As [`Elements::inner`] where all of them answer at once.
+            #[inline(always)]
+            pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$inner) { sum.add(self.$inner.at_once(at)?); })*
+                Some(sum)
+            }
+
+            /// Sum of the friction elements beside the whole damper.
+            #[inline(always)]
+            pub fn friction(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$friction) { sum.add(self.$friction.force(at)); })*
+                sum
+            }
+
+            /// As [`Elements::friction`] where all of them answer at once.
+            #[inline(always)]
+            pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$friction) { sum.add(self.$friction.at_once(at)?); })*
+                Some(sum)
+            }
+
+            /// Sum of the position forces beside the whole damper.
+            #[inline(always)]
+            pub fn preload(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$preload) { sum.add(self.$preload.force(at)); })*
+                sum
+            }
+
+            /// As [`Elements::preload`] where all of them answer at once.
+            #[inline(always)]
+            pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$preload) { sum.add(self.$preload.at_once(at)?); })*
+                Some(sum)
+            }
+
+            /// Sum of the stops at the ends of the stroke.
+            pub fn stops(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
+                sum
+            }
+
+            /// Names and units of the private states of the elements beside the damper, in their order.
+            pub fn each_memory_name(&self, mut visit: impl FnMut(&'static str)) {
+                $(if self.has(Place::$memory) {
+                    visit(stringify!($memory));
+                })*
+            }
+
+            /// Which of them are on, as bits in their order.
+            pub(crate) fn memory_bits(&self) -> u64 {
+                let (mut bits, mut next) = (0, 1);
+                $(if self.has(Place::$memory) {
+                    bits |= next;
+                }
+                next <<= 1;)*
+                let _ = next;
+                bits
+            }
+
+            /// Number of private states.
+            pub fn memories(&self) -> usize {
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
+            }
+
+            /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
+            #[inline(always)]
+            pub fn has_paths(&self) -> bool {
+                const PATHS: u64 = CARRIES_WHOLE | Paths::COUPLED;
+                self.on & PATHS != 0
+            }
+
+            /// Whether an element is on that most dampers do not have: one beside the damper with a private state, a stop,
+            /// or one of the coupled paths.
+            #[inline(always)]
+            pub fn has_extras(&self) -> bool {
+                const EXTRAS: u64 = CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & EXTRAS != 0
+            }
+
+            /// Whether an element beside the damper is on that has a private state or is a stop.
+            #[inline(always)]
+            pub fn has_beside(&self) -> bool {
+                const BESIDE: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & BESIDE != 0
+            }
+
+            /// Whether the internal mass is there and nothing that its plain step does not know.
+            #[inline(always)]
+            pub fn is_plain_mass(&self) -> bool {
+                const MASS: u64 = 1 << Place::$series as usize;
+                const REST: u64 = MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & REST == MASS
+            }
+
+            /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
+            #[inline(always)]
+            pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {
+                let mut place = self.paths.slots().count();
+                $(if self.has(Place::$memory) {
+                    visit(place, &self.$memory);
+                    place += 1;
+                })*
+                debug_assert!(place <= MAX_MEMORY);
+            }
+        }
+    };
+}
+
+each_element!(assembled);
+
+impl Elements {
+    /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where they
+    /// belong.
+    #[inline(always)]
+    pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion) {
+        if self.carries_whole() {
+            let Outer { friction, preload } = self.behind(mass);
+            output.friction_force = friction.force;
+            output.gas_force = preload.force;
+            output.spring_force -= friction.force + preload.force;
+        }
+    }
+}
+
+impl Elements {
+    /// Gives one element what another one brings along: the internal mass, a mass inside.
+    pub(crate) fn join(&mut self) {
+        self.paths.join();
+        if self.has_series() {
+            self.moving_mass.join(&mut self.paths.series_compliance.mass);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! The groups of the table: the rows of each element, and where it acts.
+
+use crate::list::each_element;
+use crate::schema::{Describe, Group};
+
+/// Where an element acts: the blocks of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Acts {
+    /// The FV curve.
+    Primary,
+    /// The series compliance.
+    Series,
+    /// In the law of the series compliance.
+    SeriesLaw,
+    /// Between the internal mass and the FV curve.
+    Hydraulic,
+    /// On the internal mass.
+    Inner,
+    /// Beside the damper: friction.
+    Friction,
+    /// Beside the damper: position.
+    Preload,
+    /// Beside the damper, with a private state.
+    Memory,
+    /// Beside the damper, at the ends of the stroke.
+    Stop,
+    /// Nowhere: the settings.
+    Nowhere,
+}
+
+/// Expands the list of elements into the groups of the table.
+macro_rules! groups {
+    (
+        primary { $primary:ident: $Primary:ty }
+        series { $series:ident: $Series:ty }
+        series_law { $($law:ident: $Law:ty,)* }
+        hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        inner { $($inner:ident: $Inner:ty,)* }
+        friction { $($friction:ident: $Friction:ty,)* }
+        preload { $($preload:ident: $Preload:ty,)* }
+        memory { $($memory:ident: $Memory:ty,)* }
+        stops { $($stop:ident: $Stop:ty,)* }
+        default { $($default:ident,)* }
+        settings { $settings:ident: $Settings:ty }
+    ) => {
+        /// Places of the elements in the table's groups.
+        #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
+        #[derive(Clone, Copy)]
+        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
+
+        /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
+        pub const GROUPS: &[Group] = &[
+            Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
+            Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
+            $(Group { name: stringify!($law), meaning: <$Law>::MEANING, parameters: <$Law>::PARAMETERS },)*
+            $(Group {
+                name: stringify!($hydraulic),
+                meaning: <$Hydraulic>::MEANING,
+                parameters: <$Hydraulic>::PARAMETERS,
+            },)*
+            $(Group { name: stringify!($inner), meaning: <$Inner>::MEANING, parameters: <$Inner>::PARAMETERS },)*
+            $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
+            $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
+            $(Group { name: stringify!($memory), meaning: <$Memory>::MEANING, parameters: <$Memory>::PARAMETERS },)*
+            $(Group { name: stringify!($stop), meaning: <$Stop>::MEANING, parameters: <$Stop>::PARAMETERS },)*
+            Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
+        ];
+
+        /// Where the element of a group acts.
+        pub fn acts(group: usize) -> Acts {
+            const fn acts(place: Acts, _: Place) -> Acts {
+                place
+            }
+            const ACTS: &[Acts] = &[
+                Acts::Primary,
+                Acts::Series,
+                $(acts(Acts::SeriesLaw, Place::$law),)*
+                $(acts(Acts::Hydraulic, Place::$hydraulic),)*
+                $(acts(Acts::Inner, Place::$inner),)*
+                $(acts(Acts::Friction, Place::$friction),)*
+                $(acts(Acts::Preload, Place::$preload),)*
+                $(acts(Acts::Memory, Place::$memory),)*
+                $(acts(Acts::Stop, Place::$stop),)*
+            ];
+            ACTS.get(group).copied().unwrap_or(Acts::Nowhere)
+        }
+
+        /// Number of elements: the groups without the settings.
+        pub const ELEMENTS: usize = Place::$settings as usize;
+
+        /// Elements of the default model.
+        pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
+    };
+}
+
+each_element!(groups);
+
+/// The names of all elements, in the order of the list.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    GROUPS.iter().take(ELEMENTS).map(|group| group.name)
+}

@@ -1,0 +1,20 @@
+//! Elements made ready from a parameter set, one like the other.
+
+use crate::element::Prepare;
+use crate::fault::Fault;
+use crate::parameter::Params;
+
+/// Whether an element can be prepared. Not inlined: each takes its room on the stack and gives it back.
+#[inline(never)]
+pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), Fault> {
+    let mut probe = E::OFF;
+    probe.set(&params.view(place))
+}
+
+/// Prepares an element that [`checked`] accepted.
+#[inline(never)]
+pub(crate) fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, place: usize) {
+    if !on || element.set(&params.view(place)).is_err() {
+        element.clear();
+    }
+}

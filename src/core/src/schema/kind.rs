@@ -1,0 +1,42 @@
+//! Whether a row holds a number or a list, as a type.
+
+/// What kind of row an id stands for.
+pub trait Kind: Copy + 'static {
+    /// Whether it holds a list.
+    const IS_LIST: bool;
+}
+
+/// Rows that hold one number, or the number of a choice.
+#[derive(Clone, Copy, Debug)]
+pub struct One;
+
+/// Rows that hold a list of numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Many;
+
+impl Kind for One {
+    const IS_LIST: bool = false;
+}
+
+impl Kind for Many {
+    const IS_LIST: bool = true;
+}
+
+/// What the compiler says of a row that holds something else.
+pub(crate) const OTHER_KIND: &str = "this parameter is a list where a number is meant, or the reverse";
+
+/// Whether two names are the same, where `==` cannot be asked yet: in constants.
+pub(crate) const fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    if a.len() != b.len() {
+        return false;
+    }
+    let mut i = 0;
+    while i < a.len() {
+        if a[i] != b[i] {
+            return false;
+        }
+        i += 1;
+    }
+    true
+}

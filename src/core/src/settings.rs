@@ -1,0 +1,25 @@
+//! The settings of the step, as rows of the table; [`crate::integration::Integration`] is what becomes of them.
+
+use crate::schema::{Describe, Parameter};
+
+/// The last group of the table.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings;
+
+impl Describe for Settings {
+    const MEANING: &'static str = "settings of the fixed-step integration";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter::choice(
+            "method",
+            &["automatic", "second_order", "euler", "third_order", "fourth_order", "three_stage"],
+            "method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth",
+        ),
+        Parameter::scalar(
+            "substeps",
+            "-",
+            &[0.0],
+            (0.0, 64.0),
+            "substeps inside one host step; 0: as many as the model's stiffness asks for",
+        ),
+    ];
+}

@@ -1,0 +1,30 @@
+//! What the numbers of an explanation cost it where they are far from what dampers show.
+
+use crate::hypothesis::{Free, Hypothesis};
+use crate::priors::{of, price};
+use crate::unknowns::Unknown;
+use dashpot_core::number;
+use dashpot_core::parameter::Number;
+
+/// How far off each number of an explanation is from what is usual; those without a prior are not in it.
+pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
+    let params = hypothesis.params(theta);
+    let mut all = Vec::new();
+    for (number, value) in hypothesis.numbers.iter().zip(theta) {
+        let (number, value) = match number.free {
+            Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
+            Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
+            Free::HeatCapacity => (number!("heat_capacity"), value.exp()),
+            Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
+        };
+        if let Some(prior) = of(number) {
+            all.push((number, prior.usual.off(value)));
+        }
+    }
+    all
+}
+
+/// What the numbers of an explanation cost it, in units of the logarithm of the odds.
+pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
+    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
+}

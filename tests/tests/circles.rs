@@ -1,0 +1,246 @@
+//! Arrows between the files of a crate point one way: no file uses what uses it in turn. A circle is a room that can be understood
+//! only as a whole; what both sides need belongs into a file of its own below them.
+//!
+//! Tests inside a file do not count, nor what a file takes from the face of a folder that it lies in (`mod.rs`): a folder is one room with what
+//! its files share on the door. A name that a folder hands on (`pub use`) is followed to the file that makes it.
+
+use dashpot_tests::library::root;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use syn::visit::{self, Visit};
+
+/// A path in code, from the crate's root.
+type Names = Vec<String>;
+
+/// What one file says.
+#[derive(Default)]
+struct Room {
+    file: PathBuf,
+    /// Paths that it uses.
+    uses: BTreeSet<Names>,
+    /// Names that it hands on, and from where.
+    hands_on: BTreeMap<String, Names>,
+    /// Modules from which it hands on everything.
+    hands_on_all: Vec<Names>,
+    /// Macros that it makes for the crate.
+    macros: BTreeSet<String>,
+}
+
+/// Reads a file whose place among the modules is `here`.
+struct Reader<'a> {
+    here: &'a [String],
+    room: Room,
+}
+
+fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
+    let is_test = |a: &syn::Attribute| a.meta.require_list().is_ok_and(|list| list.tokens.to_string() == "test");
+    attributes.iter().any(|a| a.path().is_ident("cfg") && is_test(a) || a.path().is_ident("test"))
+}
+
+impl Reader<'_> {
+    /// From the crate's root; `None` where a path leads out of the crate.
+    fn from_root(&self, names: &[String]) -> Option<Names> {
+        let mut at = self.here.to_vec();
+        let mut rest = names;
+        match rest.first()?.as_str() {
+            "crate" => {
+                at.clear();
+                rest = &rest[1..];
+            }
+            "self" => rest = &rest[1..],
+            "super" => {
+                while rest.first().is_some_and(|n| n == "super") {
+                    at.pop();
+                    rest = &rest[1..];
+                }
+            }
+            _ => {}
+        }
+        at.extend(rest.iter().cloned());
+        Some(at)
+    }
+
+    fn tree(&mut self, tree: &syn::UseTree, before: &[String], public: bool) {
+        let with = |name: &syn::Ident| [before, &[name.to_string()]].concat();
+        match tree {
+            syn::UseTree::Path(path) => self.tree(&path.tree, &with(&path.ident), public),
+            syn::UseTree::Name(name) if name.ident == "self" => self.used(before, None, public),
+            syn::UseTree::Name(name) => self.used(&with(&name.ident), Some(name.ident.to_string()), public),
+            syn::UseTree::Rename(name) => self.used(&with(&name.ident), Some(name.rename.to_string()), public),
+            syn::UseTree::Glob(_) => {
+                if let Some(names) = self.from_root(before) {
+                    if public {
+                        self.room.hands_on_all.push(names);
+                    } else {
+                        self.room.uses.insert(names);
+                    }
+                }
+            }
+            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(tree, before, public)),
+        }
+    }
+
+    fn used(&mut self, names: &[String], as_name: Option<String>, public: bool) {
+        let Some(from_root) = self.from_root(names) else { return };
+        match as_name {
+            Some(name) if public => drop(self.room.hands_on.insert(name, from_root)),
+            _ => drop(self.room.uses.insert(from_root)),
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Reader<'_> {
+    fn visit_item(&mut self, item: &'ast syn::Item) {
+        let attributes = match item {
+            syn::Item::Mod(item) => &item.attrs,
+            syn::Item::Fn(item) => &item.attrs,
+            syn::Item::Use(item) => &item.attrs,
+            syn::Item::Impl(item) => &item.attrs,
+            _ => return visit::visit_item(self, item),
+        };
+        if !is_of_tests(attributes) {
+            visit::visit_item(self, item);
+        }
+    }
+
+    fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
+        self.tree(&item.tree, &[], !matches!(item.vis, syn::Visibility::Inherited));
+    }
+
+    fn visit_item_macro(&mut self, item: &'ast syn::ItemMacro) {
+        if let Some(name) = &item.ident {
+            self.room.macros.insert(name.to_string());
+        }
+    }
+
+    fn visit_path(&mut self, path: &'ast syn::Path) {
+        let names: Names = path.segments.iter().map(|s| s.ident.to_string()).collect();
+        if names.len() > 1 || names.first().is_some_and(|n| n == "crate") {
+            self.used(&names, None, false);
+        }
+        visit::visit_path(self, path);
+    }
+}
+
+/// All rooms of a crate by their places among its modules.
+fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
+    fn collect(folder: &Path, at: &[String], rooms: &mut BTreeMap<Names, Room>) {
+        let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+        entries.sort();
+        for path in entries {
+            let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+            if path.is_dir() {
+                collect(&path, &[at, &[name]].concat(), rooms);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let here = match name.as_str() {
+                    "lib" | "main" | "mod" => at.to_vec(),
+                    _ => [at, &[name]].concat(),
+                };
+                let text = std::fs::read_to_string(&path).unwrap();
+                let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+                let mut reader = Reader { here: &here, room: Room { file: path, ..Room::default() } };
+                reader.visit_file(&file);
+                let room = reader.room;
+                // A command beside a library of the same name is the door, not a room.
+                rooms.entry(here).or_insert(room);
+            }
+        }
+    }
+    let mut found = BTreeMap::new();
+    collect(folder, &[], &mut found);
+    found
+}
+
+/// The room in which what a path names is made: the deepest module on the way, or where that hands it on from.
+fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
+    let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
+    let (place, room) = rooms.get_key_value(&names[..depth])?;
+    let Some(next) = names.get(depth).filter(|_| hops > 0) else { return Some(place) };
+    if let Some(from) = room.hands_on.get(next) {
+        let from = [from, &names[depth + 1..]].concat();
+        return made_in(rooms, &from, hops - 1).or(Some(place));
+    }
+    for all in &room.hands_on_all {
+        let from = [all, &names[depth..]].concat();
+        if let Some(there) = made_in(rooms, &from, hops - 1).filter(|there| *there != all) {
+            return Some(there);
+        }
+    }
+    if depth == 0 {
+        // A macro of the crate, or a name of another crate.
+        return rooms.iter().find(|(_, room)| room.macros.contains(next)).map(|(place, _)| place);
+    }
+    Some(place)
+}
+
+/// Sets of rooms that use each other in a loop.
+fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
+    let arrows: BTreeMap<&Names, BTreeSet<&Names>> = rooms
+        .iter()
+        .map(|(here, room)| {
+            let to = room.uses.iter().filter_map(|names| made_in(rooms, names, 8));
+            (here, to.filter(|to| !here.starts_with(to)).collect())
+        })
+        .collect();
+    let reach = |from: &Names| {
+        let (mut seen, mut next) = (BTreeSet::new(), vec![from.clone()]);
+        while let Some(at) = next.pop() {
+            for to in arrows.get(&at).into_iter().flatten() {
+                if seen.insert((*to).clone()) {
+                    next.push((*to).clone());
+                }
+            }
+        }
+        seen
+    };
+    let reached: BTreeMap<&Names, BTreeSet<Names>> = rooms.keys().map(|name| (name, reach(name))).collect();
+    let mut found: Vec<BTreeSet<Names>> = Vec::new();
+    for (name, all) in &reached {
+        if all.contains(*name) && !found.iter().any(|circle| circle.contains(*name)) {
+            found.push(all.iter().filter(|other| reached[other].contains(*name)).cloned().collect());
+        }
+    }
+    found
+}
+
+#[test]
+fn no_two_files_of_a_crate_use_each_other() {
+    let mut told = String::new();
+    let mut crates: Vec<_> = std::fs::read_dir(root().join("src")).unwrap().map(|e| e.unwrap().path()).collect();
+    crates.sort();
+    for folder in crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()) {
+        let rooms = rooms(&folder);
+        for circle in circles(&rooms) {
+            told += &format!("{}: in a circle:\n", folder.strip_prefix(root()).unwrap().display());
+            for name in &circle {
+                let room = &rooms[name];
+                let to: BTreeSet<String> = room
+                    .uses
+                    .iter()
+                    .filter(|names| {
+                        made_in(&rooms, names, 8).is_some_and(|to| !name.starts_with(to) && circle.contains(to))
+                    })
+                    .map(|names| names.join("::"))
+                    .collect();
+                let file = room.file.strip_prefix(&folder).unwrap().display();
+                told += &format!("  {file} uses {}\n", to.into_iter().collect::<Vec<_>>().join(", "));
+            }
+        }
+    }
+    assert!(told.is_empty(), "{told}");
+}
+
+#[test]
+fn a_circle_is_found_where_there_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("lib.rs", "mod a; mod b; mod c; pub use b::Thing;");
+    write("a.rs", "use crate::Thing; pub fn of(_: &Thing) {}");
+    write("b.rs", "pub struct Thing; #[cfg(test)] mod tests { use crate::a::of; }");
+    write("c.rs", "use crate::a::of; pub fn c() { crate::b::other() }");
+    assert!(circles(&rooms(folder.path())).is_empty());
+    write("b.rs", "pub struct Thing; pub fn other() { super::c::c() }");
+    let found = circles(&rooms(folder.path()));
+    let names = ["a", "b", "c"].map(|name| vec![name.to_owned()]);
+    assert_eq!(found, [BTreeSet::from(names)]);
+}
