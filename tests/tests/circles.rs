@@ -39,7 +39,7 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 
 impl Reader<'_> {
     /// From the crate's root; `None` where a path leads out of the crate.
-    fn from_root(&self, names: &[String]) -> Option<Names> {
+    fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
         match rest.first()?.as_str() {
@@ -68,7 +68,7 @@ impl Reader<'_> {
             syn::UseTree::Name(name) => self.used(&with(&name.ident), Some(name.ident.to_string()), public),
             syn::UseTree::Rename(name) => self.used(&with(&name.ident), Some(name.rename.to_string()), public),
             syn::UseTree::Glob(_) => {
-                if let Some(names) = self.from_root(before) {
+                if let Some(names) = self.whole(before) {
                     if public {
                         self.room.hands_on_all.push(names);
                     } else {
@@ -81,10 +81,10 @@ impl Reader<'_> {
     }
 
     fn used(&mut self, names: &[String], as_name: Option<String>, public: bool) {
-        let Some(from_root) = self.from_root(names) else { return };
+        let Some(whole) = self.whole(names) else { return };
         match as_name {
-            Some(name) if public => drop(self.room.hands_on.insert(name, from_root)),
-            _ => drop(self.room.uses.insert(from_root)),
+            Some(name) if public => drop(self.room.hands_on.insert(name, whole)),
+            _ => drop(self.room.uses.insert(whole)),
         }
     }
 }

@@ -1,0 +1,110 @@
+//! The gain of a host's step over what a damper goes through: sines about a place, their turns, and every piece of the FV curve.
+
+use super::host::Host;
+use super::situation::Situation;
+use dashpot_core::step::step;
+use dashpot_core::{Input, Model, Output, Params};
+use dashpot_core::{element, list, number};
+
+/// Amplitudes of the motions looked at, m, and their peak velocities, m/s; from standstill to a pothole. Away from the usual situation only those
+/// of a middle size: the others differ little there and take most of the time.
+const AMPLITUDES: [f64; 4] = [2e-4, 1e-3, 5e-3, 0.02];
+const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
+/// One stroke through most of the travel, such as opens a void.
+const LONG: (f64, f64) = (0.05, 1.0);
+/// Most steps of one motion.
+pub(super) const STEPS: usize = 4000;
+/// Velocities looked at where a motion turns, m/s.
+const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
+/// Places on a piece of the FV curve, as shares of it: a monotone cubic is steepest in its middle or at an end.
+const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
+/// A motion looked at: a sine from its middle.
+#[derive(Clone, Copy)]
+pub(super) struct Sine {
+    situation: Situation,
+    amplitude: f64,
+    speed: f64,
+    /// rad/s.
+    pub(super) omega: f64,
+}
+
+impl Sine {
+    pub(super) fn at(&self, time: f64) -> Input {
+        let phase = self.omega * time;
+        let Situation { place, side_force, temperature } = self.situation;
+        let motion = Input::motion(place + self.amplitude * phase.sin(), self.speed * phase.cos());
+        Input { side_force, temperature, ..motion }
+    }
+}
+
+/// The motions that a host can follow.
+pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
+    let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
+    let is_usual = situation == Situation::USUAL;
+    let usual = all.filter(move |(amplitude, speed)| is_usual || (1e-3..=5e-3).contains(amplitude) && *speed >= 0.02);
+    usual
+        .chain(is_usual.then_some(LONG))
+        .map(move |(amplitude, speed)| Sine { situation, amplitude, speed, omega: speed / amplitude })
+        .filter(move |sine| sine.omega * host.step <= 0.5)
+}
+
+/// The largest gain, and where the damper has it.
+pub(super) struct Largest {
+    pub gain: f64,
+    pub velocity: f64,
+    pub output: Output,
+    pub situation: Situation,
+}
+
+/// The largest gain over all motions in a situation.
+pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Largest {
+    let gain = |o: &Output| host.step / host.mass * (o.force_by_velocity + host.step * o.force_by_displacement);
+    let rest = situation.input();
+    let at_rest = step(model, &model.settled(&rest), &rest, host.step).1;
+    let mut most = Largest { gain: gain(&at_rest), velocity: 0.0, output: at_rest, situation };
+    for sine in motions(situation, host) {
+        let input = |k: usize| sine.at(host.step * k as f64);
+        let mut state = model.settled(&rest);
+        let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
+        for k in 1..=steps.min(STEPS) {
+            let to = input(k);
+            // At the turn itself a void or a gap may close, between two instants of the motion.
+            if to.velocity * input(k - 1).velocity <= 0.0 {
+                for velocity in AT_THE_TURN {
+                    let turned = Input { velocity, ..to };
+                    let output = step(model, &state, &turned, host.step).1;
+                    if gain(&output) > most.gain {
+                        most = Largest { gain: gain(&output), velocity, output, situation };
+                    }
+                }
+            }
+            let (next, output) = step(model, &state, &to, host.step);
+            state = next;
+            let here = gain(&output);
+            if here > most.gain {
+                most = Largest { gain: here, velocity: to.velocity, output, situation };
+            }
+        }
+    }
+    most
+}
+
+/// The largest gain at steady velocities on every piece of the FV curve: a narrow steep one lies between the instants of every motion.
+pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Largest {
+    let knots = if params.number(number!("fv_form")) == 0.0 {
+        params.list(list!("fv_velocity")).to_vec()
+    } else {
+        let [r1, r2, c1] = [number!("fv_rebound_v1"), number!("fv_rebound_v2"), number!("fv_compression_v1")]
+            .map(|v| params.number(v));
+        vec![-2.0 * c1, -c1, 0.0, r1, r2, 2.0 * r2]
+    };
+    let pieces = knots.windows(2).filter(|_| params.is_on(element!("fv_curve")));
+    let velocities = pieces.flat_map(|piece| ON_A_PIECE.map(|share| piece[0] + share * (piece[1] - piece[0])));
+    let at = |velocity: f64| {
+        let to = Input::motion(0.0, velocity);
+        let output = step(model, &model.settled(&to), &to, host.step).1;
+        let gain = host.step / host.mass * (output.force_by_velocity + host.step * output.force_by_displacement);
+        Largest { gain, velocity, output, situation: Situation::USUAL }
+    };
+    velocities.map(at).fold(at(0.0), |most, other| if other.gain > most.gain { other } else { most })
+}

@@ -1,0 +1,146 @@
+//! A loop like that of the host: its mass on a tyre, moved by a road. The slopes at an instant do not see what a mass or a void in the
+//! damper makes of the next steps; the loop does.
+
+use super::host::Host;
+use super::situation::Situation;
+use dashpot_core::step::step;
+use dashpot_core::{Input, Model, Params};
+use dashpot_core::{element, number};
+
+/// Stiffness of the tyre that the host's mass stands on in the loop, N/m (a car's); softer where the step could not follow the mass on it: by a step it
+/// moves on by no more than this angle, rad.
+const TYRE: f64 = 2e5;
+const FOLLOWS: f64 = 0.3;
+/// Velocity, m/s, beyond which no damper moves: the loop has left all bounds.
+const BEYOND: f64 = 100.0;
+/// Velocity, m/s, with which the loop begins: a knock of 10 m/s² in a millisecond.
+const KNOCK: f64 = 0.01;
+/// Alternating part of the force, N, from which it is seen in a vehicle's signals, and how often the force must turn among the last 24 steps: what
+/// strikes once (a gap, a stop, dry friction at a reversal) turns it three or four times. A mass whose ringing is no multiple of the step turns it in
+/// most steps, not in all.
+const SEEN: f64 = 5.0;
+const TURNS: u32 = 9;
+const WINDOW: u32 = (1 << 24) - 1;
+/// Most steps of the loop over one road.
+const LOOP: usize = 3000;
+/// Heights of the roads, m, the first for all situations; shares of the height and Hz: body, axle and what lies between.
+const ROADS: [f64; 3] = [0.005, 0.02, 0.05];
+const WAVES: [(f64, f64); 4] = [(0.5, 1.3), (0.25, 3.1), (0.12, 9.7), (0.06, 14.0)];
+/// Mass of the body over that of the wheel.
+const BODY: f64 = 10.0;
+/// Halvings of the step that are tried.
+pub(super) const HALVINGS: i32 = 6;
+/// Shares of the critical damping of the inner mass that are tried.
+const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
+/// What a loop like that of the host does where its force turns at every step: the host's mass on a tyre, moved by a road.
+///
+/// The slopes at an instant do not see what a moving mass, an inner mass or a void make of the next steps. The loop does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turning {
+    /// Largest alternating part of the force, N; infinite where the motion leaves all bounds.
+    pub force: f64,
+    /// Steps in which it turns; those until the motion leaves all bounds, where it does.
+    pub steps: usize,
+    /// Height of the road, m.
+    pub height: f64,
+    /// Where and under what.
+    pub situation: Situation,
+}
+
+impl Turning {
+    /// In words.
+    pub(super) fn told(&self, host: Host) -> String {
+        let Turning { force, steps, height, situation } = *self;
+        let does = if self.grows() {
+            "the motion grows beyond all bounds".to_owned()
+        } else {
+            format!("the force turns from step to step, by up to {force:.0} N, in {steps} steps")
+        };
+        format!(
+            "in such a loop that was run here ({} kg on a tyre, a rough road of {:.0} mm{}) {does}",
+            host.mass,
+            1e3 * height,
+            situation.told()
+        )
+    }
+
+    /// Whether the motion leaves all bounds.
+    pub fn grows(&self) -> bool {
+        self.force == f64::INFINITY
+    }
+}
+
+/// What the loop does on the roads of a situation, where it is not quiet.
+pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
+    // In a stop a high road would be beyond every force of it.
+    let roads = if situation == Situation::USUAL { &ROADS[..] } else { &ROADS[..1] };
+    let found = roads.iter().filter_map(|height| loop_like_the_hosts(model, situation, *height, host));
+    found.max_by(|a, b| a.force.total_cmp(&b.force))
+}
+
+/// Displacement of a rough road of a height, m.
+fn road(height: f64, time: f64) -> f64 {
+    height * WAVES.iter().map(|(share, hertz)| share * (std::f64::consts::TAU * hertz * time).sin()).sum::<f64>()
+}
+
+/// One road.
+pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f64, host: Host) -> Option<Turning> {
+    let Host { step: h, mass } = host;
+    // Of wheel and body the damper moves what is left of the two masses in series.
+    let mass = mass * BODY / (1.0 + BODY);
+    let tyre = TYRE.min(mass * (FOLLOWS / h).powi(2));
+    let rest = situation.input();
+    let mut state = model.settled(&rest);
+    let at_rest = step(model, &state, &rest, 0.0).1.force;
+    let (mut x, mut v) = (0.0, KNOCK);
+    let mut force = [at_rest; 3];
+    // One bit for each of the last steps in which the force turned.
+    let (mut turned, mut last, mut most, mut found) = (0u32, 0.0, 0.0f64, None::<f64>);
+    let mut count = 0;
+    let turning = |force: f64, steps: usize| Turning { force, steps, height, situation };
+    let pace = h.min(FOLLOWS / (std::f64::consts::TAU * WAVES[WAVES.len() - 1].1));
+    for k in 1..=LOOP {
+        let under = road(height, pace * k as f64);
+        v += h / mass * (tyre * (under - x) - (force[2] - at_rest));
+        x += h * v;
+        if !(v.abs() < BEYOND) {
+            return Some(turning(f64::INFINITY, k));
+        }
+        let to = Input { displacement: Some(situation.place + x), velocity: v, ..rest };
+        let (next, output) = step(model, &state, &to, h);
+        state = next;
+        force = [force[1], force[2], output.force];
+        let turn = force[1] - 0.5 * (force[0] + force[2]);
+        let turns = turn * last < 0.0 && turn.abs() >= SEEN && last.abs() >= SEEN;
+        turned = (turned << 1 | u32::from(turns)) & WINDOW;
+        last = turn;
+        most = if turned == 0 { 0.0 } else { most.max(if turns { turn.abs() } else { 0.0 }) };
+        if turned.count_ones() >= TURNS {
+            count += usize::from(turns);
+            found = Some(found.unwrap_or_default().max(most));
+        }
+    }
+    found.map(|force| turning(force, count + TURNS as usize - 1))
+}
+
+/// The longest of the steps halved from the host's at which the loop is quiet, s.
+pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Option<f64> {
+    let shorter = (1..=HALVINGS).map(|halved| Host { step: host.step * 0.5f64.powi(halved), ..host });
+    shorter.into_iter().find(|shorter| turning(model, situation, *shorter).is_none()).map(|shorter| shorter.step)
+}
+
+/// Damping of the path in series, N s/m, with which the loop is quiet, where the path has none: a mass rings on a spring that nothing damps.
+pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
+    let [stiffness, mass, damping] =
+        [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));
+    let without = params.is_on(element!("series_compliance")) && damping == 0.0;
+    let rounded = |damping: f64| (0.1 * damping).ceil() * 10.0;
+    let shares = DAMPED.iter().map(|share| rounded(share * 2.0 * (stiffness * mass).sqrt()));
+    shares.filter(|_| without).find(|damping| {
+        let mut calm = *params;
+        let done = calm.set(number!("series_damping"), *damping);
+        done.is_ok()
+            && Model::new(&calm)
+                .is_ok_and(|model| loop_like_the_hosts(&model, turning.situation, turning.height, host).is_none())
+    })
+}

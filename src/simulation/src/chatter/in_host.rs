@@ -1,0 +1,100 @@
+//! What a damper does in a host, and which element makes it.
+
+use super::gain::{Largest, largest, on_the_curve};
+use super::host::Host;
+use super::host_loop::{Turning, calming, loop_like_the_hosts, quiet_loop, turning};
+use super::situation::Situation;
+use dashpot_core::element;
+use dashpot_core::parameter::Element;
+use dashpot_core::{Fault, Model, Params};
+
+/// Gain from which a disturbance changes sign at every step.
+pub const RINGS: f64 = 1.0;
+/// Gain from which it grows.
+pub const GROWS: f64 = 2.0;
+
+/// Share of the gain that must go with an element to be its doing.
+pub(super) const ITS_DOING: f64 = 0.3;
+/// What a damper does in a host.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chatter {
+    /// The largest gain.
+    pub gain: f64,
+    /// Velocity at which it has it, m/s, and the slopes there: N s/m, N/m.
+    pub velocity: f64,
+    /// ∂F/∂v.
+    pub by_velocity: f64,
+    /// ∂F/∂x.
+    pub by_displacement: f64,
+    /// Where and under what it has it.
+    pub situation: Situation,
+    /// The longest step at which nothing changes sign, s; `None` where none was found.
+    pub quiet_step: Option<f64>,
+    /// The element that makes most of it, and the gain without it; `None` where no element alone does.
+    pub element: Option<(Element, f64)>,
+    /// What a loop like that of the host does, where that is not quiet.
+    pub turning: Option<Turning>,
+    /// A damping of the path in series, N s/m, with which the loop would be quiet, where it has none.
+    pub calming: Option<f64>,
+}
+
+/// Looks at a damper in a host: over its stroke, under side force and in the cold where those change it.
+///
+/// # Errors
+/// Parameters that make no model.
+pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
+    let model = Model::new(params)?;
+    let usual = largest(&model, Situation::USUAL, host);
+    let situations = Situation::all(params, &model);
+    let others = situations.iter().skip(1).map(|situation| largest(&model, *situation, host));
+    let Largest { gain, velocity, output, situation } = others
+        .chain([on_the_curve(params, &model, host)])
+        .fold(usual, |most, other| if other.gain > most.gain { other } else { most });
+    let turning = situations
+        .iter()
+        .filter_map(|situation| turning(&model, *situation, host))
+        .max_by(|a, b| a.force.total_cmp(&b.force));
+    let without = |element: Element| {
+        let mut less = *params;
+        less.enable(element, false);
+        let model = Model::new(&less).ok()?;
+        Some((element, largest(&model, situation, host).gain))
+    };
+    let element = (gain >= RINGS)
+        .then(|| {
+            let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
+            on.filter_map(without).min_by(|a, b| a.1.total_cmp(&b.1))
+        })
+        .flatten()
+        .filter(|(_, left)| *left < (1.0 - ITS_DOING) * gain)
+        .or_else(|| {
+            let turning = turning.filter(|_| gain < RINGS)?;
+            // Without the path in series nothing has a mass of its own, which says little.
+            let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
+            let is_quiet = |element: &Element| {
+                let mut less = *params;
+                less.enable(*element, false);
+                Model::new(&less)
+                    .is_ok_and(|model| loop_like_the_hosts(&model, turning.situation, turning.height, host).is_none())
+            };
+            on.filter(is_quiet).find_map(without)
+        });
+    // g = (h c + h² k)/m = 1, solved for h.
+    let (c, k) = (output.force_by_velocity.max(0.0), output.force_by_displacement.max(0.0));
+    let quiet_step =
+        if k > 0.0 { 2.0 * host.mass / (c + (c * c + 4.0 * k * host.mass).sqrt()) } else { host.mass / c.max(1e-9) };
+    Ok(Chatter {
+        gain,
+        velocity,
+        by_velocity: output.force_by_velocity,
+        by_displacement: output.force_by_displacement,
+        situation,
+        quiet_step: match turning.filter(|_| gain < RINGS) {
+            Some(turning) => quiet_loop(&model, turning.situation, host),
+            None => Some(quiet_step),
+        },
+        element,
+        calming: turning.and_then(|turning| calming(params, &turning, host)),
+        turning,
+    })
+}

@@ -1,0 +1,82 @@
+//! Where in its stroke a damper is looked at, and under what.
+
+use dashpot_core::element;
+use dashpot_core::{Input, Model, Params};
+
+/// Side force, N, that a damper with friction in proportion to it is looked at under: a strut of a car in a bend or under the brake.
+pub(super) const SIDE_FORCE: f64 = 2000.0;
+/// Force, N, up to which a stop is looked at: a front corner that goes through a pothole.
+pub(super) const STOP_FORCE: f64 = 1e4;
+/// Temperature, °C, at which a damper whose oil thickens is looked at: a winter's morning.
+pub(super) const COLD: f64 = -20.0;
+/// Places of the stroke, m, where the damping depends on the place.
+pub(super) const PLACES: [f64; 8] = [-0.08, -0.06, -0.04, -0.02, 0.02, 0.04, 0.06, 0.08];
+/// Furthest place, m, at which a stop is sought.
+const FURTHEST: f64 = 0.3;
+/// Where in its stroke a damper moves, and under what.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Situation {
+    /// Middle of the motion, m.
+    pub place: f64,
+    /// N.
+    pub side_force: f64,
+    /// °C.
+    pub temperature: f64,
+}
+
+impl Situation {
+    /// In the middle, without side force, at the temperature at which rigs measure.
+    pub const USUAL: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
+
+    /// All that changes the slopes of this damper.
+    pub(super) fn all(params: &Params, model: &Model) -> Vec<Situation> {
+        let mut all = vec![Situation::USUAL];
+        if params.is_on(element!("side_force_friction")) {
+            all.push(Situation { side_force: SIDE_FORCE, ..Situation::USUAL });
+        }
+        if params.is_on(element!("temperature_fade")) {
+            all.push(Situation { temperature: COLD, ..Situation::USUAL });
+        }
+        let at = |place| Situation { place, ..Situation::USUAL };
+        if [element!("position_dependent_damping"), element!("oil_compressibility")].iter().any(|e| params.is_on(*e)) {
+            all.extend(PLACES.map(at));
+        }
+        let stops = [(element!("bump_stop"), -1.0), (element!("rebound_stop"), 1.0)];
+        all.extend(stops.iter().filter(|(stop, _)| params.is_on(*stop)).map(|(_, side)| at(in_the_stop(model, *side))));
+        all
+    }
+
+    pub(super) fn input(&self) -> Input {
+        Input { side_force: self.side_force, temperature: self.temperature, ..Input::motion(self.place, 0.0) }
+    }
+
+    /// What is not usual about it, in words.
+    pub(super) fn told(&self) -> String {
+        let mut told = String::new();
+        if self.place != 0.0 {
+            told += &format!(
+                ", {:.0} mm from the middle in {}",
+                1e3 * self.place.abs(),
+                if self.place > 0.0 { "rebound" } else { "compression" }
+            );
+        }
+        if self.side_force != 0.0 {
+            told += &format!(", under {:.0} N of side force", self.side_force);
+        }
+        if self.temperature != Situation::USUAL.temperature {
+            told += &format!(", at {:.0} °C", self.temperature);
+        }
+        told
+    }
+}
+
+/// Where the stop of a side holds [`STOP_FORCE`].
+fn in_the_stop(model: &Model, side: f64) -> f64 {
+    let force = |depth: f64| model.static_output(&Input::motion(side * depth, 0.0)).stop_force.abs();
+    let (mut low, mut high) = (0.0, FURTHEST);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if force(middle) < STOP_FORCE { low = middle } else { high = middle }
+    }
+    side * low
+}

@@ -1,0 +1,202 @@
+//! A damper that does not chatter in a host: its steep friction as presliding friction.
+
+use super::gain::{STEPS, largest, motions};
+use super::host::Host;
+use super::in_host::{ITS_DOING, RINGS, chatter};
+use super::situation::{SIDE_FORCE, Situation};
+use dashpot_core::parameter::{Element, Number};
+use dashpot_core::step::step;
+use dashpot_core::{Fault, Model, Params};
+use dashpot_core::{element, number};
+
+/// Elements that [`softened`] can replace, with their level.
+pub(super) const FRICTION: [(Element, Number); 2] = [
+    (element!("coulomb_friction"), number!("coulomb_force")),
+    (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
+];
+
+/// A damper that does not chatter in a host, with what that costs.
+#[derive(Debug, Clone)]
+pub struct Softened {
+    /// The damper.
+    pub params: Params,
+    /// What was done to each friction that chattered.
+    pub softer: Vec<Softer>,
+    /// By how much its force differs over the motions looked at, root mean square and at most, N.
+    pub rms_error: f64,
+    /// At most.
+    pub largest_error: f64,
+    /// Largest gain of it.
+    pub gain: f64,
+}
+
+/// What was done to a friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Softer {
+    /// Presliding friction takes its place.
+    Replaced {
+        /// The element.
+        element: Element,
+        /// Level of the presliding friction, N: of all that it replaces.
+        force: f64,
+        /// Length over which it turns, m.
+        length: f64,
+    },
+    /// Side-force friction, whose level is the host's, changes its sign less steeply, s/m.
+    LessSteep {
+        /// Steepness as it was.
+        before: f64,
+        /// As it is.
+        after: f64,
+    },
+}
+
+impl Softer {
+    /// What tells a damper that was made softer from the one that it was.
+    fn all(before: &Params, soft: &Params) -> Vec<Softer> {
+        let (force, length) = (soft.number(number!("presliding_force")), soft.number(number!("presliding_length")));
+        let replaced = FRICTION.iter().filter(|(element, _)| before.is_on(*element) && !soft.is_on(*element));
+        let mut all: Vec<Softer> =
+            replaced.map(|(element, _)| Softer::Replaced { element: *element, force, length }).collect();
+        let [before, after] = [before, soft].map(|params| params.number(number!("side_force_steepness")));
+        if after < before {
+            all.push(Softer::LessSteep { before, after });
+        }
+        all
+    }
+
+    /// The element that it was done to.
+    pub fn element(&self) -> Element {
+        match self {
+            Softer::Replaced { element, .. } => *element,
+            Softer::LessSteep { .. } => element!("side_force_friction"),
+        }
+    }
+}
+
+/// Length over which presliding friction of seals usually turns, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimetre): none
+/// longer is tried, and of the shorter ones, which are nearer to friction that turns at once, the shortest of this gain.
+const LENGTH: f64 = 2e-4;
+const QUIET: f64 = 0.3;
+/// Longest step at which the two are compared, s.
+const FINE: f64 = 1e-4;
+/// Elements that turn at once: no damper has more.
+const MOST: usize = FRICTION.len() + 1;
+
+/// The damper with its steep friction as presliding friction, which acts like a stiff spring where the other jumps, and with side-force friction that
+/// turns less steeply; `None` where no steep friction is what chatters, or that would not help.
+///
+/// # Errors
+/// Parameters that make no model.
+pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
+    let mut soft = *params;
+    for _ in 0..MOST {
+        let Some((element, situation)) = friction_that_rings(&soft, host)? else { break };
+        match FRICTION.iter().find(|(friction, _)| *friction == element) {
+            Some(friction) => presliding_instead(&mut soft, *friction, situation, host)?,
+            None if less_steep(&mut soft, situation, host)? => {}
+            None => break,
+        }
+    }
+    let softer = Softer::all(params, &soft);
+    if softer.is_empty() {
+        return Ok(None);
+    }
+    let found = chatter(&soft, host)?;
+    let (before, after) = (Model::new(params)?, Model::new(&soft)?);
+    let (mut squares, mut count, mut largest_error) = (0.0, 0.0, 0.0f64);
+    let under_side_force = Situation { side_force: SIDE_FORCE, ..Situation::USUAL };
+    let has_less_steep = softer.iter().any(|one| matches!(one, Softer::LessSteep { .. }));
+    let compared = if has_less_steep { under_side_force } else { Situation::USUAL };
+    for sine in motions(compared, host) {
+        let omega = sine.omega;
+        let dt = FINE.min(0.01 / omega).max(0.25 * std::f64::consts::TAU / (omega * STEPS as f64));
+        let input = |k: usize| sine.at(dt * k as f64);
+        let (mut a, mut b) = (before.settled(&input(0)), after.settled(&input(0)));
+        for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
+            let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
+            (a, b) = (next_a, next_b);
+            // The first half turn builds the friction up from a start at rest.
+            if omega * dt * k as f64 > 0.5 * std::f64::consts::TAU {
+                squares += (to.force - from.force).powi(2);
+                count += 1.0;
+                largest_error = largest_error.max((to.force - from.force).abs());
+            }
+        }
+    }
+    let rms_error = (squares / f64::max(count, 1.0)).sqrt();
+    Ok(Some(Softened { params: soft, softer, rms_error, largest_error, gain: found.gain }))
+}
+
+/// A steep friction that rings in a situation, whatever rings beside it in others (a stop, the FV curve), and that situation.
+fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, Situation)>, Fault> {
+    let model = Model::new(params)?;
+    for situation in Situation::all(params, &model) {
+        let gain = largest(&model, situation, host).gain;
+        let frictions = FRICTION.iter().map(|(friction, _)| *friction).chain([element!("side_force_friction")]);
+        let on = frictions.filter(|friction| gain >= RINGS && params.is_on(*friction));
+        let mut most = None::<(Element, f64)>;
+        for friction in on {
+            let mut less = *params;
+            less.enable(friction, false);
+            let left = largest(&Model::new(&less)?, situation, host).gain;
+            if left < (1.0 - ITS_DOING) * gain && most.is_none_or(|(_, least)| left < least) {
+                most = Some((friction, left));
+            }
+        }
+        if let Some((friction, _)) = most {
+            return Ok(Some((friction, situation)));
+        }
+    }
+    Ok(None)
+}
+
+/// Puts presliding friction in the place of an element, beside what the damper has of it.
+fn presliding_instead(
+    soft: &mut Params,
+    (element, level): (Element, Number),
+    situation: Situation,
+    host: Host,
+) -> Result<(), Fault> {
+    let gain = |params: &Params| Ok(largest(&Model::new(params)?, situation, host).gain);
+    let presliding = element!("presliding_friction");
+    let has = soft.is_on(presliding);
+    let before = if has { soft.number(number!("presliding_force")) } else { 0.0 };
+    let force = before + soft.number(level);
+    soft.enable(element, false);
+    soft.enable(presliding, true);
+    soft.set(number!("presliding_force"), force)?;
+    // What the damper has of it keeps its length where that is quiet.
+    if has && gain(soft)? <= QUIET {
+        return Ok(());
+    }
+    let turns = number!("presliding_length");
+    soft.set(turns, LENGTH)?;
+    let mut now = gain(soft)?;
+    while 0.5 * soft.number(turns) >= turns.bounds().0 {
+        let mut shorter = *soft;
+        shorter.set(turns, 0.5 * soft.number(turns))?;
+        let there = gain(&shorter)?;
+        if there > QUIET.max(now) {
+            break;
+        }
+        (*soft, now) = (shorter, there);
+    }
+    Ok(())
+}
+
+/// Halves the steepness of side-force friction until it is quiet in a situation; whether that was possible.
+fn less_steep(soft: &mut Params, situation: Situation, host: Host) -> Result<bool, Fault> {
+    let steepness = number!("side_force_steepness");
+    let mut without = *soft;
+    without.enable(element!("side_force_friction"), false);
+    let rest = largest(&Model::new(&without)?, situation, host).gain;
+    while largest(&Model::new(soft)?, situation, host).gain >= RINGS.max(rest / (1.0 - ITS_DOING)) {
+        let half = 0.5 * soft.number(steepness);
+        if half < steepness.bounds().0 {
+            return Ok(false);
+        }
+        soft.set(steepness, half)?;
+    }
+    Ok(true)
+}
