@@ -1,51 +1,10 @@
-/* Flat input and output vectors with names, for hosts that choose channels by name. */
+/* Flat input and output vectors, for hosts that choose channels by name (names.c). */
 #include "bridge.h"
 #include <string.h>
 
 static const uint32_t KNOWN[DASHPOT_CHANNEL_INPUTS] = {DASHPOT_CORNER_KNOWS_JOUNCE, 0, DASHPOT_CORNER_KNOWS_ACCELERATION,
                                                        DASHPOT_CORNER_KNOWS_SIDE_FORCE,
                                                        DASHPOT_CORNER_KNOWS_TEMPERATURE};
-
-int dashpot_bridge_name_vectors(dashpot_bridge *bridge)
-{
-    uint32_t corner;
-    int channel;
-
-    for (corner = 0; corner < bridge->corners; corner++) {
-        for (channel = 0; channel < DASHPOT_CHANNEL_INPUTS; channel++) {
-            if (!bridge->map.name[channel][0])
-                continue;
-            if (dashpot_channel_map_name(&bridge->map, channel, corner, bridge->input_name[bridge->inputs],
-                                         DASHPOT_CHANNEL_NAME))
-                return -1;
-            bridge->input_channel[bridge->inputs++] = channel;
-        }
-        if (dashpot_channel_map_name(&bridge->map, DASHPOT_CHANNEL_FORCE, corner, bridge->output_name[corner],
-                                     DASHPOT_CHANNEL_NAME))
-            return -1;
-    }
-    return 0;
-}
-
-uint32_t dashpot_bridge_input_count(const dashpot_bridge *bridge)
-{
-    return bridge->inputs;
-}
-
-uint32_t dashpot_bridge_output_count(const dashpot_bridge *bridge)
-{
-    return bridge->corners;
-}
-
-const char *dashpot_bridge_input_name(const dashpot_bridge *bridge, uint32_t i)
-{
-    return i < bridge->inputs ? bridge->input_name[i] : NULL;
-}
-
-const char *dashpot_bridge_output_name(const dashpot_bridge *bridge, uint32_t i)
-{
-    return i < bridge->corners ? bridge->output_name[i] : NULL;
-}
 
 /* The corners' inputs from a flat vector. Every corner has the same number of channels. */
 static void unpack(const dashpot_bridge *bridge, const double *u, dashpot_corner_input *in)

@@ -9,7 +9,7 @@
  *
  * When was an input told? Hosts set time and inputs in either order. Where the time was set since the last evaluation, before the
  * inputs, it is that time; where not, it is the time of the next evaluation, which follows both. */
-#include "instance.h"
+#include "inputs.h"
 #include <math.h>
 #include <string.h>
 

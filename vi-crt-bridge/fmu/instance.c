@@ -1,21 +1,9 @@
 #include "instance.h"
+#include "evaluate.h"
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-int instance_complain(struct instance *instance, const char *format, ...)
-{
-    char text[400];
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    instance->log(instance, 1, text);
-    return -1;
-}
 
 /* The models' own values of the parameters, and the start values of everything else. */
 static void start_values(struct instance *instance)

@@ -15,6 +15,7 @@ mod cycle;
 mod delay;
 pub mod delimiter;
 mod derive;
+mod earlier;
 mod endings;
 mod error;
 mod file_units;

@@ -1,6 +1,6 @@
 //! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
 
-use super::cleaning::Earlier;
+use super::earlier::Earlier;
 pub use super::off::Off;
 use super::phrases;
 use super::record::{Note, Record};

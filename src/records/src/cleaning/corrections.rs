@@ -1,10 +1,10 @@
 //! What the user knows of the sensors: zeros, a gain, signs, a late force channel. The only place where these are applied.
 
+use super::super::earlier::Earlier;
 use super::super::options::Options;
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::sentence::Sentence;
-use super::earlier::Earlier;
 use super::{Motion, cycles};
 
 /// Applies the corrections of the options, in the file's own directions, with a note for each.

@@ -6,7 +6,6 @@ mod corrections;
 mod cycles;
 mod drift;
 mod duplicates;
-mod earlier;
 mod frozen;
 mod gaps;
 mod missing;
@@ -38,7 +37,6 @@ pub(crate) use corrections::delay_motion;
 pub(crate) use cycles::find as find_cycles;
 pub(crate) use cycles::{robust_peak, turning_points};
 pub(crate) use drift::time_mean;
-pub(crate) use earlier::Earlier;
 
 /// Fewest samples of a test.
 const FEWEST: usize = 20;

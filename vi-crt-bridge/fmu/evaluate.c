@@ -1,0 +1,37 @@
+#include "evaluate.h"
+#include "complain.h"
+#include "inputs.h"
+#include <string.h>
+
+int instance_evaluate(struct instance *instance, int corner)
+{
+    struct data *data = instance->data;
+    struct part *part = &data->part[corner];
+    dashpot_state state, rate;
+    dashpot_input input;
+    int integrated = !instance_displacement_given(data, corner), k;
+    int32_t status;
+
+    instance_input_seen(instance, corner);
+    if (corner + 1 == data->corners)
+        data->moved = 0;
+    input = instance_input_now(instance, corner);
+    memset(&state, 0, sizeof state);
+    state.displacement = integrated ? part->state[TRAVEL] : input.displacement;
+    state.velocity = input.velocity;
+    state.mass_displacement = state.displacement + part->state[DEFLECTION];
+    state.mass_velocity = part->state[MASS_VELOCITY];
+    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
+        state.memory[k - FIRST_MEMORY] = part->state[k];
+    status = dashpot_evaluate(&part->corner.model, &state, &input, &part->corner.now.output, &rate);
+    if (status < 0)
+        return instance_complain(instance, "%s", dashpot_status_text(status));
+    part->status = status;
+    part->corner.now.state = state;
+    part->rate[TRAVEL] = integrated ? input.velocity : 0.0;
+    part->rate[DEFLECTION] = rate.mass_displacement - input.velocity;
+    part->rate[MASS_VELOCITY] = rate.mass_velocity;
+    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
+        part->rate[k] = rate.memory[k - FIRST_MEMORY];
+    return 0;
+}
