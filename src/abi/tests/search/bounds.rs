@@ -47,12 +47,17 @@ fn fastest(case: &Case) -> f64 {
     finer(case, 4).motion.iter().fold(0.0, |top, g| g.v.abs().max(top))
 }
 
-/// Height of the FV curve at a speed, to either side.
-fn curve(case: &Case, speed: f64) -> f64 {
-    let mut alone = Case { on: vec!["fv_curve"], motion: Vec::new(), ..case.clone() };
-    alone.motion =
-        [speed, -speed, 0.0].map(|v| Given { x: Some(0.0), v, side: 0.0, temperature: 20.0, dt: 1e-3 }).to_vec();
-    alone.start = 0.0;
+/// Elements that multiply the FV curve at once. Without them the force of a cold damper, twenty times the curve at most, is taken
+/// for one that no element makes.
+const SCALING: [&str; 2] = ["temperature_fade", "position_dependent_damping"];
+
+/// Height of the FV curve at a speed, to either side, where the damper was and as cold as it was there.
+fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
+    let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
+    alone.on.retain(|name| *name == "fv_curve" || SCALING.contains(name));
+    for (place, g) in found.places.iter().zip(&case.motion) {
+        alone.motion.extend([speed, -speed, 0.0].map(|v| Given { x: Some(*place), v, side: 0.0, dt: 1e-3, ..*g }));
+    }
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
@@ -97,7 +102,7 @@ pub fn check(case: &Case, found: &Run) -> Result<(), Failure> {
     let mut beside = case.clone();
     beside.on.retain(|name| BESIDE.contains(name));
     let beside = run(&beside).map_or(0.0, |run| largest(&run.forces));
-    let elements = 2.0 * (beside + curve(case, 3.0 * speed) + caught(case, 2.0 * speed)) + 100.0;
+    let elements = 2.0 * (beside + curve(case, found, 3.0 * speed) + caught(case, 2.0 * speed)) + 100.0;
     if top <= elements {
         return Ok(());
     }
