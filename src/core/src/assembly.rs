@@ -6,6 +6,7 @@ use crate::list::each_element;
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
 use crate::paths::Paths;
+use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
 use crate::preparing::{checked, placed};
 use crate::state::{MAX_MEMORY, Output};
@@ -273,14 +274,6 @@ macro_rules! assembled {
                 self.on & PATHS != 0
             }
 
-            /// Whether an element is on that most dampers do not have: one beside the damper with a private state, a stop,
-            /// or one of the coupled paths.
-            #[inline(always)]
-            pub fn has_extras(&self) -> bool {
-                const EXTRAS: u64 = CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
-                self.on & EXTRAS != 0
-            }
-
             /// Whether an element beside the damper is on that has a private state or is a stop.
             #[inline(always)]
             pub fn has_beside(&self) -> bool {
@@ -327,6 +320,13 @@ impl Elements {
 }
 
 impl Elements {
+    /// Whether the fade is all that acts in the paths, and scales the whole FV curve by a factor that the host's temperature gives: such
+    /// a damper takes the plain step. Springs that bend are solved to rounding in the paths alone.
+    #[inline(always)]
+    pub(crate) fn fades_alone(&self) -> bool {
+        self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
+    }
+
     /// Gives one element what another one brings along: the internal mass, a mass inside.
     pub(crate) fn join(&mut self) {
         self.paths.join();

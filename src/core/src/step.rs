@@ -17,6 +17,7 @@
 
 mod cheap;
 pub mod paths;
+mod primary;
 
 use crate::assembly::{Elements, Outer};
 use crate::curve::Value;
@@ -27,6 +28,7 @@ use crate::integration::{LONGEST, SHORTEST};
 use crate::math::pair;
 use crate::model::Model;
 use crate::state::{MAX_MEMORY, Output, State};
+use primary::{Faded, Plain, Primary};
 
 /// Steps longer than this, s, hide fast motion between their ends: a wheel hops in a tenth of a second.
 pub const LONG_STEP: f64 = 0.01;
@@ -307,8 +309,9 @@ struct Mass {
 const REACH: f64 = 0.05;
 
 /// One substep under way.
-struct Substep<'a> {
+struct Substep<'a, P> {
     elements: &'a Elements,
+    primary: P,
     path: &'a Path,
     /// Start and length of the substep as fractions of the step.
     theta: f64,
@@ -325,7 +328,7 @@ struct Substep<'a> {
     gains: [[f64; 2]; MOST_STAGES],
 }
 
-impl Substep<'_> {
+impl<P: Primary> Substep<'_, P> {
     /// All stages. `BENT`: with springs that no straight line may stand for; apart, so that others do not pay for it.
     #[inline(always)]
     fn run<T: Tableau, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
@@ -371,7 +374,7 @@ impl Substep<'_> {
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = mass_rate * known_v + drive - inner_known;
         // Three iterations are below the method's own error.
-        let (mut u, mut fd) = self.elements.paths.fv_curve.solve::<3>(a, r);
+        let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
         let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
@@ -459,7 +462,7 @@ const ROUNDING: f64 = 1e-12;
 const ROUNDS: usize = 60;
 const PATIENCE: usize = 6;
 
-impl Substep<'_> {
+impl<P: Primary> Substep<'_, P> {
     /// Solves a stage whose springs bend: the straight line that they were taken for at the predicted place holds neither beyond
     /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
     ///
@@ -483,25 +486,25 @@ impl Substep<'_> {
             } else {
                 low = u;
             }
-            let curve = &self.elements.paths.fv_curve;
-            (balance.u, balance.fd) = curve.solve::<3>(resistance + slope, r - balance.inner_known);
+            (balance.u, balance.fd) = self.primary.solve(self.elements, resistance + slope, r - balance.inner_known);
             let inside = balance.u > low && balance.u < high;
             let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
             if !inside || halved {
                 balance.u = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { u };
-                balance.fd = curve.at(balance.u);
+                balance.fd = self.primary.at(self.elements, balance.u);
             }
         }
     }
 }
 
-impl<'a> Substep<'a> {
+impl<'a, P: Primary> Substep<'a, P> {
     /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
     #[inline(always)]
-    fn new(drive: &Drive<'a>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a> {
+    fn new(drive: &Drive<'a, P>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a, P> {
         let h = drive.path.length() * part;
         Substep {
             elements: drive.elements,
+            primary: drive.primary,
             path: drive.path,
             theta,
             part,
@@ -518,15 +521,21 @@ impl<'a> Substep<'a> {
 
 /// What moves the internal mass during a step.
 #[derive(Clone, Copy)]
-struct Drive<'a> {
+struct Drive<'a, P> {
     elements: &'a Elements,
+    primary: P,
     path: &'a Path,
     side: (f64, f64),
 }
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-fn move_mass<T: Tableau, const ONCE: bool>(drive: &Drive, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass<T: Tableau, const ONCE: bool>(
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
     if T::STAGES == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
@@ -542,13 +551,18 @@ fn move_mass<T: Tableau, const ONCE: bool>(drive: &Drive, substeps: u32, mass: M
 
 /// As [`move_mass`] where springs bend ([`Elements::bends`]).
 #[inline(never)]
-fn move_mass_on_bent_springs<T: Tableau>(drive: &Drive, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass_on_bent_springs<T: Tableau>(
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
     move_mass_in_substeps::<T, true>(drive, substeps, mass, follow)
 }
 
 #[inline(always)]
 fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
-    drive: &Drive,
+    drive: &Drive<impl Primary>,
     substeps: u32,
     mut mass: Mass,
     follow: &mut impl Follow,
@@ -563,7 +577,7 @@ fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
 }
 
 /// As [`move_mass`] by cheap steps.
-fn move_mass_cheaply(drive: &Drive, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
     let (elements, path) = (drive.elements, drive.path);
     let part = 1.0 / substeps as f64;
     let h = path.length() * part;
@@ -779,18 +793,36 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
         return;
     }
     if model.elements.has_paths() {
-        step_through_paths(model, state, to, dt, output, slopes);
+        if model.elements.fades_alone() && model.integration.method != Method::Euler {
+            step_of_a_fading_damper(model, state, to, dt, output, slopes);
+        } else {
+            step_through_paths(model, state, to, dt, output, slopes);
+        }
         return;
     }
     let once = model.integration.substeps(dt) == 1;
     match (model.integration.method, once) {
-        (Method::Fourth, true) => answer::<Fourth, true>(model, state, to, dt, output, slopes),
-        (Method::Fourth, false) => answer::<Fourth, false>(model, state, to, dt, output, slopes),
-        (Method::ThreeStage, true) => answer::<ThreeStage, true>(model, state, to, dt, output, slopes),
-        (Method::ThreeStage, false) => answer::<ThreeStage, false>(model, state, to, dt, output, slopes),
-        (Method::Third, _) => answer::<Third, false>(model, state, to, dt, output, slopes),
-        (Method::Second, _) => answer::<Second, false>(model, state, to, dt, output, slopes),
-        (Method::Euler, _) => answer::<Euler, false>(model, state, to, dt, output, slopes),
+        (Method::Fourth, true) => answer::<Fourth, Plain, true>(model, state, to, dt, output, slopes),
+        (Method::Fourth, false) => answer::<Fourth, Plain, false>(model, state, to, dt, output, slopes),
+        (Method::ThreeStage, true) => answer::<ThreeStage, Plain, true>(model, state, to, dt, output, slopes),
+        (Method::ThreeStage, false) => answer::<ThreeStage, Plain, false>(model, state, to, dt, output, slopes),
+        (Method::Third, _) => answer::<Third, Plain, false>(model, state, to, dt, output, slopes),
+        (Method::Second, _) => answer::<Second, Plain, false>(model, state, to, dt, output, slopes),
+        (Method::Euler, _) => answer::<Euler, Plain, false>(model, state, to, dt, output, slopes),
+    }
+}
+
+/// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
+/// is known before the step. The cheap step is another method than what goes through the paths, and does not come here.
+#[inline(never)]
+fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+    let once = model.integration.substeps(dt) == 1;
+    match (model.integration.method, once) {
+        (Method::ThreeStage, true) => answer::<ThreeStage, Faded, true>(model, state, to, dt, output, slopes),
+        (Method::ThreeStage, false) => answer::<ThreeStage, Faded, false>(model, state, to, dt, output, slopes),
+        (Method::Third, _) => answer::<Third, Faded, false>(model, state, to, dt, output, slopes),
+        (Method::Second, _) => answer::<Second, Faded, false>(model, state, to, dt, output, slopes),
+        (Method::Fourth | Method::Euler, _) => answer::<Fourth, Faded, false>(model, state, to, dt, output, slopes),
     }
 }
 
@@ -871,7 +903,7 @@ fn advance_paths_by<T: Tableau, F: paths::EachStage>(
 #[inline(never)]
 fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
     if !cheap_step::<false>(model, state, &to, dt, output) {
-        answer::<Euler, false>(model, state, &to, dt, output, true);
+        answer::<Euler, Plain, false>(model, state, &to, dt, output, true);
     }
 }
 
@@ -957,7 +989,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 /// A step with its exact slopes where they are asked for. `ONCE`: in one substep, as most steps are. Not inlined, so that each has the registers to
 /// itself.
 #[inline(never)]
-fn answer<T: Tableau, const ONCE: bool>(
+fn answer<T: Tableau, P: Primary, const ONCE: bool>(
     model: &Model,
     state: &mut State,
     to: &Input,
@@ -966,7 +998,7 @@ fn answer<T: Tableau, const ONCE: bool>(
     slopes: bool,
 ) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<T, _, ONCE>(model, to, dt, &mut by_end, state, output);
+    advance_by::<T, P, _, ONCE>(model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -977,17 +1009,17 @@ fn answer<T: Tableau, const ONCE: bool>(
 /// another kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     match model.integration.method {
-        Method::Fourth => advance_by::<Fourth, _, false>(model, to, dt, follow, state, output),
-        Method::Third => advance_by::<Third, _, false>(model, to, dt, follow, state, output),
-        Method::ThreeStage => advance_by::<ThreeStage, _, false>(model, to, dt, follow, state, output),
-        Method::Second => advance_by::<Second, _, false>(model, to, dt, follow, state, output),
-        Method::Euler => advance_by::<Euler, _, false>(model, to, dt, follow, state, output),
+        Method::Fourth => advance_by::<Fourth, Plain, _, false>(model, to, dt, follow, state, output),
+        Method::Third => advance_by::<Third, Plain, _, false>(model, to, dt, follow, state, output),
+        Method::ThreeStage => advance_by::<ThreeStage, Plain, _, false>(model, to, dt, follow, state, output),
+        Method::Second => advance_by::<Second, Plain, _, false>(model, to, dt, follow, state, output),
+        Method::Euler => advance_by::<Euler, Plain, _, false>(model, to, dt, follow, state, output),
     }
 }
 
 /// By one method, in place.
 #[inline(always)]
-fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
+fn advance_by<T: Tableau, P: Primary, F: Follow, const ONCE: bool>(
     model: &Model,
     to: &Input,
     dt: f64,
@@ -996,6 +1028,7 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     output: &mut Output,
 ) {
     let e = &model.elements;
+    let primary = P::new(e, to.temperature);
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
     let substeps = if ONCE { 1 } else { model.integration.substeps(dt) };
@@ -1011,7 +1044,7 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     if e.has_series() {
         let s = &e.paths.series_compliance;
         let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
-        let mass = move_mass::<T, ONCE>(&Drive { elements: e, path: &path, side }, substeps, start, follow);
+        let mass = move_mass::<T, ONCE>(&Drive { elements: e, primary, path: &path, side }, substeps, start, follow);
         state.mass_displacement = mass.x;
         state.mass_velocity = mass.v;
         output.primary_force = mass.primary;
@@ -1022,7 +1055,7 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
         by_x = s.stiffness - x_yields;
         by_v = s.damping - v_yields;
     } else {
-        let (inner, primary) = (e.inner(&outer), e.paths.fv_curve.at(v));
+        let (inner, primary) = (e.inner(&outer), primary.at(e, v));
         state.mass_displacement = x;
         state.mass_velocity = v;
         output.primary_force = primary.value;
@@ -1038,7 +1071,7 @@ fn advance_by<T: Tableau, F: Follow, const ONCE: bool>(
     force += friction.force + preload.force;
     by_x += friction.by_x + preload.by_x;
     by_v += friction.by_v + preload.by_v;
-    if e.has_extras() {
+    if e.has_beside() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());

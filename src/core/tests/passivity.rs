@@ -2,7 +2,7 @@
 
 mod common;
 use common::*;
-use dashpot_core::elements::Elements;
+use dashpot_core::assembly::Elements;
 use dashpot_core::parameter::Element;
 use dashpot_core::paths::hydraulic::column_force;
 use dashpot_core::paths::series::held as held_by;

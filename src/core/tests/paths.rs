@@ -3,7 +3,8 @@
 mod common;
 use common::*;
 use dashpot_core::parameter::{Element, Params};
-use dashpot_core::step::{Integration, step};
+use dashpot_core::step::paths::{FollowPaths, StageSlopes};
+use dashpot_core::step::{Integration, Method, advance_paths, step};
 use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
 use dashpot_core::{element, list, number};
 use std::f64::consts::TAU;
@@ -573,4 +574,49 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
         }
         assert!(ends > 0, "{elements:?} comes to no end of its range");
     }
+}
+
+/// Follows nothing.
+struct Nobody;
+
+impl FollowPaths for Nobody {
+    fn paths_stage(&mut self, _: &dyn StageSlopes) {}
+}
+
+/// A damper that fades as a whole takes the plain step; the paths come to the same, since their equation then is its own.
+#[test]
+fn a_fading_damper_steps_as_through_the_paths() {
+    let (mut apart, mut steps) = (0, 0);
+    for (series, offset) in [(true, 0.0), (true, 120.0), (false, 120.0)] {
+        let mut p = params(&[("fade_coefficient", 0.012)]);
+        p.enable(element!("temperature_fade"), true);
+        p.enable(element!("series_compliance"), series);
+        let raised: Vec<f64> = p.list(list!("fv_force")).iter().map(|f| f + offset).collect();
+        p.set_list(list!("fv_force"), &raised).unwrap();
+        let alone = Model::new(&p).unwrap();
+        for method in METHODS.into_iter().filter(|method| *method != Method::Euler) {
+            for (substeps, dt) in [(1, 1e-3), (3, 1e-3), (1, 1e-4)] {
+                let model = alone.with_integration(Integration::fixed(method, substeps));
+                let motion = sine(0.01, 12.0);
+                let mut through = model.settled(&Input::motion(-0.01, 0.0));
+                let mut plain = through;
+                for i in 1..=200 {
+                    let (x, v) = motion(f64::from(i) * dt);
+                    let input = Input { temperature: -30.0 + 0.7 * f64::from(i), ..Input::motion(x, v) };
+                    let (next, got) = step(&model, &plain, &input, dt);
+                    plain = next;
+                    let mut wanted = Output::ZERO;
+                    advance_paths(&model, &mut through, &input, dt, &mut Nobody, &mut wanted);
+                    let off = (got.force - wanted.force).abs() / (1.0 + wanted.force.abs());
+                    // After a substep that the paths have taken again in pieces, where it seemed thrown.
+                    assert!(off < 1e-2, "{method:?} {substeps} {dt} {series}: {} for {}", got.force, wanted.force);
+                    apart += usize::from(off > 1e-8);
+                    steps += 1;
+                    assert_eq!(got.oil_temperature, wanted.oil_temperature);
+                }
+            }
+        }
+    }
+    assert!(apart * 500 < steps, "{apart} of {steps} steps");
+    println!("{apart} of {steps} steps apart");
 }

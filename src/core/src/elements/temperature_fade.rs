@@ -92,6 +92,12 @@ impl Prepare for TemperatureFade {
 }
 
 impl TemperatureFade {
+    /// Whether all of the force fades, however large.
+    #[inline(always)]
+    pub(crate) fn is_of_all(&self) -> bool {
+        self.per_laminar == 0.0
+    }
+
     /// The faded force.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, factor: R) -> R {

@@ -1,0 +1,77 @@
+//! What the valves make of the velocity of the mass in the plain step: the FV curve, or that times a factor. Pure.
+
+use crate::assembly::Elements;
+use crate::curve::Value;
+
+/// A force that rises with the velocity of the mass.
+pub(super) trait Primary: Copy {
+    /// That of an element set at a temperature that the host gives.
+    fn new(e: &Elements, temperature: f64) -> Self;
+
+    /// Force and slope at a velocity.
+    fn at(&self, e: &Elements, v: f64) -> Value;
+
+    /// The velocity u with a u + F(u) = r, and force and slope there.
+    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value);
+}
+
+/// Householder steps inside a piece of the FV curve: what they leave is below the error of every method.
+const STEPS: usize = 3;
+
+/// The FV curve.
+#[derive(Clone, Copy)]
+pub(super) struct Plain;
+
+impl Primary for Plain {
+    #[inline(always)]
+    fn new(_: &Elements, _: f64) -> Plain {
+        Plain
+    }
+
+    #[inline(always)]
+    fn at(&self, e: &Elements, v: f64) -> Value {
+        e.paths.fv_curve.at(v)
+    }
+
+    #[inline(always)]
+    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+        e.paths.fv_curve.solve::<STEPS>(a, r)
+    }
+}
+
+/// F = F_d(0) + s (F_d(u) − F_d(0)): the FV curve of a damper that fades as a whole.
+#[derive(Clone, Copy)]
+pub(super) struct Faded {
+    /// s, and 1/s.
+    factor: f64,
+    per_factor: f64,
+    /// F_d(0).
+    standing: f64,
+}
+
+impl Faded {
+    #[inline(always)]
+    fn of(&self, curve: Value) -> Value {
+        Value { value: self.standing + self.factor * (curve.value - self.standing), slope: self.factor * curve.slope }
+    }
+}
+
+impl Primary for Faded {
+    #[inline(always)]
+    fn new(e: &Elements, temperature: f64) -> Faded {
+        let factor: f64 = e.paths.temperature_fade.factor(temperature, 0.0);
+        Faded { factor, per_factor: 1.0 / factor, standing: e.paths.fv_curve.at_zero() }
+    }
+
+    #[inline(always)]
+    fn at(&self, e: &Elements, v: f64) -> Value {
+        self.of(e.paths.fv_curve.at(v))
+    }
+
+    #[inline(always)]
+    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+        let r = self.standing + (r - self.standing) * self.per_factor;
+        let (u, curve) = e.paths.fv_curve.solve::<STEPS>(a * self.per_factor, r);
+        (u, self.of(curve))
+    }
+}
