@@ -167,7 +167,7 @@ struct PutIn {
 
 impl Follow for PutIn {
     fn stage(&mut self, elements: &Elements, s: &Stage) {
-        let series = &elements.series_compliance;
+        let series = &elements.paths.series_compliance;
         let force = series.stiffness * (s.path.x - s.x_m) + series.damping * (s.path.v - s.u);
         let known: f64 = s.row.iter().zip(&self.stages).take(s.index).map(|(a, (moved, _))| a * moved).sum();
         let moved = s.path.x - self.from - known;
