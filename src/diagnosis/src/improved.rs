@@ -1,7 +1,7 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
 use super::answer::percent;
-use super::name_of;
+use super::name_of::name_of;
 use super::outcome::Diagnosis;
 use super::phrases;
 use super::search::{Search, physical};

@@ -1,0 +1,22 @@
+//! What a free number is called in answers.
+
+use dashpot_core::number;
+use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::unknowns::Unknown;
+
+/// Name and unit of a free number.
+pub(super) fn name_of(free: &Free) -> (&'static str, &'static str) {
+    match free {
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+            (number.name(), number.parameter().unit)
+        }
+        Free::Model(Unknown::Entry(list, _)) => (list.name(), list.parameter().unit),
+        Free::Model(Unknown::Rise { curve, .. }) => (curve.forces().name(), "N"),
+        Free::Rig(artefact) => (artefact.parameter(), artefact.unit()),
+        Free::Cooling => ("cooling_rate", "1/s"),
+        Free::HeatCapacity => {
+            let number = number!("heat_capacity");
+            (number.name(), number.parameter().unit)
+        }
+    }
+}

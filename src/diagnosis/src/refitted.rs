@@ -1,0 +1,26 @@
+//! A model refitted as a diagnosis does it, and the samples that it looks at: for whoever hides an effect at a stated severity.
+
+use super::vocabulary;
+use dashpot_core::Params;
+use dashpot_estimation::hypothesis::Hypothesis;
+use dashpot_estimation::refit;
+use dashpot_estimation::samples;
+use dashpot_records::Record;
+
+/// A model refitted to noise-free records, and what it leaves of every sample in units of the noise stated for each record.
+/// `None` where the model gives no finite force.
+pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(Params, Vec<f64>)> {
+    let mut tests = samples::as_long_as_remembered(samples::tests(records), params);
+    for test in &mut tests {
+        let noise = noise[test.record];
+        test.allowed.iter_mut().for_each(|a| *a = noise);
+    }
+    let base = Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: None };
+    let found = refit::refit(&base, &tests, &base.start(), None, refit::Effort::FINE)?;
+    Some((base.params(&found.theta), found.residual.as_slice().to_vec()))
+}
+
+/// The mean cycle's force of every record, by name, at the samples that a diagnosis looks at.
+pub fn mean_cycles(records: &[&Record]) -> Vec<(String, Vec<f64>)> {
+    samples::tests(records).iter().map(|t| (t.segment.name.clone(), t.forces().to_vec())).collect()
+}
