@@ -12,7 +12,7 @@ use dashpot_identification::literature::observation::{self, Motion};
 use dashpot_identification::literature::{Literature, file as literature};
 use dashpot_identification::model_file;
 use dashpot_identification::{limits, model_file::prepared};
-use dashpot_records::{Options, Record, load, profile, read_motion, read_peaks};
+use dashpot_records::{Options, PeakOptions, Record, load, profile, read_motion, read_peaks};
 use dashpot_rig::Matrix;
 use dashpot_simulation::vehicle::Car;
 use dashpot_tests::hostile::{Random, keep_for_fuzzer, mutate, mutate_text, rounds};
@@ -185,7 +185,7 @@ fn tables_of_limits_peaks_and_tests() {
     ];
     every_damage_is_read_or_refused("peaks.csv", &peaks.map(str::to_owned), &|file, bytes| {
         std::fs::write(file, bytes).unwrap();
-        let points = read_peaks(file, None).map_err(|e| e.to_string())?.points;
+        let points = read_peaks(file, &PeakOptions::default()).map_err(|e| e.to_string())?.points;
         assert!(points.windows(2).all(|w| w[0].velocity_m_s < w[1].velocity_m_s), "{points:?}");
         Ok(())
     });

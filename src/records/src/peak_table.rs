@@ -6,11 +6,11 @@ use std::path::Path;
 use super::channel::Channel;
 use super::csv::cells_of_text;
 use super::error::{Place, RecordError};
-use super::heading::{Heading, HeadingUnit, heading, words};
+use super::heading::{Heading, heading};
 use super::not_read;
 use super::options::Positive;
-use super::table::{HEADER_WITHIN, number};
-use super::unit::{Dimension, Unit};
+use super::peak_columns::{self, PeakOptions, PeakPair, Stroke, Taken};
+use super::table::{HEADER_WITHIN, is_units_row, number};
 use super::xlsx::cells_of_workbook;
 
 /// A point of the table: rebound velocity and tension force positive.
@@ -31,6 +31,8 @@ pub struct Peaks {
     pub points: Vec<PeakPoint>,
     /// How rebound was told from compression.
     pub told: Told,
+    /// The columns that were read.
+    pub pairs: Vec<PeakPair>,
 }
 
 /// How a table tells rebound from compression.
@@ -70,37 +72,11 @@ impl Peaks {
     }
 }
 
-/// Words for the strokes in headings.
-const REBOUND: [&str; 12] = [
-    "rebound",
-    "reb",
-    "ext",
-    "extension",
-    "tension",
-    "zug",
-    "zugstufe",
-    "detente",
-    "estensione",
-    "复原",
-    "拉伸",
-    "回弹",
-];
-const COMPRESSION: [&str; 9] =
-    ["compression", "bump", "jounce", "druck", "druckstufe", "comp", "compressione", "compresion", "压缩"];
-
-/// A column of forces, and the column of velocities that it goes with.
-struct Column {
-    force: (usize, Unit),
-    velocity: (usize, Unit),
-    /// The direction that both are of; none where the table is signed.
-    stroke: Option<f64>,
-}
-
-/// Reads a table of peaks. `positive` says which direction a signed table counts positive; rebound where nothing is said.
+/// Reads a table of peaks.
 ///
 /// # Errors
 /// [`RecordError`] with file, line and what to do.
-pub fn read_peaks(file: &Path, positive: Option<Positive>) -> Result<Peaks, RecordError> {
+pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordError> {
     let extension = file.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let workbook = ["xlsx", "xlsm"].contains(&extension.as_str());
     if !workbook && let Some((is, instead)) = not_read::known(file) {
@@ -109,10 +85,10 @@ pub fn read_peaks(file: &Path, positive: Option<Positive>) -> Result<Peaks, Reco
     let rows = if workbook { cells_of_workbook(file)? } else { cells_of_text(file)? };
     let at = Place::file(file);
     let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
-    let below = |k: usize| rows.get(k + 1).map(|row| &*row.1);
-    let found = rows.iter().enumerate().find_map(|(k, (_, cells))| Some((k, columns(cells, below(k))?)));
+    let found = peak_columns::find(&rows, options);
     // A record has a time beside what it measures; each of its samples would be taken for a peak.
-    let timed = rows.iter().take(found.as_ref().map_or(HEADER_WITHIN, |(k, _)| k + 1)).find_map(|(line, cells)| {
+    let above = found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1));
+    let timed = rows.iter().take(above).find_map(|(line, cells)| {
         let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
         let is_other =
             |cell: &String| matches!(heading(cell), Heading::Channel(channel, _) if channel != Channel::Time);
@@ -125,115 +101,70 @@ pub fn read_peaks(file: &Path, positive: Option<Positive>) -> Result<Peaks, Reco
         );
         return Err(wrong(line, cause));
     }
-    let Some((header, columns)) = found else {
-        let cause = "no header that names velocity and force with their units, such as velocity_mm_s,force_N or \
-                     velocity [m/s],rebound [N],compression [N]";
-        return Err(wrong(rows.first().map_or(1, |row| row.0), cause.into()));
-    };
-    let turn = if positive == Some(Positive::Compression) { -1.0 } else { 1.0 };
+    let found = found.map_err(|(row, cause)| wrong(rows.get(row).map_or(1, |row| row.0), cause))?;
+    let turn = if options.positive == Some(Positive::Compression) { -1.0 } else { 1.0 };
     let mut points = Vec::new();
-    for (line, cells) in &rows[header + 1..] {
-        let value = |(index, unit): (usize, Unit)| -> Result<Option<f64>, RecordError> {
-            let text = cells.get(index).map_or("", |c| c.trim());
-            let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
-            Ok(Some(unit.to_si(value)).filter(|v| v.is_finite()))
-        };
-        // The row of units, and rows without a velocity, are no points.
-        let is_units = cells
-            .iter()
-            .all(|c| c.trim().is_empty() || c.trim().trim_matches(['[', ']', '(', ')']).parse::<Unit>().is_ok());
-        if is_units {
-            continue;
+    for pair in &found.pairs {
+        let mut of_pair = Vec::new();
+        for (line, cells) in &rows[found.data..] {
+            let value = |column: &Taken| -> Result<f64, RecordError> {
+                let text = cells.get(column.index).map_or("", |c| c.trim());
+                let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
+                Ok(column.unit.to_si(value))
+            };
+            // A row of units below a repeated heading, and rows without a velocity, are no points.
+            if is_units_row(cells) {
+                continue;
+            }
+            let (velocity, force) = (value(&pair.velocity)?, value(&pair.force)?);
+            if velocity.is_finite() && force.is_finite() {
+                of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
+            }
         }
-        for column in &columns {
-            let (Some(velocity), Some(force)) = (value(column.velocity)?, value(column.force)?) else { continue };
-            let (velocity_m_s, force_n) = match column.stroke {
-                Some(sign) => (sign * velocity.abs(), sign * force.abs()),
+        // How a column counts a stroke is seen where the damper is strongest; what has the other sign in it pulls the other way, as the
+        // gas does at low speeds.
+        let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
+        let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
+        for point in &mut of_pair {
+            let (velocity, force) = (point.velocity_m_s, point.force_n);
+            (point.velocity_m_s, point.force_n) = match pair.stroke {
+                Some(stroke) => (stroke.sign() * velocity.abs(), stroke.sign() * counts * force),
                 // Speeds without a sign: the force tells the stroke.
                 None if velocity > 0.0 && force < 0.0 => (-turn * velocity, turn * force),
                 None => (turn * velocity, turn * force),
             };
-            points.push(PeakPoint { velocity_m_s, force_n, line: *line });
         }
+        points.append(&mut of_pair);
     }
     points.retain(|p| p.velocity_m_s != 0.0);
     points.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
     for pair in points.windows(2) {
         let [a, b] = pair else { continue };
         if a.velocity_m_s == b.velocity_m_s {
-            return Err(wrong(b.line, format!("line {} has the same velocity, {} m/s", a.line, b.velocity_m_s)));
+            let (first, second) = (a.line.min(b.line), a.line.max(b.line));
+            return Err(wrong(second, format!("line {first} has the same velocity, {} m/s", b.velocity_m_s)));
         }
     }
     for (is_there, stroke) in [
-        (points.iter().any(|p| p.velocity_m_s > 0.0), "rebound"),
-        (points.iter().any(|p| p.velocity_m_s < 0.0), "compression"),
+        (points.iter().any(|p| p.velocity_m_s > 0.0), Stroke::Rebound),
+        (points.iter().any(|p| p.velocity_m_s < 0.0), Stroke::Compression),
     ] {
         if !is_there {
-            let line = rows[header].0;
+            let line = rows.get(found.header.unwrap_or(0)).map_or(1, |row| row.0);
             let cause = format!(
-                "holds no point in {stroke}; write rebound and compression with opposite signs, or in a column each"
+                "holds no point in {stroke}; write rebound and compression with opposite signs, or in a column each, which --column \
+                 {stroke}_force names",
+                stroke = stroke.name()
             );
             return Err(wrong(line, cause));
         }
     }
-    let told = match positive {
-        _ if columns.iter().all(|column| column.stroke.is_some()) => Told::Headings,
+    let told = match options.positive {
+        _ if found.pairs.iter().all(|pair| pair.stroke.is_some()) => Told::Headings,
         Some(positive) => Told::Given(positive),
         None => Told::Assumed,
     };
-    Ok(Peaks { points, told })
-}
-
-/// The columns of a header, with their units from it or from the row below.
-fn columns(cells: &[String], below: Option<&[String]>) -> Option<Vec<Column>> {
-    let unit = |index: usize, dimension: Dimension| {
-        let of_heading = match heading(&cells[index]) {
-            Heading::Channel(_, HeadingUnit::Known(unit)) => Some(unit),
-            // A heading of a stroke alone, such as `Rebound [N]`.
-            _ => bracketed(&cells[index]),
-        };
-        let row =
-            below.and_then(|row| row.get(index)).and_then(|c| c.trim().trim_matches(['[', ']', '(', ')']).parse().ok());
-        of_heading.or(row).filter(|u| u.dimension() == dimension).map(|unit| (index, unit))
-    };
-    let stroke = |index: usize| {
-        let words = words(&cells[index]);
-        let says = |names: &[&str]| words.iter().any(|w| names.contains(&w.as_str()));
-        match (says(&REBOUND), says(&COMPRESSION)) {
-            (true, false) => Some(1.0),
-            (false, true) => Some(-1.0),
-            _ => None,
-        }
-    };
-    let of = |index: usize, channel: Channel| matches!(heading(&cells[index]), Heading::Channel(c, _) if c == channel);
-    let all = 0..cells.len();
-    // What is in m/s is a velocity, whatever it is called.
-    let velocities: Vec<(usize, Unit)> = all.clone().filter_map(|index| unit(index, Dimension::Speed)).collect();
-    let forces = all.filter(|&index| of(index, Channel::Force) || stroke(index).is_some());
-    let columns: Vec<Column> = forces
-        .filter_map(|index| {
-            let force = unit(index, Dimension::Force)?;
-            // The velocity of the same stroke, else the one before the force: a table may have one for each side.
-            let own = stroke(index);
-            let same = |v: &&(usize, Unit)| own.is_some() && stroke(v.0) == own;
-            let may = |v: &&(usize, Unit)| own.is_none() || stroke(v.0).is_none();
-            let before = |v: &&(usize, Unit)| v.0 < index;
-            let velocity = velocities
-                .iter()
-                .rfind(|v| same(v) && before(v))
-                .or_else(|| velocities.iter().find(same))
-                .or_else(|| velocities.iter().rfind(|v| may(v) && before(v)))
-                .or_else(|| velocities.iter().find(may))?;
-            Some(Column { force, velocity: *velocity, stroke: own.or_else(|| stroke(velocity.0)) })
-        })
-        .collect();
-    (!columns.is_empty()).then_some(columns)
-}
-
-/// The unit at the end of a heading, in brackets or after the last blank, comma or underscore.
-fn bracketed(text: &str) -> Option<Unit> {
-    let text = text.trim().trim_end_matches([']', ')']);
-    text.rsplit(['[', '(', ' ', ',', '_']).next()?.trim().parse().ok()
+    Ok(Peaks { points, told, pairs: found.pairs })
 }
 
 #[cfg(test)]
@@ -249,7 +180,103 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("pvp.csv");
         std::fs::write(&file, text).unwrap();
-        read_peaks(&file, positive).map_err(|e| e.to_string())
+        let options = PeakOptions { positive, ..PeakOptions::default() };
+        read_peaks(&file, &options).map_err(|e| e.to_string())
+    }
+
+    /// Read with what the user says of columns and units.
+    fn said(text: &str, columns: &[(&str, &str)], units: &[(&str, &str)]) -> Result<Peaks, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pvp.csv");
+        std::fs::write(&file, text).unwrap();
+        let options = PeakOptions {
+            columns: columns.iter().map(|(what, heading)| (what.parse().unwrap(), (*heading).to_owned())).collect(),
+            units: units.iter().map(|(channel, unit)| (channel.parse().unwrap(), unit.parse().unwrap())).collect(),
+            ..PeakOptions::default()
+        };
+        read_peaks(&file, &options).map_err(|e| e.to_string())
+    }
+
+    fn points(peaks: &Peaks) -> Vec<[f64; 2]> {
+        let to = |value: f64| (value * 1e6).round() / 1e6;
+        peaks.points.iter().map(|p| [to(p.velocity_m_s), to(p.force_n)]).collect()
+    }
+
+    #[test]
+    fn tables_of_dynos_are_understood_by_their_words() {
+        let wanted = vec![[-0.5, -600.0], [-0.25, -400.0], [0.25, 700.0], [0.5, 1100.0]];
+        for text in [
+            "V-C [m/s],C [N],V-R [m/s],R [N]\n0.25,400,0.25,700\n0.5,600,0.5,1100\n",
+            "V-C,C,V-R,R\nmm/s,N,mm/s,N\n-250,-400,250,700\n-500,-600,500,1100\n",
+            "Test,V-C,C,V-R,R\n,mm/s,N,mm/s,N\n1,250,400,250,-700\n2,500,600,500,-1100\n",
+            "Comp Vel (mm/s),Comp Force (daN),Reb Vel (mm/s),Reb Force (daN)\n250,40,250,70\n500,60,500,110\n",
+            "Velocity compression (mm/s),Force compression (N),Velocity rebound (mm/s),Force rebound (N)\n-250,-400,250,700\n-500,-600,500,1100\n",
+            "Geschwindigkeit;Zugkraft;Druckkraft\nmm/s;N;N\n250;700;-400\n500;1100;-600\n",
+            "Speed mm/s,Force N (rebound),Force N (compression)\n250,700,400\n500,1100,600\n",
+            "速度(m/s),复原力(N),压缩力(N)\n0.25,700,400\n0.5,1100,600\n",
+            "Velocity [m/s],F (R) [N],F (C) [N]\n0.25,700,400\n0.5,1100,600\n",
+            // What stands beside the forces of both strokes is no force of a stroke.
+            "Velocity [m/s],Rebound [N],Compression [N],Gas Force [N],Hysteresis [N],Oil [C]\n0.25,700,400,9,9,30\n0.5,1100,600,9,9,31\n",
+            "Nominal velocity [m/s],Velocity [m/s],Rebound [N],Compression [N]\n0.2,0.25,700,400\n0.4,0.5,1100,600\n",
+        ] {
+            let found = said(text, &[], &[]).unwrap();
+            assert_eq!((points(&found), found.told), (wanted.clone(), Told::Headings), "{text}");
+        }
+        let signed = said("v [m/s],F [N],c [Ns/m]\n0.5,1100,9\n-0.5,-600,9\n", &[], &[]).unwrap();
+        assert_eq!((points(&signed), signed.told), (vec![[-0.5, -600.0], [0.5, 1100.0]], Told::Assumed));
+    }
+
+    #[test]
+    fn units_and_columns_that_a_table_lacks_are_given() {
+        let wanted = vec![[-0.254, -444.822162], [0.254, 889.644323]];
+        let pounds = [("velocity", "in/s"), ("force", "lbf")];
+        let bare = "V-C,C,V-R,R\n10,100,10,200\n";
+        let message = said(bare, &[], &[]).unwrap_err();
+        assert!(
+            message.contains("no unit is known of 'V-C', 'V-R', 'C', 'R'") && message.contains("--unit velocity="),
+            "{message}"
+        );
+        assert_eq!(points(&said(bare, &[], &pounds).unwrap()), wanted);
+        // A unit that is given wins over the heading, as with records.
+        assert_eq!(points(&said("v [m/s],R [N],C [N]\n10,200,100\n", &[], &pounds).unwrap()), wanted);
+        let many = "Speed,CO,RO,CC,RC\n10,100,200,90,190\n";
+        let by_number = [("velocity", "1"), ("rebound_force", "3"), ("compression_force", "2")];
+        assert_eq!(points(&said(many, &by_number, &pounds).unwrap()), wanted);
+        let by_name = [("velocity", "speed"), ("rebound_force", "ro"), ("compression_force", "CO")];
+        assert_eq!(points(&said("Speed,Force,CO,RO\n10,7,100,200\n", &by_name, &pounds).unwrap()), wanted);
+        assert_eq!(
+            points(
+                &said(
+                    "10,100,200\n",
+                    &[("velocity", "1"), ("compression_force", "2"), ("rebound_force", "3")],
+                    &pounds
+                )
+                .unwrap()
+            ),
+            wanted
+        );
+        let message = said("v [m/s],Rebound min [N],Rebound max [N],Compression [N]\n1,2,3,4\n", &[], &[]).unwrap_err();
+        assert!(
+            message.contains("'Rebound min [N]', 'Rebound max [N]'") && message.contains("--column rebound_force="),
+            "{message}"
+        );
+        let one = [("rebound_force", "Rebound max")];
+        let found = said("v [m/s],Rebound min [N],Rebound max [N],Compression [N]\n1,2,3,4\n", &one, &[]).unwrap();
+        assert_eq!(points(&found), [[-1.0, -4.0], [1.0, 3.0]]);
+        let message = said("v [m/s],R [N],C [N]\n1,2,3\n", &[("rebound_force", "Rebund")], &[]).unwrap_err();
+        assert!(message.contains("--column rebound_force=Rebund names no column"), "{message}");
+    }
+
+    #[test]
+    fn a_force_against_its_stroke_keeps_its_sign() {
+        // Gas pushes the rod out: at a crawl the rebound side pushes still.
+        for text in [
+            "v [m/s],Rebound [N],Compression [N]\n0.01,-120,200\n0.5,1100,600\n",
+            "v [m/s],Rebound [N],Compression [N]\n0.01,120,-200\n0.5,-1100,-600\n",
+        ] {
+            let found = said(text, &[], &[]).unwrap();
+            assert_eq!(points(&found), [[-0.5, -600.0], [-0.01, -200.0], [0.01, -120.0], [0.5, 1100.0]], "{text}");
+        }
     }
 
     #[test]
@@ -293,14 +320,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("pvp.xls");
         std::fs::write(&file, b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 velocity").unwrap();
-        let message = read_peaks(&file, None).unwrap_err().to_string();
+        let message = read_peaks(&file, &PeakOptions::default()).unwrap_err().to_string();
         assert!(message.contains(".xls") && message.contains(".xlsx"), "{message}");
     }
 
     #[test]
     fn mistakes_are_told_with_file_and_line() {
         for (text, wanted) in [
-            ("speed,force\n1,2\n", "line 1: no header that names velocity and force"),
+            ("speed,weight\n1,2\n", "line 1: no header that names velocity and force"),
+            ("speed,force\n1,2\n", "line 1: no unit is known of 'speed', 'force'"),
             ("velocity_m_s,force_N\n0.1,x\n", "line 2: \"x\" is no number"),
             ("velocity_m_s,force_N\n0.1,5\n0.1,6\n-0.1,-5\n", "line 3: line 2 has the same velocity"),
             ("velocity_m_s,force_N\n0.1,5\n", "holds no point in compression"),

@@ -7,7 +7,7 @@ use dashpot_hosts::adams::property;
 use dashpot_identification::limits;
 use dashpot_identification::literature::file as literature;
 use dashpot_identification::model_file::{self, prepared};
-use dashpot_records::{Options, Unit, load, profile, read_motion, read_peaks};
+use dashpot_records::{Options, PeakOptions, Unit, load, profile, read_motion, read_peaks};
 use dashpot_rig::Matrix;
 use dashpot_simulation::vehicle::Car;
 use std::path::{Path, PathBuf};
@@ -68,7 +68,7 @@ pub fn settings(bytes: &[u8]) {
             }
         }
         2 => {
-            let _ = read_peaks(&written("peaks.csv", bytes), None);
+            let _ = read_peaks(&written("peaks.csv", bytes), &PeakOptions::default());
         }
         3 => {
             let _ = Matrix::read(&written("matrix.csv", bytes));

@@ -101,6 +101,26 @@ fn a_table_of_peaks_starts_a_model() {
     assert!(told.contains("pvp.csv, line 3") && told.contains("weaker"), "{told}");
 }
 
+#[test]
+fn a_table_of_a_dyno_is_told_as_understood() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    fs::write(dir.join("dyno.csv"), "V-C,C,V-R,R\n2,45,2,60\n10,90,10,200\n").unwrap();
+    let told = refused(dir, &["import", "peaks", "dyno.csv", "-o", "m.toml"]);
+    assert!(told.contains("line 1: no unit is known of 'V-C'") && told.contains("--unit velocity="), "{told}");
+    let given = ["import", "peaks", "dyno.csv", "-o", "m.toml", "--unit", "velocity=in/s", "--unit", "force=lbf"];
+    let told = done(dir, &given);
+    assert!(
+        told.contains("compression from 'C' in lbf over 'V-C' in in/s, rebound from 'R' in lbf over 'V-R' in in/s"),
+        "{told}"
+    );
+    assert!(told.contains("as the headings name them") && told.contains("2.22 times"), "{told}");
+    let told = refused(dir, &["import", "peaks", "dyno.csv", "-o", "m.toml", "--unit", "velocity=lbf"]);
+    assert!(told.contains("lbf is no unit of velocity") && told.contains("in/s"), "{told}");
+    let told = refused(dir, &["import", "peaks", "dyno.csv", "-o", "m.toml", "--column", "rebound=R"]);
+    assert!(told.contains("rebound_force"), "{told}");
+}
+
 /// Half a second at 0.5 m/s.
 fn motion() -> String {
     let row = |i: i32| format!("{},{},0.5\n", 1e-3 * f64::from(i), 0.5e-3 * f64::from(i));

@@ -6,16 +6,16 @@ use dashpot_core::{element, list, number};
 use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
 use dashpot_output::Kind;
-use dashpot_records::{Peaks, Positive, Told, read_peaks};
+use dashpot_records::{Channel, PeakOptions, Peaks, Positive, Stroke, Told, Unit, assignment, read_peaks};
 use std::path::PathBuf;
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
 ///
 /// Columns are velocity and force with their units, rebound positive and compression negative unless --positive says otherwise, or
-/// velocity with a column for rebound and one for compression; each of them may have a velocity of its own. Gas force and friction, which such a table holds without naming them, are taken out where they are given.
+/// velocity with a column for rebound and one for compression; each of them may have a velocity of its own (Comp Vel, Comp Force, Reb Vel, Reb Force; V-C, C, V-R, R). Each is known by its words or its unit; what may be two things is asked for by name (--column). Gas force and friction, which such a table holds without naming them, are taken out where they are given.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
+    after_help = "Example:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n  dashpot import peaks dyno.csv -o damper.toml --unit velocity=in/s --unit force=lbf --column rebound_force=\"RO\"\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
 )]
 pub struct Args {
     /// Table
@@ -27,6 +27,12 @@ pub struct Args {
     /// Which direction a table with signs counts positive; rebound if not given
     #[arg(long, value_name = "rebound|compression")]
     positive: Option<Positive>,
+    /// Unit of velocity or force where the headings have none or a wrong one, such as force=lbf
+    #[arg(long, value_name = "CHANNEL=UNIT")]
+    unit: Vec<String>,
+    /// Heading of a column, with or without its unit, or its number from 1; columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
+    #[arg(long, value_name = "COLUMN=HEADING")]
+    column: Vec<String>,
     /// Gas force in the table's forces, N
     #[arg(long, value_name = "N", default_value_t = 0.0)]
     gas_force: f64,
@@ -44,7 +50,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             bail!("{name} is {value}; it must be 0 N or more");
         }
     }
-    let peaks = read_peaks(&args.input, args.positive)?;
+    let peaks = read_peaks(&args.input, &args.options()?)?;
     let points = &peaks.points;
     let hydraulic = |force: f64, velocity: f64| force + args.gas_force - args.friction * velocity.signum();
     let mut velocities = vec![0.0];
@@ -87,12 +93,52 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(
         Some(&args.output).filter(|p| dashpot_output::is_stdout(p)).map(PathBuf::as_path),
         &format!(
-            "{} points in {}; {}; hysteresis needs records (dashpot fit)",
+            "{} points in {}; {}; {}; hysteresis needs records (dashpot fit)",
             velocities.len(),
             args.output.display(),
+            columns(&peaks),
             direction(&peaks)
         ),
     )
+}
+
+impl Args {
+    /// What is said of the table.
+    fn options(&self) -> anyhow::Result<PeakOptions> {
+        let mut options = PeakOptions { positive: self.positive, ..PeakOptions::default() };
+        for text in &self.unit {
+            let (channel, unit) = assignment(text).map_err(anyhow::Error::msg).context("--unit")?;
+            if !matches!(channel, Channel::Velocity | Channel::Force) {
+                bail!("--unit: a table of peaks has velocity and force, no {channel}");
+            }
+            let unit: Unit = unit.parse().map_err(anyhow::Error::msg).context("--unit")?;
+            if unit.dimension() != channel.dimension() {
+                bail!("--unit: {unit} is no unit of {channel}; it may be in {}", channel.units_understood());
+            }
+            options.units.insert(channel, unit);
+        }
+        for text in &self.column {
+            let (column, heading) = text.split_once('=').with_context(|| {
+                format!("--column: '{text}' should read column=heading, for example rebound_force=\"R Avg\"")
+            })?;
+            let column = column.parse().map_err(anyhow::Error::msg).context("--column")?;
+            options.columns.insert(column, heading.trim().trim_matches('"').to_owned());
+        }
+        Ok(options)
+    }
+}
+
+/// Which columns were taken for what.
+fn columns(peaks: &Peaks) -> String {
+    let pairs = peaks.pairs.iter().map(|pair| {
+        let stroke = pair.stroke.map_or("both strokes", Stroke::name);
+        let column = |taken: &dashpot_records::Taken| match taken.heading.as_str() {
+            "" => format!("column {} in {}", taken.index + 1, taken.unit),
+            heading => format!("'{}' in {}", heading.escape_debug(), taken.unit),
+        };
+        format!("{stroke} from {} over {}", column(&pair.force), column(&pair.velocity))
+    });
+    pairs.collect::<Vec<_>>().join(", ")
 }
 
 /// Which side was taken as rebound, and whether its forces speak for that.
