@@ -3,11 +3,13 @@
 //! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
 //! are for validation, diagnosis and people.
 
+use crate::phrases;
 use crate::{Choice, Estimate, Fit, Measured, Standing, off};
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};
+use dashpot_records::sentence::Sentence;
 use dashpot_records::{Record, clock};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -21,6 +23,8 @@ pub struct ModelFile {
     pub params: Params,
     /// What the fit left behind; empty in a file written by hand.
     pub identification: Identification,
+    /// Places of the parameters that the text gives a value, whether their element is on or off.
+    pub given: Vec<usize>,
 }
 
 /// The tables behind the flat part.
@@ -194,6 +198,18 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
 }
 
 impl ModelFile {
+    /// What does nothing: parameters that the file gives although their element is off, a sentence for each element. That is no error: a host
+    /// that reads the file may switch the element on.
+    pub fn idle(&self) -> Vec<Sentence> {
+        idle(&self.given, &self.params)
+    }
+
+    /// All remarks that the file has to tell: those of its fit, and what does nothing in it.
+    pub fn notes(&self) -> Vec<String> {
+        let idle = self.idle().into_iter().map(|sentence| sentence.to_string());
+        self.identification.notes.iter().cloned().chain(idle).collect()
+    }
+
     /// Whether the damper is another than the one that the fit left: a number lies outside the interval that the file tells of it, or an element
     /// that one was identified of is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
     pub fn was_changed(&self) -> bool {
@@ -227,6 +243,23 @@ impl ModelFile {
         params.enable(element!("gas_preload"), self.params.is_on(element!("gas_preload")));
         params
     }
+}
+
+/// As [`ModelFile::idle`], of the parameters that a text gave and a damper that came out of it.
+pub fn idle(given: &[usize], params: &Params) -> Vec<Sentence> {
+    let mut of: Vec<(&str, Vec<&str>)> = Vec::new();
+    for row in parameter::table().filter(|row| given.contains(&row.index)) {
+        let Some(element) = row.element().filter(|element| !params.is_on(*element)) else { continue };
+        match of.last_mut() {
+            Some((name, rows)) if *name == element.name() => rows.push(row.parameter.name),
+            _ => of.push((element.name(), vec![row.parameter.name])),
+        }
+    }
+    of.into_iter()
+        .map(|(element, rows)| {
+            Sentence::from(phrases::IDLE).with("element", element).with_names("names", rows, phrases::COMMA)
+        })
+        .collect()
 }
 
 /// Reads a model file and checks that it makes a model.
@@ -283,9 +316,11 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
         #[serde(default)]
         identification: Identification,
     }
-    let tables: Tables =
-        toml::from_str(text).map_err(|e| ModelFileError::Tables { file: file.clone(), why: e.to_string() })?;
-    Ok(ModelFile { params, identification: tables.identification })
+    let wrong = |e: toml::de::Error| ModelFileError::Tables { file: file.clone(), why: e.to_string() };
+    let names: BTreeMap<String, serde::de::IgnoredAny> = toml::from_str(text).map_err(wrong)?;
+    let tables: Tables = toml::from_str(text).map_err(wrong)?;
+    let given = parameter::table().filter(|row| names.contains_key(row.parameter.name)).map(|row| row.index).collect();
+    Ok(ModelFile { params, identification: tables.identification, given })
 }
 
 fn name_of(parameter: u16) -> Option<&'static str> {
@@ -518,6 +553,29 @@ mod tests {
         let table: toml::Table = text.parse().unwrap();
         assert_eq!(table["series_stiffness"].as_float(), Some(2.345_678_901_234_5e6));
         assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list(list!("fv_force")).len());
+    }
+
+    #[test]
+    fn a_number_of_an_element_that_is_off_is_told() {
+        let of = |text: &str| of_text(&format!("format = 1\n{text}"), Path::new("m.toml")).unwrap();
+        let text =
+            "elements = [\"fv_curve\"]\ngas_force = 150\ncoulomb_force = 40\ncoulomb_steepness = 1000\nsubsteps = 2\n";
+        let mut file = of(text);
+        let said = file.notes();
+        assert_eq!(said.len(), 2, "{said:?}");
+        let with = |name: &str| said.iter().find(|note| note.contains(name)).unwrap().clone();
+        assert!(with("gas_force").contains("gas_preload is off"), "{said:?}");
+        assert!(with("coulomb_force").contains("coulomb_steepness"), "{said:?}");
+        // A window may switch it on.
+        file.params.enable(element!("gas_preload"), true);
+        assert_eq!(file.notes().len(), 1);
+        let on = "elements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
+        assert_eq!(of(on).notes(), ["kept"]);
+        // What this program writes gives no number that does nothing.
+        assert_eq!(
+            of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
+            Vec::<String>::new()
+        );
     }
 
     #[test]

@@ -47,6 +47,8 @@ dashpot_records::phrases! {
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
     IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
+    // What a model file holds that does nothing.
+    IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
     // How far a fit is.
     PREPARING: "preparing records";
     PLAIN_CURVE: "plain FV curve";

@@ -124,7 +124,7 @@ impl Model {
             parameters: rows.iter().map(row).collect(),
             tests: &known.tests,
             not_identified: &known.not_identified,
-            notes: &known.notes,
+            notes: &self.file.notes(),
         };
         serde_json::to_string(&said).map_err(raise::<ModelError>)
     }

@@ -96,7 +96,7 @@ impl<'a> ReportInput<'a> {
             validation,
             tests,
             parameters: parameters::of_model(model, words),
-            identification: reading::blocks(campaign, &model.identification.notes, words),
+            identification: reading::blocks(campaign, &model.notes(), words),
             extra: Vec::new(),
         })
     }

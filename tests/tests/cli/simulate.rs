@@ -63,6 +63,31 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 #[test]
+fn numbers_of_an_element_that_is_off_are_told_by_every_verb() {
+    let folder = folder();
+    let dir = folder.path();
+    write(&dir.join("in.csv"), &COLUMNS[..3], (0..300).map(|i| 1e-3 * f64::from(i)));
+    std::fs::write(dir.join("idle.toml"), MODEL.to_owned() + "presliding_force = 60\npresliding_length = 1e-4\n")
+        .unwrap();
+    for args in [
+        &["simulate", "idle.toml", "in.csv", "-o", "out.csv"][..],
+        &["check", "idle.toml"],
+        &["export", "dpr", "idle.toml", "-o", "curve.dpr"],
+    ] {
+        let out = run(dir, args);
+        let told = out.err;
+        assert!(out.code == Some(0), "{args:?}: {told}");
+        assert!(
+            told.contains("note: idle.toml: the model file gives presliding_force, presliding_length, but the element presliding_friction is off"),
+            "{args:?}: {told}"
+        );
+        let out =
+            run(dir, &args.iter().map(|arg| if *arg == "idle.toml" { "m.toml" } else { arg }).collect::<Vec<_>>());
+        assert!(!out.err.contains("is off"), "{}", out.err);
+    }
+}
+
+#[test]
 fn the_force_is_the_kernels_to_the_bit() {
     let folder = folder();
     let dir = folder.path();

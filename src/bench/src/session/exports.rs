@@ -90,8 +90,9 @@ impl Export {
 
     /// As a model file: with what the fit left beside the values, where the text has it.
     fn file(&self) -> ModelFile {
-        let read = model_file::of_text(&self.text, Path::new(&self.name));
-        ModelFile { params: self.params, identification: read.map(|file| file.identification).unwrap_or_default() }
+        let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
+        let (identification, given) = read.map(|file| (file.identification, file.given)).unwrap_or_default();
+        ModelFile { params: self.params, identification, given }
     }
 
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {

@@ -5,6 +5,7 @@ use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
+use dashpot_records::sentence::Sentence;
 use std::path::{Path, PathBuf};
 
 /// A model file that is open.
@@ -15,6 +16,8 @@ pub struct Tuned {
     pub identified: Params,
     /// What the fit left behind.
     pub identification: Identification,
+    /// Places of the parameters that the file gave.
+    given: Vec<usize>,
     /// The text that a fit or a diagnosis made, while nothing was tuned since.
     text: Option<String>,
     /// Values as they are now, and were.
@@ -47,15 +50,17 @@ impl Tuned {
             path: Some(path.to_owned()),
             saved: Some(file.params),
             text: std::fs::read_to_string(path).ok(),
-            ..Tuned::new(file.params, file.identification)
+            ..Tuned::new(file)
         })
     }
 
-    fn new(params: Params, identification: Identification) -> Tuned {
+    fn new(file: ModelFile) -> Tuned {
+        let ModelFile { params, identification, given } = file;
         Tuned {
             path: None,
             identified: params,
             identification,
+            given,
             text: None,
             history: History::new(params),
             saved: None,
@@ -69,7 +74,12 @@ impl Tuned {
     /// Where the text is no model file; what a fit writes is.
     pub fn identified(text: String) -> Result<Tuned, String> {
         let file = model_file::of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
-        Ok(Tuned { text: Some(text), ..Tuned::new(file.params, file.identification) })
+        Ok(Tuned { text: Some(text), ..Tuned::new(file) })
+    }
+
+    /// What its file gives that does nothing as the values are now, a sentence for each element that is off.
+    pub fn idle(&self) -> Vec<Sentence> {
+        model_file::idle(&self.given, self.params())
     }
 
     /// The name of its file; empty where it was never saved.
@@ -90,7 +100,7 @@ impl Tuned {
 
     /// As the file it would be saved to reads.
     pub fn file(&self) -> ModelFile {
-        ModelFile { params: *self.params(), identification: self.identification.clone() }
+        ModelFile { params: *self.params(), identification: self.identification.clone(), given: self.given.clone() }
     }
 
     /// Whether something would be lost by closing.
@@ -315,7 +325,7 @@ mod tests {
     use dashpot_core::parameter::find;
 
     fn tuned() -> Tuned {
-        Tuned::new(Params::new(), Identification::default())
+        Tuned::new(ModelFile { params: Params::new(), identification: Identification::default(), given: Vec::new() })
     }
 
     #[test]

@@ -33,6 +33,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     if let Some(refused) = session.model.as_ref().and_then(|m| m.refused.clone()) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.refused));
     }
+    // What the file gives for an element that is off, and would be had by switching it on.
+    for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
+        ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
+    }
     legend(ui, w);
     ui.separator();
     let rows: Vec<Row> = parameter::table().filter(|r| r.element().is_some()).collect();

@@ -2,6 +2,7 @@
 
 use super::Verdict;
 use super::host_step::HostArgs;
+use super::model;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
@@ -45,7 +46,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         bail!("standard output takes one result: give -o or --json a file");
     }
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
-    let file = model_file::read(&args.model)?;
+    let file = model::read(&args.model)?;
     let ready = args.host.ready(&file.params)?;
     let model = model_file::prepared(&ready.params)?;
     for line in ready.told().into_iter().chain(stiffness::remark(&model)) {

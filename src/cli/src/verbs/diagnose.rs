@@ -2,6 +2,7 @@
 
 use super::data::{DataArgs, name_of};
 use super::groups::{self, Answers, Group};
+use super::model;
 use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
@@ -197,7 +198,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (args.excel.as_deref(), Kind::Workbook),
     ])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
-    let model = model_file::read(&args.model)?;
+    let model = model::read(&args.model)?;
     if let Some(by) = &args.group {
         return of_groups(args, &model, by);
     }

@@ -1,11 +1,12 @@
 //! `dashpot manoeuvre`: what the model changes in a vehicle.
 
 use super::data::DataArgs;
+use super::model;
 use crate::page::PageArgs;
 use anyhow::{Context as _, bail};
 use dashpot_core::element;
 use dashpot_core::{Model, Params};
-use dashpot_identification::model_file::{self, ModelFile, prepared};
+use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_output::Kind;
 use dashpot_report::manoeuvre::{self, Covered, Figures, ManoeuvreInput, beyond_note, coupling_note, quiet_note};
 use dashpot_report::words::TERMINAL;
@@ -130,7 +131,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 
 /// The model of a file, and its FV curve alone.
 fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
-    let file = model_file::read(path)?;
+    let file = model::read(path)?;
     let named = || path.display().to_string();
     let model = prepared(&file.params).with_context(named)?;
     Ok((model, prepared(&fv_only(&file)?).with_context(named)?))

@@ -16,6 +16,7 @@ pub mod import_profile;
 pub mod man;
 pub mod manoeuvre;
 pub mod matrix;
+mod model;
 pub mod open;
 pub mod rig;
 pub mod simulate;

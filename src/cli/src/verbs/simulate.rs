@@ -1,10 +1,11 @@
 //! `dashpot simulate`: the force for any motion.
 
 use super::data::ColumnArgs;
+use super::model;
 use crate::progress::Progress;
 use dashpot_core::Model;
 use dashpot_core::step::LONG_STEP;
-use dashpot_identification::model_file::{self, prepared};
+use dashpot_identification::model_file::prepared;
 use dashpot_records::read_motion;
 use dashpot_simulation::imposed_motion::{Answer, ImposedMotion};
 use std::fmt::Write as _;
@@ -44,7 +45,7 @@ pub struct Args {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
-    let file = model_file::read(&args.model)?;
+    let file = model::read(&args.model)?;
     let model = prepared(&file.params)?;
     let record = read_motion(&args.motion, &args.columns.options()?)?;
     let mut motion = ImposedMotion::new(record, args.initial_position)?;

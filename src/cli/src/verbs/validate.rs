@@ -2,6 +2,7 @@
 
 use super::Verdict;
 use super::data::{DataArgs, name_of};
+use super::model;
 use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::bail;
@@ -9,7 +10,7 @@ use dashpot_core::Model;
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::limits;
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
-use dashpot_identification::model_file::{self, ModelFile, prepared};
+use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
@@ -78,7 +79,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     names_of_rivals(&args.against)?;
-    let model = model_file::read(&args.model)?;
+    let model = model::read(&args.model)?;
     let campaign = args.data.load_for(&model)?;
     let compared = compare(&model, &campaign)?;
     let mut validation = validate(&compared)?;

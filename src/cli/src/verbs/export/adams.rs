@@ -2,6 +2,7 @@
 
 use super::damper_length::in_millimetres;
 use crate::verbs::host_step::HostArgs;
+use crate::verbs::model;
 use anyhow::Context as _;
 use dashpot_hosts::handed_out;
 use dashpot_identification::model_file;
@@ -30,7 +31,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    let ready = args.host.ready(&model_file::read(&args.model)?.params)?;
+    let ready = args.host.ready(&model::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;
     let libraries = libraries(args.library.as_deref())?;

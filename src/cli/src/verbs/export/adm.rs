@@ -1,9 +1,9 @@
 //! `dashpot export adm`: dampers of a compiled Adams Car model replaced by the routine.
 
 use super::damper_length;
+use crate::verbs::model;
 use anyhow::{Context as _, anyhow};
 use dashpot_hosts::adams::patch::{self, Damper};
-use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
 
 /// Replace dampers in a compiled Adams Car model by the model, leaving every other byte alone
@@ -104,5 +104,5 @@ fn not_there(path: &str, output: &Path) -> Option<String> {
              there, or name another one"
         ));
     };
-    model_file::read(&found).err().map(|error| format!("the solver will refuse the model file: {error}"))
+    model::read(&found).err().map(|error| format!("the solver will refuse the model file: {error}"))
 }

@@ -1,9 +1,9 @@
 //! `dashpot export dpr`: the FV curve as an Adams Car property file.
 
+use crate::verbs::model;
 use anyhow::Context as _;
 use dashpot_core::Params;
 use dashpot_hosts::handed_out::property_file;
-use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Host, remarks};
 use std::path::PathBuf;
 
@@ -32,7 +32,7 @@ pub struct Args {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
-    let file = model_file::read(&args.model)?;
+    let file = model::read(&args.model)?;
     let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let text = std::fs::read(&args.model)?;
     let chatters = |curve: &Params| remarks(curve, Host::USUAL);

@@ -2,6 +2,7 @@
 
 use super::super::host_step::HostArgs;
 use super::damper_length::in_metres;
+use crate::verbs::model;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
@@ -93,7 +94,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     // Without a curve in the model there is none to show.
     let mut curve = None;
     for path in &args.models {
-        let file = model_file::read(path)?;
+        let file = model::read(path)?;
         if args.carmaker.is_some() && !args.hide_parameters {
             curve = PlainCurve::of(&file, args.model_curve).with_context(|| path.display().to_string())?;
         }

@@ -172,6 +172,13 @@ pub const ALL: &[Said] = &[
         " : si le même banc les a mesurées, donner {options}",
         "：如果由同一试验台测得，请给出 {options}",
     ],
+    // What a model file holds that does nothing.
+    [
+        "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it",
+        "die Modelldatei gibt {names} an, aber das Element {element} ist aus, sodass dies nichts bewirkt; um es zu nutzen, in elements aufnehmen",
+        "le fichier de modèle donne {names}, mais l’élément {element} est désactivé, et cela reste sans effet ; pour s’en servir, l’ajouter à elements",
+        "模型文件给出了 {names}，但元件 {element} 已关闭，因此这些值不起作用；如需使用，请将其加入 elements",
+    ],
     // How far a fit is.
     ["preparing records", "Messungen werden vorbereitet", "préparation des mesures", "正在准备试验记录"],
     ["plain FV curve", "einfache FV-Kurve", "courbe FV simple", "普通 FV 曲线"],
