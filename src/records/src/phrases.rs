@@ -90,7 +90,7 @@ crate::phrases! {
     SPEAKS_FOR_PUSH: "speaks for push positive (compression)";
     TOO_SMALL_TO_TELL: "is too small to tell the direction";
     NO_STANDSTILL: "no turning points at standstill, so the gas force cannot be told";
-    ASYMMETRY: "forces at positive velocity are {ratio} times those at negative velocity in the faster tests; most dampers resist rebound more, so that {verdict}";
+    ASYMMETRY: "from slow to fast the force grows {ratio} times as much at positive velocity as at negative (known within a factor of {error}); most dampers resist rebound more, so that {verdict}";
     SPEAKS_FOR_REBOUND: "speaks for rebound positive";
     SPEAKS_FOR_COMPRESSION: "speaks for compression positive";
     TELLS_NOTHING: "tells nothing";

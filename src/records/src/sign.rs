@@ -3,7 +3,8 @@
 //! Two questions, answered apart. Do force and motion go together? A damper takes energy out of the rig, so force
 //! times velocity must be positive on average; if not, one of the two is reversed, which is refused. And are both
 //! counted in rebound or both in compression? Energy cannot tell. Gas pressure pushes the rod out, and most dampers
-//! resist rebound more than compression; both are evidence, weighed as odds.
+//! resist rebound more than compression; both are evidence, weighed as odds. Valves do the second, so it is the force that grows with speed
+//! that counts: friction, which does not grow, has no direction that it prefers, and gas and the zero of the load cell drop out of a growth.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +40,16 @@ pub struct SignFinding {
 const CELL_OFFSET: f64 = 15.0;
 /// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
 const HYSTERESIS: f64 = 0.1;
+/// Share of the rigs whose force was set to zero with the damper in it, or never, so that the force at standstill tells nothing of gas: a
+/// guess on the safe side. Without it one number would be certain, whatever was done to the rig.
+const TARED: f64 = 0.05;
+/// Logarithm of the force in rebound over that in compression of passenger-car dampers, and how much it scatters from damper to damper.
+const USUAL_RATIO: f64 = 0.6;
+const RATIO_SCATTER: f64 = 0.5;
+/// Most that it counts for, as a logarithm of odds: seven to one.
+const MOST_BY_SHAPE: f64 = 2.0;
+/// Most that a direction that was worked out is sure of: 99 %.
+const SUREST: f64 = 4.595;
 /// One test's evidence, in the file's signs.
 struct Evidence {
     name: String,
@@ -48,6 +59,10 @@ struct Evidence {
     standstill: Option<(f64, f64)>,
     /// Logarithm of the force at positive over that at negative velocity.
     asymmetry: Option<f64>,
+    /// By how much the force grows from slow to fast, at positive and at negative velocity, N.
+    growth: Option<[f64; 2]>,
+    /// How well a force at some speed is known, for hysteresis, N.
+    level_error: f64,
     peak_velocity: f64,
 }
 
@@ -95,8 +110,10 @@ pub(crate) fn settle(
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     let mut evidence: Vec<Evidence> = motions.iter().map(gather).collect();
     let standstill = standstill(&evidence);
+    let slow: Vec<Slow> = evidence.iter().zip(motions).map(|(of, motion)| Slow::of(motion, of.peak_velocity)).collect();
     for (evidence, motion) in evidence.iter_mut().zip(motions.iter()) {
         evidence.asymmetry = asymmetry(motion, standstill.map_or(0.0, |s| s.0));
+        evidence.growth = growth(motion, evidence.peak_velocity, &slow);
     }
     (evidence, standstill)
 }
@@ -191,11 +208,11 @@ fn gather(motion: &Motion) -> Evidence {
         (0..x.len()).filter(|&i| v[i].abs() < 0.05 * peak_velocity && (x[i] > mx) == top).map(|i| force[i]).collect()
     };
     let (mut top, mut bottom) = (at_rest(true), at_rest(false));
-    let standstill = (top.len() >= 2 && bottom.len() >= 2).then(|| {
-        let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
-        (0.5 * (median(&mut top) + median(&mut bottom)), (HYSTERESIS * 0.5 * force_range).hypot(CELL_OFFSET))
-    });
-    Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, peak_velocity }
+    let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
+    let level_error = HYSTERESIS * 0.5 * force_range;
+    let standstill = (top.len() >= 2 && bottom.len() >= 2)
+        .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), level_error.hypot(CELL_OFFSET)));
+    Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 
 /// Weighted force at standstill of the campaign and its uncertainty. The uncertainties are of one kind in all tests, so
@@ -209,6 +226,77 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
         spread += weight * uncertainty;
     }
     (weights > 0.0).then(|| (sum / weights, spread / weights))
+}
+
+/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow: far enough apart for a
+/// damper's force to grow by more than hysteresis, and the slow one clear of the turning points, where friction changes its sign.
+const FAST: f64 = 0.9;
+const SLOW: [f64; 2] = [0.15, 0.35];
+/// Samples that a force at some speed needs.
+const FEWEST: usize = 10;
+
+/// Median force, N, at speeds between two shares of `peak`, of one direction.
+fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
+    let span = motion.steady();
+    let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
+    let mut forces: Vec<f64> = span.filter(|&i| is_there(motion.velocity[i])).map(|i| motion.force[i]).collect();
+    (forces.len() >= FEWEST).then(|| median(&mut forces))
+}
+
+/// A test that may stand for the slow side of a faster one, which has no slow samples of its own: a triangle.
+struct Slow {
+    peak: f64,
+    /// Force at its own peak velocity, positive and negative.
+    forces: [Option<f64>; 2],
+}
+
+impl Slow {
+    fn of(motion: &Motion, peak: f64) -> Slow {
+        Slow { peak, forces: [true, false].map(|positive| level(motion, positive, peak, [FAST, f64::INFINITY])) }
+    }
+}
+
+/// By how much the force of a test grows with speed in each direction, N.
+fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
+    let of = |positive: bool| {
+        let fast = level(motion, positive, peak, [FAST, f64::INFINITY])?;
+        let of_others = || {
+            let slow = others.iter().filter(|o| (SLOW[0] * peak..=SLOW[1] * peak).contains(&o.peak));
+            let mut forces: Vec<f64> = slow.filter_map(|o| o.forces[usize::from(!positive)]).collect();
+            (!forces.is_empty()).then(|| median(&mut forces))
+        };
+        let slow = level(motion, positive, peak, SLOW).or_else(of_others)?;
+        Some(if positive { fast - slow } else { slow - fast })
+    };
+    Some([of(true)?, of(false)?])
+}
+
+/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known: the median of the faster
+/// tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
+fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
+    let mut all: Vec<(f64, f64)> = evidence
+        .iter()
+        .filter(|e| e.peak_velocity >= 0.5 * fastest)
+        .filter_map(|e| {
+            let [positive, negative] = e.growth?;
+            let error = e.level_error.max(f64::MIN_POSITIVE);
+            // What is within its error may be as large as that.
+            let (positive, negative) = (positive.max(error), negative.max(error));
+            Some(((positive / negative).ln(), (error / positive).hypot(error / negative)))
+        })
+        .collect();
+    let mut errors: Vec<f64> = all.iter().map(|one| one.1).collect();
+    let mut ratios: Vec<f64> = all.drain(..).map(|one| one.0).collect();
+    (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
+}
+
+/// Logarithm of the odds that a force at standstill is tension positive: of a gas force of any size that pushes the rod out, seen through an
+/// error that is normal. In one rig of [`TARED`] it tells nothing, so that it alone is never surer than that.
+fn gas_odds(force: f64, uncertainty: f64) -> f64 {
+    // The logistic curve that keeps within 0.01 of the normal one.
+    let tension = 1.0 / (1.0 + (1.702 * force / uncertainty).exp());
+    let told = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
+    (told(tension) / told(1.0 - tension)).ln()
 }
 
 /// Logarithm of the ratio of damping forces in the two directions.
@@ -297,7 +385,7 @@ fn direction(
 ) -> SignFinding {
     let mut reasons = Vec::new();
     // Log odds for rebound positive.
-    let gas = standstill.map_or(0.0, |(force, uncertainty)| (-2.0 * force / uncertainty).clamp(-6.0, 6.0));
+    let gas = standstill.map_or(0.0, |(force, uncertainty)| gas_odds(force, uncertainty));
     match standstill {
         Some((force, uncertainty)) => {
             let verdict = match gas {
@@ -318,17 +406,23 @@ fn direction(
     let mut ratios: Vec<f64> =
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
-    // Dampers scatter: ln(rebound/compression) of 0.6 ± 0.5 gives odds of 4.8 per unit; half of that, and never more
-    // than seven to one, since some dampers are symmetric or the other way round.
-    let shape = ratio.map_or(0.0, |r| (2.5 * r).clamp(-2.0, 2.0));
-    if let Some(r) = ratio {
+    let grows = grows(evidence, fastest);
+    // Twice the usual ratio times the found one over the scatter squared is what two such normal curves give; half of that, and never more
+    // than seven to one, since some dampers are symmetric or the other way round. The error of the growth adds to the scatter of dampers.
+    let shape = grows.map_or(0.0, |(ratio, error)| {
+        (USUAL_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
+    });
+    if let Some((ratio, error)) = grows {
         let verdict = match shape {
             s if s > 0.3 => phrases::SPEAKS_FOR_REBOUND,
             s if s < -0.3 => phrases::SPEAKS_FOR_COMPRESSION,
             _ => phrases::TELLS_NOTHING,
         };
-        let ratio = format!("{:.2}", r.exp());
-        reasons.push(Sentence::from(phrases::ASYMMETRY).with("ratio", ratio).with_said("verdict", verdict));
+        let said = Sentence::from(phrases::ASYMMETRY)
+            .with("ratio", format!("{:.2}", ratio.exp()))
+            .with("error", format!("{:.1}", error.exp()))
+            .with_said("verdict", verdict);
+        reasons.push(said);
     }
     if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {
         reasons.push(phrases::CONTRADICT.into());
@@ -336,7 +430,7 @@ fn direction(
     if !evidence.iter().any(|e| e.power > UNCLEAR) {
         reasons.push(phrases::NOT_DISSIPATING.into());
     }
-    let odds = gas + shape;
+    let odds = (gas + shape).clamp(-SUREST, SUREST);
     let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
     // The probability itself: 0.5 where nothing speaks for either.
     let sure = 1.0 / (1.0 + (-odds.abs()).exp());
@@ -393,6 +487,8 @@ mod tests {
             power: 0.0,
             standstill: None,
             asymmetry: None,
+            growth: None,
+            level_error: 0.0,
             peak_velocity: 0.0,
         };
         let all: Vec<Evidence> = (1..=10).map(of).collect();
@@ -545,6 +641,52 @@ mod tests {
             }
             other => panic!("{other}"),
         }
+    }
+
+    /// A device on sines, or triangles, of three speeds, with a force by velocity.
+    fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
+        let motions: Vec<Motion> = [0.4, 1.5, 2.0]
+            .iter()
+            .map(|&frequency| {
+                let mut samples = SineTest { frequency, ..SineTest::default() }.samples();
+                if triangle {
+                    let (x, v) = (samples.displacement.as_mut().unwrap(), samples.velocity.as_mut().unwrap());
+                    let (mut place, step) = (0.01, samples.time[1] - samples.time[0]);
+                    for (x, v) in x.iter_mut().zip(v) {
+                        // The speed of the sine's mean, in its direction; rest stays rest.
+                        *v = if *v == 0.0 { 0.0 } else { (4.0 * 0.05 * frequency).copysign(*v) };
+                        place += step * *v;
+                        *x = place;
+                    }
+                }
+                for (f, v) in samples.force.iter_mut().zip(samples.velocity.as_ref().unwrap()) {
+                    *f = force(*v);
+                }
+                cleaning::repair(samples, &Options::default()).unwrap()
+            })
+            .collect();
+        settled(motions, &Options::default()).unwrap().0
+    }
+
+    #[test]
+    fn friction_tells_no_direction_however_unlike_its_sides_are() {
+        for triangle in [false, true] {
+            // Sixty percent more at positive velocity, and nearly the same at every speed.
+            let rubs = |v: f64| (if v > 0.0 { 800.0 } else { 500.0 }) * (v / 0.002).tanh() + 40.0 * v;
+            let finding = device(triangle, |v| rubs(v) - 150.0);
+            assert!(finding.confidence < 0.62, "{triangle} {finding:?}");
+            assert!(finding.reasons.iter().any(|r| r.to_string().contains("tells nothing")), "{finding:?}");
+            // A valve on top of it that is harder in the other direction is what counts.
+            let valve = device(triangle, |v| rubs(v) - 150.0 + if v > 0.0 { 600.0 * v } else { 2400.0 * v });
+            assert!(valve.positive == Positive::Compression && valve.confidence > 0.55, "{triangle} {valve:?}");
+        }
+    }
+
+    #[test]
+    fn no_direction_that_was_worked_out_is_certain() {
+        let (sure, ..) = settled(campaign(1.0, 1.0, -2000.0), &Options::default()).unwrap();
+        assert!((0.95..0.9901).contains(&sure.confidence), "{sure:?}");
+        assert!(gas_odds(-1e6, 20.0) < 3.7 && (gas_odds(30.0, 20.0) + gas_odds(-30.0, 20.0)).abs() < 1e-9);
     }
 
     #[test]

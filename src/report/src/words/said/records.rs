@@ -437,10 +437,10 @@ pub const ALL: &[Said] = &[
         "没有静止的换向点，因此无法得知气体力",
     ],
     [
-        "forces at positive velocity are {ratio} times those at negative velocity in the faster tests; most dampers resist rebound more, so that {verdict}",
-        "in den schnelleren Versuchen sind die Kräfte bei positiver Geschwindigkeit das {ratio}-Fache derer bei negativer; die meisten Dämpfer sind in der Zugstufe härter, und das {verdict}",
-        "dans les essais rapides, les efforts à vitesse positive valent {ratio} fois ceux à vitesse négative ; la plupart des amortisseurs résistent plus en détente, ce qui {verdict}",
-        "较快的试验中，正速度下的力是负速度下的 {ratio} 倍；多数减振器复原阻力更大，这{verdict}",
+        "from slow to fast the force grows {ratio} times as much at positive velocity as at negative (known within a factor of {error}); most dampers resist rebound more, so that {verdict}",
+        "von langsam zu schnell wächst die Kraft bei positiver Geschwindigkeit {ratio}-mal so stark wie bei negativer (bekannt auf einen Faktor {error}); die meisten Dämpfer sind in der Zugstufe härter, und das {verdict}",
+        "du lent au rapide, l’effort croît {ratio} fois autant à vitesse positive qu’à vitesse négative (connu à un facteur {error} près) ; la plupart des amortisseurs résistent plus en détente, ce qui {verdict}",
+        "从低速到高速，正速度下力的增量是负速度下的 {ratio} 倍（误差因子 {error}）；多数减振器复原阻力更大，这{verdict}",
     ],
     [
         "speaks for rebound positive",
