@@ -25,7 +25,8 @@ use super::sign::{self, SignFinding};
 use super::unusable::{self, Sieve, Unusable};
 use super::whole_motion::Motion;
 use super::{
-    at_speed, csv, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn, xlsx,
+    at_speed, csv, dates, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn,
+    xlsx,
 };
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
@@ -114,6 +115,7 @@ pub fn load(
     if tests.is_empty() && sieve.is_empty() {
         return Err(RecordError::ExcludesAll { count: excluded.count });
     }
+    dates::settle(&mut tests, &mut notes);
     notes.extend(below.iter().map(Below::note));
     let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();

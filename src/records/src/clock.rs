@@ -1,5 +1,7 @@
 //! Date and time of day as files write them, in a column of times or above the table, and how reports write them.
 
+use super::dates::DateOrder;
+
 /// Seconds of a day.
 pub(crate) const DAY: f64 = 86_400.0;
 /// The first instant of 1980, s since 1970: what clocks start from that were never set.
@@ -7,28 +9,41 @@ pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 
 /// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one): seconds since 1970 by the
 /// rig's own clock. A line with both counts before a date and a time in lines of their own. Nothing without a date.
-pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<f64> {
+pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
     let (mut date, mut time) = (None, None);
+    let both = |(day, word): (f64, &'a str), time: f64| Began { at: day + time, date: Some(word) };
     for line in lines {
         match date_and_time(line) {
-            (Some(date), Some(time)) => return Some(date + time),
+            (Some(date), Some(time)) => return Some(both(date, time)),
             (d, t) => (date, time) = (date.or(d), time.or(t)),
         }
     }
-    Some(date? + time?)
+    Some(both(date?, time?))
+}
+
+/// When a test began, s since 1970, and the date as it is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Began<'a> {
+    pub at: f64,
+    pub date: Option<&'a str>,
+}
+
+/// The words of a line, a date and a time of day with a `T` between them as two.
+pub(crate) fn words(line: &str) -> impl Iterator<Item = &str> {
+    let is_between = |c: char| c.is_whitespace() || ",;\"'()[]=".contains(c);
+    line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty())
 }
 
 /// The first date and the first time of day in a line, s.
-fn date_and_time(line: &str) -> (Option<f64>, Option<f64>) {
-    let is_between = |c: char| c.is_whitespace() || ",;\"'()[]=".contains(c);
-    let mut words = line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty()).peekable();
+fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
+    let mut words = words(line).peekable();
     let (mut date, mut time) = (None, None);
     while let Some(word) = words.next() {
         if !word.starts_with(|c: char| c.is_ascii_digit()) {
             continue;
         }
         if let Some(number) = day(word) {
-            date = date.or(Some(number * DAY));
+            date = date.or(Some((number * DAY, word)));
         } else if word.matches(':').count() == 2 {
             let half = words.next_if(|next| ["AM", "PM"].iter().any(|half| next.eq_ignore_ascii_case(half)));
             time = time.or(seconds(&format!("{word} {}", half.unwrap_or_default())));
@@ -46,7 +61,12 @@ pub fn written(seconds: f64) -> String {
     if days == 0.0 {
         return time;
     }
-    // Civil date from days (Hinnant, as in `day`).
+    let (year, month, day) = civil(days);
+    format!("{year:04}-{month:02}-{day:02} {time}")
+}
+
+/// Year, month and day of the number of a day (Hinnant, as in `number_of_day`).
+fn civil(days: f64) -> (f64, f64, f64) {
     let days = days + 719_468.0;
     let era = (days / 146_097.0).floor();
     let of_era = days - era * 146_097.0;
@@ -57,8 +77,17 @@ pub fn written(seconds: f64) -> String {
     let from_march = ((5.0 * of_year + 2.0) / 153.0).floor();
     let day = of_year - ((153.0 * from_march + 2.0) / 5.0).floor() + 1.0;
     let month = if from_march < 10.0 { from_march + 3.0 } else { from_march - 9.0 };
-    let year = year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0));
-    format!("{year:04}-{month:02}-{day:02} {time}")
+    (year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0)), month, day)
+}
+
+/// A time since 1970 with day and month of its date exchanged; nothing where that is no date, or there is none.
+pub(crate) fn swapped(seconds: f64) -> Option<f64> {
+    if !(seconds >= DAY && seconds.is_finite()) {
+        return None;
+    }
+    let days = (seconds / DAY).floor();
+    let (year, month, day) = civil(days);
+    Some(number_of_day(year, day, month)? * DAY + (seconds - days * DAY))
 }
 
 /// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
@@ -110,21 +139,47 @@ fn whole(text: &str) -> Option<f64> {
     (!text.is_empty() && text.len() <= 4 && text.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
 }
 
-/// Number of a day, from year, month and day in the orders that the separators tell.
-fn day(date: &str) -> Option<f64> {
-    let separator = date.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
-    let parts: Vec<f64> = date.split(separator).map(whole).collect::<Option<_>>()?;
+/// A date, and what it may mean.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Date {
+    /// Its number, days since 1970.
+    pub number: f64,
+    /// Which of day and month was taken as first, where the writing leaves it open and they differ.
+    pub order: Option<DateOrder>,
+    /// Its number by the other order, where that is a date too.
+    pub other: Option<f64>,
+}
+
+/// Number of a day, as [`date`] takes it.
+fn day(text: &str) -> Option<f64> {
+    date(text).map(|date| date.number)
+}
+
+/// Reads a date from year, month and day in the orders that the separators tell. Between strokes the month is taken as first where it can
+/// be, as in America, between hyphens the day; which of them is right [`crate::dates`] settles.
+pub(crate) fn date(text: &str) -> Option<Date> {
+    let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
+    let parts: Vec<f64> = text.split(separator).map(whole).collect::<Option<_>>()?;
     let &[a, b, c] = parts.as_slice() else { return None };
-    let (year, month, day) = match separator {
-        _ if a > 31.0 => (a, b, c),
-        // Month first in America; a first number above 12 can only be a day.
-        '/' if a <= 12.0 => (c, a, b),
-        _ => (c, b, a),
+    if a > 31.0 {
+        return Some(Date { number: number_of_day(a, b, c)?, order: None, other: None });
+    }
+    let (day_first, month_first) = (number_of_day(c, b, a), number_of_day(c, a, b));
+    let (number, order, other) = match (separator, day_first, month_first) {
+        ('.', Some(number), _) => return Some(Date { number, order: None, other: None }),
+        ('/', other, Some(number)) => (number, DateOrder::MonthFirst, other),
+        ('/' | '-', Some(number), other) => (number, DateOrder::DayFirst, other),
+        ('-', None, Some(number)) => (number, DateOrder::MonthFirst, None),
+        _ => return None,
     };
+    Some(Date { number, order: Some(order).filter(|_| a != b), other: other.filter(|_| a != b) })
+}
+
+/// Number of the day of a civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
+fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
     if !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
     }
-    // Days from civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
     let year = year - f64::from(u8::from(month <= 2.0));
     let era = (year / 400.0).floor();
     let of_era = year - 400.0 * era;
@@ -200,7 +255,7 @@ mod tests {
 
     #[test]
     fn when_a_test_began_is_found_above_its_table() {
-        let at = |text: &str| begins(text.lines()).map(written);
+        let at = |text: &str| begins(text.lines()).map(|began| written(began.at));
         let wanted = Some("2026-11-25 10:03:22".to_owned());
         for text in [
             "Operator\tmh\nDate\t25.11.2026\nTime\t10:03:22\nRate\t1000",

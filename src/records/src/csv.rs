@@ -8,6 +8,7 @@ use super::about::About;
 use super::beside::{Beside, LABELS};
 use super::channel::Channel;
 use super::clock;
+use super::dates::{DateOrder, Dates};
 use super::delimiter::{self, split};
 use super::error::{Place, RecordError};
 use super::heading::{Heading, HeadingUnit, heading, nearest};
@@ -290,7 +291,17 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     let mut rows = Rows::new(at.clone(), name.to_string(), layout);
     rows.about = About::of_lines(text[..offset].lines());
     // When each test began, as the lines above its figures say; up to where these lines are read.
-    let mut began = vec![clock::begins(text[..offset].lines())];
+    // A decimal comma, or what stands between columns where there is one, is of those who write the day first.
+    let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
+    let usual = (delimiter == b';' || first_row.iter().any(is_comma)).then_some(DateOrder::DayFirst);
+    let began_by = |lines: &str| {
+        let began = clock::begins(lines.lines());
+        let mut dates = Dates::of_lines(lines.lines(), began.and_then(|began| began.date));
+        dates.usual = usual;
+        (began.map(|began| began.at), dates)
+    };
+    rows.dates.usual = usual;
+    let mut began = vec![began_by(&text[..offset])];
     let mut behind = offset;
 
     let mut reader = ReaderBuilder::new()
@@ -363,6 +374,11 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
                 continue;
             }
         }
+        if let Some(column) = rows.layout().columns.iter().find(|c| c.clock).map(|c| c.index)
+            && (rows.is_empty() || rows.dates.is_open())
+        {
+            rows.dates.see(cell(column));
+        }
         for (value, column) in values.iter_mut().zip(&rows.layout().columns) {
             let cell = cell(column.index);
             let read = if column.clock { clock::seconds(cell) } else { None };
@@ -377,8 +393,9 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             let name = format!("{name} {}", tests.len() + 2);
             let mut next = Rows::new(at.clone(), name, layout);
             next.about = rows.about.clone();
+            next.dates.usual = usual;
             tests.push(std::mem::replace(&mut rows, next));
-            began.push(clock::begins(text.get(behind..here).unwrap_or_default().lines()));
+            began.push(began_by(text.get(behind..here).unwrap_or_default()));
         }
         behind = here;
         let test = rows
@@ -390,8 +407,8 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     beside.tell(&mut rows)?;
     tests.push(rows);
     let mut read = Vec::new();
-    for (rows, began) in tests.into_iter().zip(began) {
-        read.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began)));
+    for (rows, (began, dates)) in tests.into_iter().zip(began) {
+        read.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began, dates.clone())));
     }
     Ok(read)
 }

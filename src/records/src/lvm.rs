@@ -4,6 +4,7 @@
 //! where the one before ended belongs to the same test; one that begins anew is another.
 
 use super::clock;
+use super::dates::{DateOrder, Dates};
 use super::delimiter::split;
 use super::error::{Place, RecordError};
 use super::options::Options;
@@ -56,6 +57,14 @@ impl Packet<'_> {
         let column = (1..self.names.len()).find(|k| !self.said("Time", *k).is_empty())?;
         clock::seconds(&format!("{} {}", self.said("Date", column), self.said("Time", column)))
     }
+
+    /// What tells the order of day and month in its date.
+    fn dates(&self) -> Dates {
+        let mut dates = Dates::default();
+        (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));
+        dates.usual = (self.said("Decimal_Separator", 1) == ",").then_some(DateOrder::DayFirst);
+        dates
+    }
 }
 
 /// Reads the tests of a text that [`is_one`].
@@ -87,6 +96,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
     let time = layout.columns.iter().position(|c| c.channel == super::Channel::Time);
     let mut rows = Rows::new(at.clone(), name.to_owned(), layout);
     rows.begins = first.clock();
+    rows.dates = first.dates();
     let mut tests: Vec<Rows> = Vec::new();
     let mut last: Option<f64> = None;
     for packet in &packets {
@@ -131,6 +141,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
                     let name = format!("{name} {}", tests.len() + 2);
                     tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
                     rows.begins = packet.clock();
+                    rows.dates = packet.dates();
                 }
             }
             values[time] += shift;

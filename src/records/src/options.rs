@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
+use super::dates::DateOrder;
 use super::unit::Unit;
 
 /// The direction in which displacement, velocity and force of a file are counted positive.
@@ -57,6 +58,8 @@ pub struct Options {
     pub flip_motion: bool,
     /// Samples per second of files that have no column of time, 1/s (`--sample-rate`).
     pub sample_rate_hz: Option<f64>,
+    /// Which of day and month comes first in dates such as 3/11/2026; worked out from the files if not given (`--dates`).
+    pub dates: Option<DateOrder>,
     /// Displacement at the first sample, m, in the file's direction. Used where only a velocity was recorded.
     pub initial_position: f64,
     /// How much later than the motion the force was recorded, s (`--delay`).
@@ -88,6 +91,7 @@ impl Default for Options {
             flip_force: false,
             flip_motion: false,
             sample_rate_hz: None,
+            dates: None,
             initial_position: 0.0,
             delay_s: 0.0,
             force_zero_n: 0.0,
@@ -157,6 +161,7 @@ impl Options {
         all.flip_motion |= profile.flip_motion;
         all.subfolders |= profile.subfolders;
         all.sample_rate_hz = self.sample_rate_hz.or(profile.sample_rate_hz);
+        all.dates = self.dates.or(profile.dates);
         all.initial_position = number(self.initial_position, profile.initial_position, 0.0);
         all.delay_s = number(self.delay_s, profile.delay_s, 0.0);
         all.force_zero_n = number(self.force_zero_n, profile.force_zero_n, 0.0);

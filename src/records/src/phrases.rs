@@ -17,6 +17,10 @@ crate::phrases! {
     FROM_UNIT: "{channel} from {unit}";
     TIME_OF_DAY: "time of day taken from the first row on";
     ONE_CLOCK: "the records are put on one clock by the date and time that their files bear, from {first} to {last}: heat and drifts carry over from file to file";
+    DATES_ASSUMED: "the date {date} (of {at}) may have the day or the month first, and nothing in the files decides it; it was read as {read}, {why}. --dates day-first or month-first says which (dates in campaign.toml)";
+    DATES_CLOSE: "for so the tests lie close together";
+    DATES_AMERICAN: "with the month first, as between strokes in America";
+    DATES_USUAL: "with the day first, as is usual between hyphens";
     OWN_CLOCKS: "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}";
     SOME_WITHOUT_DATE: "only {count} of {all} files bear the time at which the test began";
     TOO_FAR_APART: "by the times that their files bear they are too far apart to be one campaign";

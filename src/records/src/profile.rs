@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
+use super::dates::DateOrder;
 use super::error::RecordError;
 use super::options::{Options, Positive};
 
@@ -53,6 +54,9 @@ pub struct Profile {
     /// Samples per second of files that have no column of time, 1/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sample_rate_hz: Option<f64>,
+    /// Which of day and month comes first in the dates of the files: day-first or month-first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dates: Option<String>,
     /// Displacement at the first sample, m, where only velocity was recorded.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub initial_position_m: f64,
@@ -130,6 +134,7 @@ impl Profile {
             gain: options.gain,
             rig_mass_kg: options.rig_mass_kg,
             sample_rate_hz: options.sample_rate_hz,
+            dates: options.dates.map(|order| order.name().to_owned()),
             initial_position_m: options.initial_position,
             columns: options.columns.iter().map(|(c, h)| (c.to_string(), h.clone())).collect(),
             units: options.units.iter().map(|(c, u)| (c.to_string(), u.to_string())).collect(),
@@ -151,6 +156,7 @@ impl Profile {
             gain: self.gain,
             rig_mass_kg: self.rig_mass_kg,
             sample_rate_hz: self.sample_rate_hz,
+            dates: self.dates.as_deref().map(str::parse::<DateOrder>).transpose()?,
             initial_position: self.initial_position_m,
             ..Options::default()
         };
@@ -203,6 +209,7 @@ mod tests {
     fn a_profile_reads_back_as_written() {
         let mut options = Options { flip_force: true, gain: 2.0, delay_s: 0.01, ..Options::default() };
         options.positive = Some(Positive::Compression);
+        options.dates = Some(DateOrder::DayFirst);
         options.columns.insert(Channel::Time, "Zeit [s]".into());
         options.units.insert(Channel::Force, "kN".parse().unwrap());
         options.ignore.insert(Channel::Velocity);
@@ -224,6 +231,7 @@ mod tests {
             ("format = \"dashpot campaign profile 1\"\nunits = { force = \"parsec\" }\n", "parsec"),
             ("format = \"dashpot campaign profile 1\"\ncolumns = { pressure = \"p\" }\n", "pressure"),
             ("format = \"dashpot campaign profile 1\"\npositive = \"up\"\n", "up"),
+            ("format = \"dashpot campaign profile 1\"\ndates = \"iso\"\n", "iso"),
             ("format = [\n", "campaign.toml"),
         ] {
             let message = of(text).unwrap_err();

@@ -2,6 +2,7 @@
 
 use super::about::About;
 use super::channel::Channel;
+use super::dates::Dates;
 use super::error::Place;
 use super::record::Note;
 use super::sentence::Sentence;
@@ -19,6 +20,8 @@ pub(crate) struct Samples {
     pub time: Vec<f64>,
     /// Date and time of its time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
     pub begins: Option<f64>,
+    /// What tells the order of day and month in that date.
+    pub dates: Dates,
     /// What the file says of it beside its figures.
     pub about: About,
     pub force: Vec<f64>,
@@ -39,9 +42,12 @@ impl Samples {
     }
 
     /// With the date and time of its first sample, where its own times do not say it.
-    pub fn beginning(mut self, first: Option<f64>) -> Samples {
-        let zero = || Some(first? - self.time.iter().find(|t| t.is_finite())?);
-        self.begins = self.begins.or_else(zero);
+    pub fn beginning(mut self, first: Option<f64>, dates: Dates) -> Samples {
+        if self.begins.is_none() {
+            let zero = self.time.iter().find(|t| t.is_finite());
+            self.begins = first.zip(zero).map(|(first, zero)| first - zero);
+            self.dates = dates;
+        }
         self
     }
 

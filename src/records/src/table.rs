@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::about::About;
 use super::channel::Channel;
 use super::clock;
+use super::dates::Dates;
 use super::error::{Place, RecordError};
 use super::heading::{
     Heading, HeadingUnit, by_unit, heading, is_plain, is_stopgap, nearest, nearest_to, vocabulary, without_unit,
@@ -432,6 +433,8 @@ pub(crate) struct Rows {
     notes: Vec<Note>,
     /// When the table's time zero was, as [`Samples::begins`]. A column of dates says it too, and counts before it.
     pub begins: Option<f64>,
+    /// What tells the order of day and month in its dates.
+    pub dates: Dates,
     /// What the file says of the tests beside their figures.
     pub about: About,
 }
@@ -450,6 +453,7 @@ impl Rows {
             by_name: HashMap::new(),
             notes: Vec::new(),
             begins: None,
+            dates: Dates::default(),
             about: About::default(),
         }
     }
@@ -515,6 +519,7 @@ impl Rows {
             notes.push(Note { kind: "converted", text });
         }
         if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
+            self.dates.settle_column(&mut self.values[index]);
             self.begins = clock::from_first(&mut self.values[index]).or(self.begins);
             notes.push(Note { kind: "converted", text: phrases::TIME_OF_DAY.into() });
         }
@@ -552,6 +557,7 @@ impl Rows {
                 lines,
                 time,
                 begins: self.begins,
+                dates: self.dates.clone(),
                 about: self.about.clone(),
                 force: take(Channel::Force).unwrap_or_default(),
                 displacement: take(Channel::Displacement),

@@ -9,6 +9,7 @@ use super::about::About;
 use super::beside::Beside;
 use super::channel::Channel;
 use super::clock;
+use super::dates::Dates;
 use super::error::{Place, RecordError};
 use super::options::Options;
 use super::phrases;
@@ -214,7 +215,10 @@ impl<'a> Sheet<'a> {
             let units = self.units.as_deref();
             let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
             let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout);
-            rows.begins = clock::begins(self.above.iter().map(String::as_str));
+            let above = || self.above.iter().map(String::as_str);
+            let began = clock::begins(above());
+            rows.begins = began.map(|began| began.at);
+            rows.dates = Dates::of_lines(above(), began.and_then(|began| began.date));
             rows.about = self.about.clone();
             self.rows = Some(rows);
         }
@@ -250,6 +254,18 @@ impl<'a> Sheet<'a> {
             return self.beside.take(!rows.is_empty(), line, &text(), figures, fault);
         }
         self.beside.row()?;
+        let clocks: Vec<usize> = columns.iter().filter(|c| c.clock).map(|c| c.index).collect();
+        for cell in clocks.iter().filter_map(|index| row.get(*index)) {
+            // A column of dates counts before the lines above it.
+            if rows.is_empty() {
+                rows.dates = Dates::default();
+            }
+            if let (Data::DateTimeIso(text) | Data::String(text), true) =
+                (cell, rows.is_empty() || rows.dates.is_open())
+            {
+                rows.dates.see(text);
+            }
+        }
         let mut values = Vec::with_capacity(rows.layout().columns.len());
         for column in &rows.layout().columns {
             values.push(match row.get(column.index) {

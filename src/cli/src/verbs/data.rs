@@ -4,7 +4,7 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_records::{Campaign, Note, Options, Positive, assignment, load};
+use dashpot_records::{Campaign, DateOrder, Note, Options, Positive, assignment, load};
 use std::path::{Path, PathBuf};
 
 /// How to read records.
@@ -26,6 +26,9 @@ pub struct DataArgs {
     /// Samples per second of files that have no column of time
     #[arg(long, value_name = "HZ")]
     sample_rate: Option<f64>,
+    /// Which of day and month comes first in dates such as 3/11/2026; worked out from the files if not given
+    #[arg(long, value_name = "day-first|month-first")]
+    dates: Option<DateOrder>,
     /// Displacement at the first sample, m, where only velocity was recorded
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     initial_position: f64,
@@ -118,6 +121,7 @@ impl DataArgs {
             columns: ColumnArgs::default(),
             sensors: SensorArgs::NONE,
             sample_rate: None,
+            dates: None,
             initial_position: 0.0,
             exclude: vec![],
             subfolders: false,
@@ -130,6 +134,7 @@ impl DataArgs {
         let mut options = Options {
             positive: self.positive,
             sample_rate_hz: self.sample_rate,
+            dates: self.dates,
             initial_position: self.initial_position,
             exclude: self.exclude.clone(),
             subfolders: self.subfolders,

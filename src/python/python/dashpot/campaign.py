@@ -142,6 +142,7 @@ class Campaign(Sequence[Record]):
         gain: float = 1.0,
         rig_mass_kg: float = 0.0,
         sample_rate_hz: float | None = None,
+        dates: str | None = None,
         initial_position_m: float = 0.0,
         strict: bool = False,
         progress: Progress | None = None,
@@ -163,6 +164,8 @@ class Campaign(Sequence[Record]):
         :param gain: factor on the force, after its zero was taken off.
         :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
         :param sample_rate_hz: samples per second of files that have no column of time.
+        :param dates: which of day and month comes first in dates such as 3/11/2026, ``"day-first"`` or ``"month-first"``; worked
+            out from the files if not given.
         :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
         :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
         :param progress: is told the share done and what is being done.
@@ -197,6 +200,8 @@ class Campaign(Sequence[Record]):
         }
         if positive is not None:
             mapping["positive"] = positive
+        if dates is not None:
+            mapping["dates"] = dates
         if sample_rate_hz is not None:
             mapping["sample_rate_hz"] = float(sample_rate_hz)
         named = [os.fspath(p) for p in paths]

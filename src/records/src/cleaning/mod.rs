@@ -398,6 +398,7 @@ mod tests {
                 units: Vec::new(),
                 time: times,
                 begins: None,
+                dates: Default::default(),
                 about: About::default(),
                 force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),
                 displacement: (motion != 0).then(|| rows.iter().map(|r| r.2).collect()),

@@ -7,6 +7,7 @@ mod value;
 
 use std::path::Path;
 
+use super::dates::Dates;
 use super::error::{Place, RecordError};
 use super::options::Options;
 use super::samples::Samples;
@@ -59,7 +60,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         for row in 0..length {
             rows.push(row + 1, columns.iter().map(|c| members[*c].values[row]), None);
         }
-        tests.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began)));
+        tests.extend(rows.finish(step)?.into_iter().map(|test| test.beginning(began, Dates::default())));
     }
     Ok(tests)
 }

@@ -54,6 +54,30 @@ pub const ALL: &[Said] = &[
         "各记录按其文件所载的日期和时间放到同一时钟上，从 {first} 到 {last}：热量和漂移在文件之间延续",
     ],
     [
+        "the date {date} (of {at}) may have the day or the month first, and nothing in the files decides it; it was read as {read}, {why}. --dates day-first or month-first says which (dates in campaign.toml)",
+        "im Datum {date} (von {at}) kann der Tag oder der Monat vorn stehen, und nichts in den Dateien entscheidet es; es wurde als {read} gelesen, {why}. --dates day-first (Tag zuerst) oder month-first (Monat zuerst) legt es fest (dates in campaign.toml)",
+        "dans la date {date} (de {at}), le jour ou le mois peut venir d’abord, et rien dans les fichiers n’en décide ; elle a été lue comme {read}, {why}. --dates day-first (jour d’abord) ou month-first (mois d’abord) le précise (dates dans campaign.toml)",
+        "日期 {date}（{at}）可能日在前或月在前，文件中没有依据可以判断；已读作 {read}，{why}。用 --dates day-first（日在前）或 month-first（月在前）指定（campaign.toml 中的 dates）",
+    ],
+    [
+        "for so the tests lie close together",
+        "denn so liegen die Versuche nahe beieinander",
+        "car les essais sont ainsi rapprochés",
+        "因为这样各试验的日期相近",
+    ],
+    [
+        "with the month first, as between strokes in America",
+        "mit dem Monat zuerst, wie zwischen Schrägstrichen in Amerika",
+        "le mois d’abord, comme entre barres obliques en Amérique",
+        "月在前（美国斜杠写法）",
+    ],
+    [
+        "with the day first, as is usual between hyphens",
+        "mit dem Tag zuerst, wie zwischen Bindestrichen üblich",
+        "le jour d’abord, comme il est d’usage entre traits d’union",
+        "日在前（连字符的通常写法）",
+    ],
+    [
         "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}",
         "jede Messung hat ihre eigene Uhr, so dass Wärme und Driften nicht von Datei zu Datei reichen: {why}",
         "chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d’un fichier à l’autre : {why}",
