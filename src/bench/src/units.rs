@@ -46,9 +46,35 @@ pub fn typed(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
+/// What was typed into a field: with a decimal comma or point, whatever the language, and any minus sign.
+pub fn read(text: &str) -> Option<f64> {
+    let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
+    plain.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::{Language, texts};
+
+    #[test]
+    fn numbers_are_shown_and_typed_as_the_language_writes_them() {
+        for (language, shown, typed) in [
+            (Language::English, "0.5123", "0.5123"),
+            (Language::German, "0,5123", "0,5123"),
+            (Language::French, "0,5123", "0,5123"),
+            (Language::Chinese, "0.5123", "0.5123"),
+        ] {
+            let w = texts(language);
+            assert_eq!((w.digits(0.5123).as_str(), w.typed(0.5123).as_str()), (shown, typed));
+            for value in [0.0, -2345.678, 1.25e-4, 3e9, 0.5] {
+                let back = read(&w.typed(value)).unwrap();
+                assert!((back - value).abs() <= 1e-5 * value.abs(), "{value} {back}");
+            }
+        }
+        assert_eq!(texts(Language::German).fixed(1.5, 2), "1,50");
+        assert_eq!((read("1.5"), read("\u{2212}1,5"), read("x"), read("")), (Some(1.5), Some(-1.5), None, None));
+    }
 
     #[test]
     fn every_unit_of_the_kernel_has_a_symbol() {

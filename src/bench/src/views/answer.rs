@@ -4,7 +4,6 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::papers::Paper;
 use crate::session::tasks::Diagnosed;
-use crate::units::digits;
 use crate::views::View;
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::Diagnosis;
@@ -89,7 +88,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
                     let (value, interval) = with_interval(e.value, low, high, e.unit, said);
                     ui.label(RichText::new(format!("{value}  ({interval})")).small())
                 }
-                _ => ui.label(RichText::new(format!("{} {}", digits(e.value), e.unit)).small()),
+                _ => ui.label(RichText::new(format!("{} {}", w.digits(e.value), e.unit)).small()),
             };
             ui.end_row();
         }
@@ -108,10 +107,10 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
         let mut row = |name: &str, tests: usize, e: &Errors| {
             ui.label(name);
             ui.label(tests.to_string());
-            ui.label(format!("{:.2} %", e.model.error_percent))
-                .on_hover_text(format!("{} N", digits(e.model.mean_error_n)));
-            ui.label(format!("{:.2} %", e.fv_only.error_percent))
-                .on_hover_text(format!("{} N", digits(e.fv_only.mean_error_n)));
+            ui.label(format!("{} %", w.fixed(e.model.error_percent, 2)))
+                .on_hover_text(format!("{} N", w.digits(e.model.mean_error_n)));
+            ui.label(format!("{} %", w.fixed(e.fv_only.error_percent, 2)))
+                .on_hover_text(format!("{} N", w.digits(e.fv_only.mean_error_n)));
             ui.end_row();
         };
         for r in found.matrix.by_amplitude.iter().chain(&found.matrix.slow).chain(&found.matrix.not_periodic) {
@@ -154,7 +153,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         wrapped(ui, RichText::new(format!("{}: {}", said.named(suspect.effect), said.say(&suspect.why))));
     }
     ui.add_space(4.0);
-    let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", digits(v)));
+    let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", w.digits(v)));
     egui::Grid::new("before_after").num_columns(3).striped(true).show(ui, |ui| {
         for heading in [w.rms, w.fitted, w.left_out] {
             ui.strong(heading);
@@ -162,12 +161,12 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         ui.end_row();
         for (name, f) in [(w.before, &found.before), (w.after, &found.after)] {
             ui.label(name);
-            ui.label(format!("{} N", digits(f.rmse_n)));
+            ui.label(format!("{} N", w.digits(f.rmse_n)));
             ui.label(left(f.held_out_rmse_n));
             ui.end_row();
         }
         ui.label(w.noise);
-        ui.label(format!("{} N", digits(found.before.noise_n)));
+        ui.label(format!("{} N", w.digits(found.before.noise_n)));
         ui.label(left(found.before.held_out_noise_n));
         ui.end_row();
     });

@@ -2,6 +2,7 @@
 //!
 //! Steps of ten alone leave a narrow plot of ±25 mm with nothing but its zero.
 
+use crate::words::Words;
 use egui_plot::{AxisHints, GridInput, GridMark};
 
 /// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): seven letters have room.
@@ -12,8 +13,13 @@ const COME_UP: std::ops::RangeInclusive<f32> = 44.0..=55.0;
 pub const UPWARDS: f64 = 4.0;
 
 /// The lower axis with its label.
-pub fn lower(label: String) -> AxisHints<'static> {
-    AxisHints::new_x().label(label).label_spacing(COME_UP)
+pub fn lower(label: String, w: &'static Words) -> AxisHints<'static> {
+    AxisHints::new_x().label(label).label_spacing(COME_UP).formatter(move |mark, _| number(mark, w))
+}
+
+/// A number on an axis, with the decimals that its step needs.
+pub fn number(mark: GridMark, w: &Words) -> String {
+    w.fixed(mark.value, (-mark.step_size.log10().round()).max(0.0) as usize)
 }
 
 /// The lines of an axis whose numbers lie at least `apart` of the least distance from each other.

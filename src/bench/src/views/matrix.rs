@@ -2,8 +2,8 @@
 
 use crate::session::Session;
 use crate::session::matrix::{Across, Grid};
-use crate::units::digits;
 use crate::views::{View, colour};
+use crate::words::Words;
 use dashpot_report::plot::palette::heat;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 
@@ -18,7 +18,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.selectable_value(&mut view.across, Across::Frequency, w.frequency);
         if let Some(simulated) = &session.simulated {
             let mean = simulated.tests.iter().map(|t| t.percent).sum::<f64>() / simulated.tests.len().max(1) as f64;
-            ui.label(format!("{} {mean:.2} %", w.mean));
+            ui.label(format!("{} {} %", w.mean, w.fixed(mean, 2)));
         }
     });
     let grid = Grid::new(&loaded.campaign.records, view.across);
@@ -40,11 +40,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             };
             ui.label(RichText::new(of).small().weak());
             for column in &grid.columns {
-                ui.label(RichText::new(short(*column)).small());
+                ui.label(RichText::new(short(*column, w)).small());
             }
             ui.end_row();
             for (r, amplitude) in grid.rows.iter().enumerate().rev() {
-                ui.label(RichText::new(short(1e3 * amplitude)).small());
+                ui.label(RichText::new(short(1e3 * amplitude, w)).small());
                 for c in 0..grid.columns.len() {
                     let tests = grid.cell(r, c);
                     if tests.is_empty() {
@@ -52,7 +52,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                         continue;
                     }
                     let shown = tests.iter().any(|k| session.selected.contains(k));
-                    if cell(ui, percent(tests), shown, width).clicked() {
+                    if cell(ui, percent(tests), shown, width, w).clicked() {
                         chosen = Some(tests.to_vec());
                     }
                 }
@@ -65,7 +65,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             }
             ui.horizontal(|ui| {
                 let shown = tests.iter().any(|k| session.selected.contains(k));
-                if cell(ui, percent(tests), shown, width).clicked() {
+                if cell(ui, percent(tests), shown, width, w).clicked() {
                     chosen = Some(tests.clone());
                 }
                 ui.label(RichText::new(format!("{name} ({})", tests.len())).small());
@@ -82,15 +82,15 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
 }
 
 /// A number for the edge of a small table.
-fn short(value: f64) -> String {
-    dashpot_report::numbers::digits(value, 3)
+fn short(value: f64, w: &Words) -> String {
+    w.of.words().number(&dashpot_report::numbers::digits(value, 3))
 }
 
-fn cell(ui: &mut Ui, percent: Option<f64>, shown: bool, width: f32) -> egui::Response {
+fn cell(ui: &mut Ui, percent: Option<f64>, shown: bool, width: f32, w: &Words) -> egui::Response {
     let (text, fill, ink) = match percent {
         Some(percent) => {
             let (fill, dark_ink) = heat(percent);
-            let text = if percent < 9.995 { format!("{percent:.2}") } else { format!("{percent:.1}") };
+            let text = w.fixed(percent, if percent < 9.995 { 2 } else { 1 });
             (text, colour(&fill), if dark_ink { Color32::BLACK } else { Color32::WHITE })
         }
         None => ("·".to_owned(), ui.visuals().faint_bg_color, ui.visuals().text_color()),
@@ -98,5 +98,5 @@ fn cell(ui: &mut Ui, percent: Option<f64>, shown: bool, width: f32) -> egui::Res
     let stroke = if shown { egui::Stroke::new(2.0, ui.visuals().strong_text_color()) } else { egui::Stroke::NONE };
     let text = RichText::new(text).color(ink).size(11.0);
     let button = egui::Button::new(text).fill(fill).stroke(stroke).min_size(Vec2::new(width, 18.0)).corner_radius(1.0);
-    ui.add(button).on_hover_text(percent.map_or_else(String::new, |p| format!("{} %", digits(p))))
+    ui.add(button).on_hover_text(percent.map_or_else(String::new, |p| format!("{} %", w.digits(p))))
 }

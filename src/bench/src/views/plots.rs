@@ -3,7 +3,6 @@
 use crate::dialogs::Ask;
 use crate::session::outputs::table;
 use crate::session::{Session, model};
-use crate::units;
 use crate::views::grid;
 use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};
@@ -33,11 +32,11 @@ impl Axes {
 }
 
 /// A plot with cursor read-out, zoom and pan, and links to the others that have force upwards.
-fn plot<'a>(id: &'static str, axes: Axes, linked: bool) -> Plot<'a> {
+fn plot<'a>(id: &'static str, axes: Axes, linked: bool, w: &'static Words) -> Plot<'a> {
     let read_out = move |at: &HoverPosition<'_>| {
         let say = |p: &PlotPoint| {
             let ((x, ux), (y, uy)) = (axes.x, axes.y);
-            format!("{x} {} {ux}\n{y} {} {uy}", units::digits(p.x), units::digits(p.y))
+            format!("{x} {} {ux}\n{y} {} {uy}", w.digits(p.x), w.digits(p.y))
         };
         Some(match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => format!("{plot_name}\n{}", say(position)),
@@ -45,12 +44,13 @@ fn plot<'a>(id: &'static str, axes: Axes, linked: bool) -> Plot<'a> {
         })
     };
     let plot = Plot::new(id)
-        .custom_x_axes(vec![grid::lower(Axes::label(axes.x))])
+        .custom_x_axes(vec![grid::lower(Axes::label(axes.x), w)])
         .y_axis_label(Axes::label(axes.y))
         .label_formatter(read_out)
         .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
         .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))
         .set_margin_fraction(Vec2::splat(0.04))
+        .y_axis_formatter(|mark, _| grid::number(mark, w))
         .y_axis_min_width(54.0);
     if linked {
         plot.link_axis(Id::unique("forces"), [false, true]).link_cursor(Id::unique("forces"), [false, true])
@@ -79,7 +79,7 @@ fn heading(
                     ui.close();
                 }
                 if ui.button("SVG").clicked() {
-                    view.asks.push(Ask::Text("plot.svg", svg(title, axes, lines())));
+                    view.asks.push(Ask::Text("plot.svg", svg(title, axes, lines(), words)));
                     ui.close();
                 }
                 if ui.button("PNG").clicked() {
@@ -98,14 +98,14 @@ fn heading(
 }
 
 /// The figure as the report draws it.
-fn svg(title: &str, axes: Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>) -> String {
+fn svg(title: &str, axes: Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>, w: &Words) -> String {
     let all = || lines.iter().flat_map(|(_, _, points)| points.iter().copied());
     let (x, y) = (all().map(|p| p[0]).collect::<Vec<_>>(), all().map(|p| p[1]).collect::<Vec<_>>());
     let role_name = |role: Role| match role {
-        Role::Measured => "measured",
-        Role::Model => "model",
-        Role::FvOnly => "with the effect",
-        _ => "to compare with",
+        Role::Measured => w.measured,
+        Role::Model => w.model,
+        Role::FvOnly => w.with_effect,
+        _ => w.reference,
     };
     let mut series: Vec<Series> = Vec::new();
     for (role, _, points) in lines {
@@ -120,7 +120,7 @@ fn svg(title: &str, axes: Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>) -> St
         y: Axis::around(Axes::label(axes.y), y),
         series,
     }
-    .draw_long(&dashpot_report::words::EN)
+    .draw_long(w.of.words())
 }
 
 fn role(whose: Whose) -> Role {
@@ -185,7 +185,7 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
         lines.iter().map(|l| (role(l.whose), l.name.clone(), plain(l))).collect()
     });
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
-    let response = plot(id, axes, which != Which::Temperature).show(ui, |plot| {
+    let response = plot(id, axes, which != Which::Temperature, words).show(ui, |plot| {
         for (line, look) in lines.iter().zip(&looks) {
             draw(plot, line, points_of(line, which), *look);
         }
@@ -210,7 +210,7 @@ pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
         lines.iter().flat_map(|l| of(l)).collect()
     });
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
-    let response = plot("gas", axes, false).show(ui, |plot| {
+    let response = plot("gas", axes, false, words).show(ui, |plot| {
         for (line, (colour, width)) in lines.iter().zip(looks) {
             let [gas, drag] = [(words.both_ways, &line.gas), (words.drag, &line.drag)]
                 .map(|(what, points)| Line::new(format!("{}: {what}", line.name), PlotPoints::Borrowed(points)));
@@ -272,7 +272,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         .flatten()
         .filter(|(_, p)| p[0].is_finite())
         .collect();
-    let figure = plot("peaks", axes, false).allow_drag(grabbed.is_none()).allow_boxed_zoom(grabbed.is_none());
+    let figure = plot("peaks", axes, false, words).allow_drag(grabbed.is_none()).allow_boxed_zoom(grabbed.is_none());
     let response = figure.show(ui, |plot| {
         let grey = Points::new(words.measured, PlotPoints::from(measured.clone())).radius(2.5).color(weak);
         plot.points(grey);
@@ -380,4 +380,19 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     // Neighbours closer than a micrometre a second would make a step of the curve.
     let moved = with_velocity && model.set(velocity.row(), point, between(&velocities, to[0], 1e-3));
     changed || moved
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, texts};
+
+    #[test]
+    fn a_saved_plot_is_in_the_language_of_the_window() {
+        let w = texts(Language::German);
+        let axes = Axes { x: (w.velocity, "m/s"), y: (w.force, "N") };
+        let lines = vec![(Role::Measured, "a".to_owned(), vec![[-0.5, -300.0], [0.0, 10.0], [0.5, 900.0]])];
+        let text = svg(w.force_velocity, axes, lines, w);
+        assert!(text.contains(w.measured) && text.contains("0,2") && !text.contains(">measured<"), "{text}");
+    }
 }

@@ -1,7 +1,7 @@
 //! How the records are read, corrected by hand and kept beside them.
 
 use crate::session::Session;
-use crate::units::typed;
+use crate::units::read;
 use crate::views::{View, named_list};
 use dashpot_records::{Channel, Positive, Unit};
 use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
@@ -60,7 +60,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.label(name);
             ui.horizontal(|ui| {
                 let mut shown = *value * factor;
-                let field = ui.add(egui::DragValue::new(&mut shown).speed(speed).custom_formatter(|v, _| typed(v)));
+                let field = ui.add(
+                    egui::DragValue::new(&mut shown)
+                        .speed(speed)
+                        .custom_formatter(|v, _| w.typed(v))
+                        .custom_parser(read),
+                );
                 field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
                 if field.changed() {
                     *value = shown / factor;

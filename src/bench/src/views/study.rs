@@ -3,7 +3,7 @@
 use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
-use crate::units::{digits, shown};
+use crate::units::{read, shown};
 use crate::views::grid;
 use crate::views::tune::is_of_form;
 use crate::views::{Corner, View, hue, named_list};
@@ -68,8 +68,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                 ui.label(text);
                 let mut shown_value = unit.factor * *end;
                 let speed = (shown_value.abs() * 0.01).max(1e-9);
-                let field =
-                    egui::DragValue::new(&mut shown_value).speed(speed).custom_formatter(|v, _| crate::units::typed(v));
+                let field = egui::DragValue::new(&mut shown_value)
+                    .speed(speed)
+                    .custom_formatter(|v, _| w.typed(v))
+                    .custom_parser(read);
                 let field = ui.add(field);
                 field.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, text));
                 if field.changed() {
@@ -114,14 +116,14 @@ fn table(ui: &mut Ui, study: &Study, w: &Words) {
         ui.strong(format!("{} [N]", w.gap));
         ui.end_row();
         for (k, member) in study.members.iter().enumerate() {
-            ui.label(RichText::new(digits(unit.factor * member.value)).color(hue(k)));
-            ui.label(digits(member.area));
-            ui.label(digits(member.gap));
+            ui.label(RichText::new(w.digits(unit.factor * member.value)).color(hue(k)));
+            ui.label(w.digits(member.area));
+            ui.label(w.digits(member.gap));
             ui.end_row();
         }
         ui.label(w.measured);
-        ui.label(digits(study.measured[0]));
-        ui.label(digits(study.measured[1]));
+        ui.label(w.digits(study.measured[0]));
+        ui.label(w.digits(study.measured[1]));
         ui.end_row();
     });
 }
@@ -155,7 +157,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
 }
 
 /// Draws the family of loops.
-pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
+pub fn plot(ui: &mut Ui, session: &Session, w: &'static Words) {
     let (Some(study), Some(loaded)) = (&session.study, &session.campaign) else {
         ui.label(w.study_hint);
         return;
@@ -169,17 +171,18 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &Words) {
         (0..force.len().min(seen.cycle_samples)).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
     };
     Plot::new("study")
-        .custom_x_axes(vec![grid::lower(format!("{} [m/s]", w.velocity))])
+        .custom_x_axes(vec![grid::lower(format!("{} [m/s]", w.velocity), w)])
         .y_axis_label(format!("{} [N]", w.force))
         .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
         .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))
+        .y_axis_formatter(|mark, _| grid::number(mark, w))
         .y_axis_min_width(54.0)
         .show(ui, |plot| {
             let weak = plot.ctx().global_style().visuals.weak_text_color();
             let measured = points(&seen.cycle.force[..seen.cycle_samples]);
             plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
             for (k, member) in study.members.iter().enumerate() {
-                let name = format!("{} {}", digits(unit.factor * member.value), unit.symbol);
+                let name = format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
                 plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
             }
         });

@@ -1,7 +1,6 @@
 //! The tests: what each is, how far the model is from it, what was noticed, and which are used.
 
 use crate::session::Session;
-use crate::units::digits;
 use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
@@ -38,7 +37,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Positive::Rebound => w.rebound_positive,
         Positive::Compression => w.compression_positive,
     };
-    let sure = if sign.given { String::new() } else { format!(" ({:.0} %)", 100.0 * sign.confidence) };
+    let sure = if sign.given { String::new() } else { format!(" ({} %)", w.fixed(100.0 * sign.confidence, 0)) };
     let said = view.language.words();
     let reasons: Vec<String> = sign.reasons.iter().map(|reason| said.say(reason)).collect();
     ui.weak(format!("{direction}{sure}")).on_hover_text(reasons.join("\n"));
@@ -91,8 +90,8 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
         let place = session.selected.iter().position(|s| *s == k);
         let error = session.simulated.as_ref().and_then(|s| s.tests.get(k)).map(|t| t.percent);
         let figures = match error {
-            Some(percent) => format!("{percent:.2} %"),
-            None => format!("{} Hz", digits(record.frequency)),
+            Some(percent) => format!("{} %", w.fixed(percent, 2)),
+            None => format!("{} Hz", w.digits(record.frequency)),
         };
         let warning = if is_damaged(record) { "⚠ " } else { "" };
         let text = format!("{warning}{}", record.name);
@@ -138,11 +137,11 @@ fn describe(record: &Record, w: &crate::words::Words) -> String {
     format!(
         "{} {} mm\n{} {} Hz\n{} {} m/s",
         w.amplitude,
-        digits(1e3 * record.amplitude),
+        w.digits(1e3 * record.amplitude),
         w.frequency,
-        digits(record.frequency),
+        w.digits(record.frequency),
         w.peak_velocity,
-        digits(record.peak_velocity)
+        w.digits(record.peak_velocity)
     )
 }
 
@@ -162,17 +161,17 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
             ui.end_row();
         };
         if let Some(of) = simulated {
-            line(w.mean_error, format!("{} N, {:.2} %", digits(of.mean_error), of.percent));
+            line(w.mean_error, format!("{} N, {} %", w.digits(of.mean_error), w.fixed(of.percent, 2)));
         }
-        line(w.amplitude, format!("{} mm", digits(1e3 * record.amplitude)));
-        line(w.frequency, format!("{} Hz", digits(record.frequency)));
-        line(w.peak_velocity, format!("{} m/s", digits(record.peak_velocity)));
-        line(w.largest_force, format!("{} N", digits(seen.max_force)));
+        line(w.amplitude, format!("{} mm", w.digits(1e3 * record.amplitude)));
+        line(w.frequency, format!("{} Hz", w.digits(record.frequency)));
+        line(w.peak_velocity, format!("{} m/s", w.digits(record.peak_velocity)));
+        line(w.largest_force, format!("{} N", w.digits(seen.max_force)));
         if !record.cycles.is_empty() {
             line(w.cycles, record.cycles.len().to_string());
-            line(w.work, format!("{} J", digits(area)));
+            line(w.work, format!("{} J", w.digits(area)));
         }
-        line(w.noise, format!("{} N", digits(record.noise.force_rms)));
+        line(w.noise, format!("{} N", w.digits(record.noise.force_rms)));
     });
     let said = view.language.words();
     for note in &record.notes {

@@ -2,7 +2,7 @@
 
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, usual_band};
-use crate::units::{shown, typed};
+use crate::units::{read, shown};
 use crate::views::{View, named_list};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Row, Shape};
@@ -63,8 +63,8 @@ fn errors(ui: &mut Ui, session: &Session, w: &Words) {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
     };
     if let Some(now) = &session.simulated {
-        let before = session.identified.as_ref().map(|i| format!(" ({} {:.2} %)", w.identified, mean(i)));
-        ui.label(format!("{} {:.2} %{}", w.mean_error, mean(now), before.unwrap_or_default()));
+        let before = session.identified.as_ref().map(|i| format!(" ({} {} %)", w.identified, w.fixed(mean(i), 2)));
+        ui.label(format!("{} {} %{}", w.mean_error, w.fixed(mean(now), 2), before.unwrap_or_default()));
     }
 }
 
@@ -151,7 +151,8 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         marks(ui, slider.rect, &reach, usual_band(row), interval, identified);
         let mut in_unit = unit.factor * value;
         let speed = (in_unit.abs() * 0.005).max(1e-9);
-        let field = egui::DragValue::new(&mut in_unit).speed(speed).custom_formatter(|v, _| typed(v));
+        let field =
+            egui::DragValue::new(&mut in_unit).speed(speed).custom_formatter(|v, _| w.typed(v)).custom_parser(read);
         let field = ui.add(field.update_while_editing(false));
         field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, format!("{name} {}", unit.symbol)));
         if field.changed() {

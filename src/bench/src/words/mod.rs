@@ -5,6 +5,7 @@ mod english;
 mod french;
 mod german;
 
+use crate::units;
 use dashpot_records::Channel;
 
 pub use dashpot_report::words::Language;
@@ -41,6 +42,22 @@ fn of_locale(locale: &str) -> Language {
 }
 
 impl Words {
+    /// A number with four significant digits, as this language writes it; also on axes and in tables. What is typed and files are [`Words::typed`]'s
+    /// and the verbs'.
+    pub fn digits(&self, value: f64) -> String {
+        self.of.words().number(&units::digits(value))
+    }
+
+    /// A number with so many decimals.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        self.of.words().number(&format!("{value:.decimals$}"))
+    }
+
+    /// A number for a field that is typed into ([`units::typed`]); [`units::read`] takes it back.
+    pub fn typed(&self, value: f64) -> String {
+        units::typed(value).replace('.', self.of.words().decimal_sign)
+    }
+
     /// What an element or a parameter means; the reports say it with the same words.
     pub fn meaning(&self, english: &'static str) -> &'static str {
         self.of.words().meaning(english)
