@@ -103,7 +103,11 @@ crate::phrases! {
     MAYBE_EXCHANGED: "displacement and force look exchanged, so that none of this is sure";
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
-    OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). The harder ones: {hard}. The softer ones: {soft}";
+    OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
+    SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
+    SETTING: "{number}) {names}";
+    SETTING_ALL: "all of '{name}' ({count})";
+    SETTING_OPEN: "; of {names} the force does not tell it";
     ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer";
     GIVEN: "{direction} positive was given";
     AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";

@@ -510,10 +510,29 @@ pub const ALL: &[Said] = &[
         "若将运动与力同时反号，{tests} 便与其他试验相符，按原样读取则不符：在相同速度下，复原与压缩之间的中间力在 {test} 中为 {own} N，在其他试验中为 {usual} N。请检查这些文件的正方向是否不同，并更正导出或用 --exclude 排除",
     ],
     [
-        "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). The harder ones: {hard}. The softer ones: {soft}",
-        "{first} hat bei gleicher Bewegung die {times}-fache Kraft von {second}: das sind mehrere Dämpfer oder mehrere Einstellungen eines Dämpfers (Klicks, Strom), und ein Modell kann sie nicht alle wiedergeben. Getrennt identifizieren (Ordner oder --exclude). Die härteren: {hard}. Die weicheren: {soft}",
-        "{first} a {times} fois l’effort de {second} dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). Les plus durs : {hard}. Les plus souples : {soft}",
-        "相同运动下 {first} 的力是 {second} 的 {times} 倍：这是多个减振器，或同一减振器的多种设置（档位、电流），一个模型无法同时表示。请分开拟合（分文件夹，或用 --exclude）。较硬的：{hard}。较软的：{soft}",
+        "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}",
+        "{first} hat bei gleicher Bewegung die {times}-fache Kraft von {second}: das sind mehrere Dämpfer oder mehrere Einstellungen eines Dämpfers (Klicks, Strom), und ein Modell kann sie nicht alle wiedergeben. Getrennt identifizieren (Ordner oder --exclude). {belong}",
+        "{first} a {times} fois l’effort de {second} dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). {belong}",
+        "相同运动下 {first} 的力是 {second} 的 {times} 倍：这是多个减振器，或同一减振器的多种设置（档位、电流），一个模型无法同时表示。请分开拟合（分文件夹，或用 --exclude）。{belong}",
+    ],
+    [
+        "By their forces these belong together, from soft to hard: {settings}{open}",
+        "Nach ihren Kräften gehören zusammen, von weich bis hart: {settings}{open}",
+        "D’après leurs efforts vont ensemble, du plus souple au plus dur : {settings}{open}",
+        "按力归类，由软到硬：{settings}{open}",
+    ],
+    ["{number}) {names}", "{number}) {names}", "{number}) {names}", "{number}) {names}"],
+    [
+        "all of '{name}' ({count})",
+        "alle von '{name}' ({count})",
+        "tous ceux de '{name}' ({count})",
+        "'{name}' 的全部（{count}）",
+    ],
+    [
+        "; of {names} the force does not tell it",
+        "; von {names} sagt es die Kraft nicht",
+        " ; pour {names}, l’effort ne le dit pas",
+        "；{names} 从力上无法判断",
     ],
     [
         "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer",
