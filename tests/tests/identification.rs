@@ -274,6 +274,41 @@ fn an_element_left_out_on_purpose_stays_out() {
 }
 
 /// Name of the variant that a fit has chosen of something.
+/// The largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
+fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
+    let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
+    let at = |k: usize, v: f64| curves[k].elements().fv_curve.at(v).value;
+    let speeds = (0..200).map(|k| 0.02 * 50.0_f64.powf(f64::from(k) / 199.0));
+    speeds.flat_map(|v| [v, -v]).map(|v| (at(0, v) - at(1, v)).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_sharp_knee_gets_points_and_a_round_curve_none() {
+    let mut tests = Vec::new();
+    for (amplitude, peaks) in [(0.05, [0.05, 0.13, 0.26, 0.52, 1.05]), (0.02, [0.05, 0.08, 0.13, 0.26, 0.52])] {
+        tests.extend(peaks.map(|peak| Sine::new(amplitude, peak / (TAU * amplitude))));
+    }
+    tests.extend([0.041, 0.01].map(|frequency| Sine::new(0.01, frequency)));
+    let mut sharp = kernel_campaign::base();
+    // Straight to a tenth of a metre a second, then a valve that blows off.
+    let speeds = [0.03, 0.06, 0.085, 0.095, 0.1, 0.105, 0.115, 0.2, 0.5, 1.2];
+    let side = |slopes: [f64; 2]| speeds.map(|v: f64| slopes[0] * v.min(0.1) + slopes[1] * (v - 0.1).max(0.0));
+    let both = |compression: [f64; 10], rebound: [f64; 10]| -> Vec<f64> {
+        compression.iter().rev().map(|v| -v).chain([0.0]).chain(rebound).collect()
+    };
+    sharp.set_list(list!("fv_velocity"), &both(speeds, speeds)).unwrap();
+    sharp.set_list(list!("fv_force"), &both(side([4000.0, 300.0]), side([8000.0, 600.0]))).unwrap();
+    let found = fitted(&kernel_campaign::campaign(&sharp, &tests, 3, 0.01));
+    assert_ne!(chosen(&found, "knees of the FV curve"), "as they are");
+    // 60 N with points at fixed ratios alone.
+    let off = off_the_curve(&found, &sharp);
+    assert!(off < 25.0, "{off} N, {:?}", found.params.list(list!("fv_velocity")));
+    let round = kernel_campaign::base();
+    let found = fitted(&kernel_campaign::campaign(&round, &tests, 3, 0.01));
+    let knees = found.choices.iter().find(|choice| choice.of == "knees of the FV curve");
+    assert!(knees.is_none_or(|choice| choice.chosen == "as they are"), "{:?}", found.choices);
+}
+
 fn chosen(found: &Fit, of: &str) -> &'static str {
     found.choices.iter().find(|choice| choice.of == of).map_or("", |choice| choice.chosen)
 }

@@ -2,6 +2,7 @@
 
 use super::first_guess::{self, SLOW};
 use super::intervals::{Estimate, Standing, estimates};
+use super::knees::with_points_at_knees;
 use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
@@ -364,15 +365,36 @@ const FRICTIONS: &str = "friction";
 const SPRINGS: &str = "spring";
 const CURVED: &str = "curved spring";
 const POINTS: &str = "FV points";
+const KNEES: &str = "knees of the FV curve";
 const MEASUREMENT: &str = "measurement";
 /// Whether the FV curve has points where only slow tests are, and whether the records are what they seem.
 const WITHOUT_SLOW: &str = "without slow tests";
 const WITH_SLOW: &str = "with slow tests";
+/// Whether it has more points where it bends.
+const AS_SPREAD: &str = "as they are";
+const AT_KNEES: &str = "more points there";
+const FINER_AT_KNEES: &str = "twice as many more";
 const GAS_WARMS: &str = "gas that warms";
 const AS_RECORDED: &str = "as recorded";
 /// What a choice is of and what is chosen, beside the variants and what may be off in the measurement.
-pub(super) const WORDS: [&str; 9] =
-    [FRICTIONS, SPRINGS, CURVED, POINTS, MEASUREMENT, WITHOUT_SLOW, WITH_SLOW, GAS_WARMS, AS_RECORDED];
+pub(super) const WORDS: [&str; 13] = [
+    FRICTIONS,
+    SPRINGS,
+    CURVED,
+    POINTS,
+    KNEES,
+    MEASUREMENT,
+    WITHOUT_SLOW,
+    WITH_SLOW,
+    AS_SPREAD,
+    AT_KNEES,
+    FINER_AT_KNEES,
+    GAS_WARMS,
+    AS_RECORDED,
+];
+/// How often the intervals of the FV curve that show a knee are parted: from a ratio of 1.65 between two points to one that is narrower than
+/// what is parted. It ends sooner where left-out tests do not gain by it.
+const HALVINGS: usize = 4;
 /// Passes through friction and spring. Each is judged with the other as it stands, and the wrong spring hides every friction behind what
 /// it leaves: so the friction is chosen again once the spring has changed, and the spring once the friction has. It settles after one
 /// or two passes; the bound is there for records in which each undoes the other.
@@ -433,6 +455,22 @@ fn choose_structure(
         let list = [with(structure, WITHOUT_SLOW, &from), with(structure, WITH_SLOW, &denser)];
         (structure, from) = take(POINTS, &list);
     }
+    let mut knees = None;
+    for _ in 0..HALVINGS {
+        let parted = |parts| with_points_at_knees(structure, &from, segments, parts);
+        let Some(finer) = parted(2) else { break };
+        progress(Stage { done: 0.81, text: phrases::CHOOSING_POINTS });
+        let mut list = vec![with(structure, AS_SPREAD, &from), with(structure, AT_KNEES, &finer)];
+        list.extend(parted(3).map(|finest| with(structure, FINER_AT_KNEES, &finest)));
+        let chosen = choose(KNEES, &list, segments, Keep::Simplest);
+        // The first time tells what points there are worth.
+        knees.get_or_insert(chosen.choice);
+        if chosen.place == 0 {
+            break;
+        }
+        (structure, from) = (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params);
+    }
+    choices.extend(knees);
     (structure, from)
 }
 

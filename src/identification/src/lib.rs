@@ -8,6 +8,7 @@ mod as_the_fit_saw;
 pub mod first_guess;
 mod fit;
 mod intervals;
+mod knees;
 pub mod limits;
 pub mod literature;
 pub mod model_file;

@@ -246,6 +246,10 @@ pub const ALL: &[Said] = &[
     // What is chosen.
     ["curved spring", "gekrümmte Feder", "ressort courbe", "非线性弹簧"],
     ["FV points", "FV-Punkte", "points FV", "FV 点"],
+    ["knees of the FV curve", "Knicke der FV-Kurve", "coudes de la courbe FV", "FV 曲线的拐点"],
+    ["as they are", "wie sie sind", "tels quels", "保持原样"],
+    ["more points there", "dort mehr Punkte", "plus de points à cet endroit", "在该处加密点"],
+    ["twice as many more", "dort doppelt so viele mehr", "deux fois plus encore", "在该处加倍加密"],
     ["measurement", "Messung", "mesure", "测量"],
     ["without slow tests", "ohne langsame Versuche", "sans essais lents", "不含慢速试验"],
     ["with slow tests", "mit langsamen Versuchen", "avec essais lents", "含慢速试验"],

@@ -1,0 +1,99 @@
+//! Points of the FV curve where it bends sharply. The points of the first guess stand at fixed ratios of speed, and a valve that blows off within
+//! a tenth of its speed is rounded by them. What a point too few leaves of the records is a bump between two points: in the middle of the
+//! interval the model lies to the one side of them and at its ends to the other, in every test that passes through, and alike while it speeds
+//! up and while it slows down. Free play, oil that gives and friction leave bumps too, but others on the way up and down: a curve must not take
+//! them, for a diagnosis looks for them in what is left.
+
+use super::first_guess::SLOW;
+use super::variants::Structure;
+use dashpot_core::Params;
+use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
+use dashpot_core::list;
+use dashpot_estimation::segment::Segment;
+use dashpot_estimation::sensitivity::{Accuracy, Run};
+
+/// Smallest speed, m/s, from which an interval may get points: below, what friction leaves is no knee of a valve.
+const FROM: f64 = 0.02;
+/// Narrowest interval that is parted, as the ratio of its ends: knees of valves are no narrower, and the smoothing of a measured velocity
+/// blurs what is.
+const NARROWEST: f64 = 1.12;
+/// Fewest tests that must pass through an interval.
+const TESTS: usize = 3;
+/// Fewest samples of a test in the middle of an interval, and at its ends, in each sense.
+const SAMPLES: usize = 3;
+/// How many standard errors of the mean over the tests a bump is from nothing, in each of the two senses.
+const CLEAR: f64 = 2.0;
+/// How many times the bump of the one sense may be that of the other.
+const ALIKE: f64 = 2.0;
+/// Smallest bump, in units of what a test's noise and floor allow: a smaller one is not worth a point.
+const LEAST: f64 = 0.15;
+
+/// The intervals of the curve that show a bump.
+fn bumps(structure: Structure, from: &Params, segments: &[Segment]) -> Option<Vec<usize>> {
+    let velocity = from.list(list!("fv_velocity"));
+    let unknowns = structure.unknowns(from, segments);
+    let theta = unknowns.start();
+    let run = Run::new(&unknowns, &theta, Accuracy::Full)?;
+    // Of each interval, speeding up and slowing down, the bump of each test.
+    let mut of: Vec<[Vec<f64>; 2]> = vec![Default::default(); velocity.len().saturating_sub(1)];
+    for segment in segments.iter().filter(|s| s.peak_velocity > SLOW) {
+        let forces = unknowns.forces(&run, &theta, segment);
+        // Sum and count in the middle half of each interval, and in its outer quarters.
+        let mut sums = vec![[[(0.0, 0usize); 2]; 2]; of.len()];
+        for i in segment.from.max(1)..forces.len().saturating_sub(1) {
+            let speed = |i: usize| segment.input[i].velocity.abs();
+            let k = velocity.partition_point(|v| *v <= segment.input[i].velocity);
+            if k == 0 || k == velocity.len() {
+                continue;
+            }
+            let (a, b) = (velocity[k - 1].abs(), velocity[k].abs());
+            let place = (speed(i) / a).ln() / (b / a).ln();
+            let slows = usize::from(speed(i + 1) < speed(i - 1));
+            let sum = &mut sums[k - 1][slows][usize::from(!(0.25..=0.75).contains(&place))];
+            *sum = (sum.0 + segment.force[i] - forces[i], sum.1 + 1);
+        }
+        for (bumps, [middle, ends]) in of.iter_mut().flatten().zip(sums.iter().flatten()) {
+            if middle.1 >= SAMPLES && ends.1 >= SAMPLES {
+                bumps.push((middle.0 / middle.1 as f64 - ends.0 / ends.1 as f64) / segment.scale);
+            }
+        }
+    }
+    // The mean bump, where it is clear.
+    let clear = |bumps: &[f64]| {
+        let n = bumps.len() as f64;
+        let mean = bumps.iter().sum::<f64>() / n;
+        let error = (bumps.iter().map(|b| (b - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt();
+        (bumps.len() >= TESTS && mean.abs() > LEAST && mean.abs() > CLEAR * error).then_some(mean)
+    };
+    let is_clear = |[up, down]: &[Vec<f64>; 2]| match (clear(up), clear(down)) {
+        (Some(up), Some(down)) => up * down > 0.0 && up.abs().max(down.abs()) < ALIKE * up.abs().min(down.abs()),
+        _ => false,
+    };
+    let may = |k: usize| {
+        let (low, high) = (velocity[k].abs().min(velocity[k + 1].abs()), velocity[k].abs().max(velocity[k + 1].abs()));
+        low >= FROM && high >= NARROWEST * low
+    };
+    Some((0..of.len()).filter(|&k| may(k) && is_clear(&of[k])).collect())
+}
+
+/// The same parameters with every interval of the FV curve that shows a bump parted in so many; nothing where none does, or there are too many
+/// points already.
+pub fn with_points_at_knees(structure: Structure, from: &Params, segments: &[Segment], parts: usize) -> Option<Params> {
+    let (v, f) = (from.list(list!("fv_velocity")), from.list(list!("fv_force")));
+    let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
+    let parted = bumps(structure, from, segments)?;
+    let mut points: Vec<f64> = v.to_vec();
+    for k in parted {
+        let (a, b) = (v[k], v[k + 1]);
+        points.extend((1..parts).map(|i| a * (b / a).powf(i as f64 / parts as f64)));
+    }
+    if points.len() == v.len() || points.len() > MAX_POINTS {
+        return None;
+    }
+    points.sort_by(f64::total_cmp);
+    let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
+    let mut params = *from;
+    params.set_list(list!("fv_velocity"), &points).ok()?;
+    params.set_list(list!("fv_force"), &forces).ok()?;
+    Some(params)
+}
