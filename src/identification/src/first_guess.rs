@@ -5,6 +5,7 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::unknowns::anchor;
+use serde::{Deserialize, Serialize};
 
 /// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
 pub const SLOW: f64 = 0.006;
@@ -16,7 +17,7 @@ const SMALLEST: f64 = 0.010;
 const ENOUGH: usize = 12;
 
 /// Force at steady sliding in both directions.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dry {
     /// Half the difference: friction, N.
     pub friction: f64,

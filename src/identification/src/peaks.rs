@@ -1,14 +1,14 @@
 //! Force at peak velocity: the points that a damper's FV diagram is read from (PVP, peak velocity pick-off).
 
 use dashpot_records::{Record, smoothing};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Share of a stroke's fastest velocity from which on a sample counts as being at peak velocity. On a sine that is 11° to
 /// either side: a few samples even at forty per cycle, and a force that a smooth curve changes by less than 2 % over.
 const AT_PEAK: f64 = 0.98;
 
 /// Force at the peak velocity of one stroke of a test, mean over its whole cycles.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// Velocity, m/s, rebound positive: the mean of the samples that count, a little below the fastest.
     pub velocity_m_s: f64,

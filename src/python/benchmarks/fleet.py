@@ -1,6 +1,6 @@
 """How many campaigns a minute a fleet gets through with one worker and with two, and how much memory it takes.
 
-python src/python/benchmarks/fleet.py [CAMPAIGNS] [FAMILY]
+python src/python/benchmarks/fleet.py [CAMPAIGNS] [FAMILY] [LIMITS.csv]
 """
 
 from __future__ import annotations
@@ -38,9 +38,10 @@ def resident(pid: int) -> float:
         return 0.0
 
 
-def measured(listed: Path, out: Path, family: str, workers: int) -> tuple[float, list[float]]:
+def measured(listed: Path, out: Path, family: str, workers: int, limits: str | None = None) -> tuple[float, list[float]]:
     """Seconds of a run, and the largest memory of its processes, most first."""
     command = [sys.executable, "-m", "dashpot.fleet", listed, "--family", family, "--workers", workers, "--out", out, "--quiet"]
+    command += ["--limits", limits] if limits else []
     started = time.monotonic()
     process = subprocess.Popen(list(map(str, command)), start_new_session=True, stdout=subprocess.DEVNULL)
     peak: dict[int, float] = {}
@@ -57,14 +58,15 @@ def main() -> None:
     """Measures and prints."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 100
     family = sys.argv[2] if len(sys.argv) > 2 else "thesis"
+    limits = sys.argv[3] if len(sys.argv) > 3 else None
     with tempfile.TemporaryDirectory() as folder:
         listed = fleet(Path(folder), count)
         for workers in (1, 2):
             load = os.getloadavg()[0]
-            seconds, peak = measured(listed, Path(folder) / f"{workers}.parquet", family, workers)
+            seconds, peak = measured(listed, Path(folder) / f"{workers}.parquet", family, workers, limits)
             memory = ", ".join(f"{mib:.0f}" for mib in peak[: workers + 1])
             print(
-                f"{count} campaigns, {family}, {workers} workers: {seconds:.0f} s, {60 * count / seconds:.0f} a minute, largest "
+                f"{count} campaigns, {family}{', limits' if limits else ''}, {workers} workers: {seconds:.0f} s, {60 * count / seconds:.0f} a minute, largest "
                 f"processes {memory} MiB (load of the machine before: {load:.1f})",
                 flush=True,
             )

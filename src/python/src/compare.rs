@@ -2,8 +2,11 @@
 
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise};
+use crate::limits;
 use crate::model::Model;
 use crate::work;
+use dashpot_identification::limits::judge;
+use dashpot_records::Record;
 use dashpot_simulation::comparison::compare;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -12,15 +15,18 @@ use pyo3::prelude::*;
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// Compares a model with records, beside the plain FV curve; returns what `dashpot validate --json` writes, the simulated forces of every test,
-/// and the records as they were compared: without what the model's own fit found them to be off by.
+/// and the records as they were compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged
+/// as `dashpot validate --limits` does.
 #[pyfunction]
-#[pyo3(signature = (model, campaign, progress=None))]
+#[pyo3(signature = (model, campaign, progress=None, limits=None))]
 pub fn validate<'py>(
     py: Python<'py>,
     model: &Model,
     campaign: &Campaign,
     progress: Option<Py<PyAny>>,
+    limits: Option<Vec<limits::Row>>,
 ) -> PyResult<(String, Vec<Forces<'py>>, Campaign)> {
+    let windows = limits.map(limits::of_rows).transpose()?;
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
         let mut read = campaign.read.clone();
@@ -31,6 +37,11 @@ pub fn validate<'py>(
         let mut validation = dashpot_identification::validation::validate(&compared)?;
         validation.as_the_fit_saw = said;
         validation.unusable.clone_from(&read.unusable);
+        validation.limits = windows.map(|windows| {
+            let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
+            let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
+            judge(&windows, &records, Some(&forces))
+        });
         let json = serde_json::to_string(&validation)?;
         let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
         Ok((json, forces, read))

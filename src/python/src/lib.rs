@@ -8,6 +8,7 @@
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
+//! | `limits` | tables of limits, and what records say of them |
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
 //! | `rig` | the virtual rig |
@@ -22,6 +23,7 @@ mod errors;
 mod examine;
 mod export;
 mod identify;
+mod limits;
 mod model;
 mod progress;
 mod rig;
@@ -49,6 +51,8 @@ mod _native {
     use crate::export::export_fmu;
     #[pymodule_export]
     use crate::identify::fit;
+    #[pymodule_export]
+    use crate::limits::{Figures, check_limits, read_limits};
     #[pymodule_export]
     use crate::model::{Model, write};
     #[pymodule_export]

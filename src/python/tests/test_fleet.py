@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import datetime
+import json
+import math
 import os
 import re
 import shutil
@@ -20,6 +22,8 @@ import pytest
 from fleets import TESTS, damper, fleet, measure
 
 import dashpot
+from dashpot._native import Figures
+from dashpot.limits import rows as rows_of
 
 pq = pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
@@ -30,8 +34,6 @@ from dashpot.fleet.checks import checked  # noqa: E402
 from dashpot.fleet.cluster import wait_for_workers  # noqa: E402
 from dashpot.fleet.examine import Plan, examine, examine_all  # noqa: E402
 from dashpot.fleet.files import RECORDS  # noqa: E402
-from dashpot.fleet.limits import judge  # noqa: E402
-from dashpot.fleet.measured import Measured  # noqa: E402
 from dashpot.fleet.schedule import _kept  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
@@ -286,13 +288,13 @@ def test_what_cannot_be_is_said(campaigns: Path, tmp_path: Path) -> None:
         _, err = process.communicate(timeout=60)
         assert process.returncode == 2 and words in err and "Traceback" not in err, err
     for text, words in [
-        ("quantity,low,hgih\n", "line 1: there is no column 'hgih'"),
-        ("quantity,velocity_m_s,low,high\ncolour,,1,2\n", "line 2: there is no quantity 'colour'"),
+        ("quantity,low,hgih\n", 'line 1: there is no column "hgih"'),
+        ("quantity,velocity_m_s,low,high\ncolour,,1,2\n", 'line 2: "colour" is nothing that can be limited'),
         ("quantity,velocity_m_s,low,high\n\nforce,,1,2\n", "line 3"),
         ("quantity,velocity_m_s,low,high\nfriction,,x,2\n", "no number"),
-        ("quantity,velocity_m_s,low,high\nfriction,,3,2\n", "must not be above"),
-        ("quantity,velocity_m_s,low,high\nfriction,,,\n", "nothing to keep"),
-        ("quantity,velocity_m_s,low,high\n", "no limit in it"),
+        ("quantity,velocity_m_s,low,high\nfriction,,3,2\n", "is above high"),
+        ("quantity,velocity_m_s,low,high\nfriction,,,\n", "neither low nor high"),
+        ("quantity,velocity_m_s,low,high\n", "no limit below it"),
         ("quantity,velocity_m_s,low,high\nforce,nan,1,2\n", "no number"),
         ("quantity,velocity_m_s,low,high\nforce,-0.5,800,900\n", "positive at a negative velocity"),
         ("quantity,nominal,tolerance\nfriction,30,\n", "belong together"),
@@ -308,11 +310,12 @@ def test_limits_are_judged_by_what_the_rig_measured(tmp_path: Path) -> None:
     (tmp_path / "short" / "a5_v260.csv").rename(tmp_path / "c" / "short.csv")
     campaign = dashpot.Campaign.read(tmp_path / "c")
     validation = damper().validate(campaign)
-    measured = Measured.of(validation, campaign)
-    assert Measured.read(measured.text()) == measured
+    measured = Figures.measure(campaign._native)
+    assert Figures.parse(measured.text).text == measured.text
 
     def value(quantity: str, velocity: float | None = None, amplitude: float | None = None) -> float | None:
-        return Limit(quantity, velocity, 0, 1e9, amplitude).value(measured)
+        (found,) = json.loads(measured.judge(rows_of([Limit(quantity, velocity, 0, 1e9, amplitude)])))["limits"]
+        return None if found["measured"] is None else float(found["measured"]["value_n"])
 
     # The curve at a quarter of a metre per second with friction and the gas that pushes the rod out; of the longest stroke.
     assert value("force", 0.26) == pytest.approx(1150 + 30 - 140, rel=0.03)
@@ -329,7 +332,9 @@ def test_limits_are_judged_by_what_the_rig_measured(tmp_path: Path) -> None:
     assert value("hysteresis") == max(t.hysteresis.mean_gap_n.measured for t in validation.tests if t.hysteresis is not None)
     (tmp_path / "c" / "a25_v3.csv").unlink()
     fast = dashpot.Campaign.read(tmp_path / "c")
-    missed = judge([Limit("friction", None, 0, 1e9), Limit("force", 1.5, 0, 1e9)], Measured.of(damper().validate(fast), fast))
+    found = damper().validate(fast, limits=[Limit("friction", None, 0, 1e9), Limit("force", 1.5, 0, 1e9)]).limits
+    assert found is not None and not found.passed
+    missed = found.missed
     assert ["not tested" in told for told in missed] == [True, True] and "6 mm/s" in missed[0]
     row = examine(find_jobs([tmp_path / "c"])[0], "k", Plan(family="fv", limits=(Limit("friction", None, 0, 1e9),)))
     assert row["judgement"] == "failed" and "not tested" in row["missed"][0]
@@ -344,6 +349,40 @@ def test_the_table_of_limits_in_the_book_is_read(tmp_path: Path) -> None:
     assert (limits[0].low, limits[0].high, limits[0].label) == (1700 - 136, 1700 + 136, "R3")
     (tmp_path / "german.csv").write_bytes("# vorn\nquantity;velocity_m_s;low;high;unit;name\nforce;0,524;0,9;1;kN;Dämpfer\n".encode("cp1252"))
     assert read_limits(tmp_path / "german.csv") == (Limit("force", 0.524, 900, 1000, None, "Dämpfer"),)
+
+
+def test_lists_and_limits_tell_their_mistakes_alike(tmp_path: Path) -> None:
+    for first, row, words in [
+        ("{},oops", "", "line 2: there is no column .oops. in a "),
+        ("{0},{0}", "", "line 2: the column .{}. stands there twice"),
+        ("{}", "a,b", "line 3: has 2 fields where the header has 1"),
+    ]:
+        for name, column, read in [("l.csv", "quantity", read_limits), ("f.csv", "campaign", find_jobs)]:
+            (tmp_path / name).write_text(f"# ours\n{first.format(column)}\n{row}\n")
+            with pytest.raises(dashpot.DashpotError, match=words.format(column)):
+                read(tmp_path / name)
+    # Headings in capitals and words are those of both.
+    (tmp_path / "l.csv").write_text("Quantity,Velocity m-s,LOW,high\nGas Force,,1,2\n")
+    assert read_limits(tmp_path / "l.csv") == (Limit("gas_force", None, 1, 2),)
+    (tmp_path / "f.csv").write_text(" Campaign , SERIAL\nx,S1\n")
+    assert [job.serial for job in find_jobs(tmp_path / "f.csv")] == ["S1"]
+
+
+def test_a_limit_that_nothing_can_keep_is_refused_before_the_work(tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "c", seed=1, tests=TESTS[:1])
+    campaign = dashpot.Campaign.read(tmp_path / "c")
+    for limit, words in [
+        (Limit("friktion", None, 0, 1), '"friktion" is nothing that can be limited'),
+        (Limit("force", None, 0, 1), "needs the speed"),
+        (Limit("friction", None, 2, 1), "is above high"),
+        (Limit("friction", None, -math.inf, math.inf), "neither low nor high"),
+        (Limit("friction", None, math.nan, 1), "low is NaN"),
+        (Limit("hysteresis", 0.5, 0, 1, -0.05), "is not positive"),
+    ]:
+        with pytest.raises(dashpot.DashpotError, match=f"Plan.limits: limit 2 of those given: .*{words}"):
+            checked(Plan(limits=(Limit("friction", None, 0, 9), limit)))
+        with pytest.raises(dashpot.ValidationError, match=words):
+            damper().validate(campaign, limits=[limit])
 
 
 class TestStatistics:

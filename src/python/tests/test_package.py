@@ -61,6 +61,10 @@ model = dashpot.fit(campaign, hold_out="a40*")
 assert_type(model.validate(campaign).overall.error_percent, float)
 assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
 assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
+judged = model.validate(campaign, limits=dashpot.read_limits("limits.csv")).limits
+if judged is not None:
+    assert_type(judged.passed, bool)
+    assert_type(judged.limits[0].verdict, str)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
 assert_type(dashpot.Damper(model).step(0.1, 1e-3), float)
 forces: npt.NDArray[np.float64] = dashpot.Damper([model, model], [0, 0]).step(np.zeros(2), 1e-3)

@@ -54,7 +54,13 @@ pub(crate) fn cells_of_text(file: &Path) -> Result<Vec<(usize, Vec<String>)>, Re
     Ok(lines().map(|(k, line)| (k + 1, split(line, delimiter))).collect())
 }
 
-/// Text of a file in UTF-8 or UTF-16 with byte order mark, else read as Latin-1 (old exports, for µ and °), which is a guess.
+/// The text of a short table as spreadsheets save it, without the mark that may stand before it.
+pub fn text(bytes: &[u8]) -> String {
+    decode(bytes).0.trim_start_matches('\u{feff}').to_owned()
+}
+
+/// Text of a file in UTF-8 or UTF-16 with byte order mark, else read in the code page of western Windows (old exports, for µ and °; a
+/// spreadsheet that saves no UTF-8), which is a guess. Where the page has no character it is Latin-1.
 fn decode(bytes: &[u8]) -> (String, bool) {
     let (text, guessed) = characters(bytes);
     // Old Macintosh programs end lines by a carriage return alone.
@@ -74,7 +80,7 @@ fn characters(bytes: &[u8]) -> (String, bool) {
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
-        Err(_) => (bytes.iter().map(|&b| b as char).collect(), true),
+        Err(_) => (encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(), true),
     }
 }
 
@@ -599,6 +605,12 @@ mod tests {
             assert_eq!(samples.temperature.as_deref(), Some([20.0].as_slice()));
             assert_eq!(samples.displacement.as_deref(), Some([1e-6].as_slice()));
         }
+    }
+
+    #[test]
+    fn what_a_spreadsheet_saves_without_utf8_keeps_its_dashes_and_umlauts() {
+        assert_eq!(text(b"D\xE4mpfer \x96 vorn, 5 \x80"), "Dämpfer – vorn, 5 €");
+        assert_eq!(text("\u{feff}Dämpfer – vorn".as_bytes()), "Dämpfer – vorn");
     }
 
     #[test]

@@ -60,6 +60,7 @@ mod unusable;
 mod whole_motion;
 mod xlsx;
 
+pub use self::csv::text;
 pub use about::About;
 pub use campaign::{Campaign, Progress, load};
 pub use channel::{Channel, assignment};

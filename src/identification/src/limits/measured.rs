@@ -8,6 +8,7 @@ use crate::peaks::{AtPeak, Peak};
 use crate::validation::{Compared, Hysteresis};
 use dashpot_estimation::samples::segments;
 use dashpot_records::Record;
+use serde::{Deserialize, Serialize};
 
 /// How near a test's peak velocity lies to the speed asked for without anything to interpolate with: what a rig misses its
 /// commanded speed by. Wider would let a steep curve decide about a window.
@@ -18,7 +19,7 @@ const BETWEEN: f64 = 2.0;
 const SAME_STROKE: f64 = 0.1;
 
 /// A peak with the test that it comes from.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the test.
     pub test: String,
@@ -29,7 +30,7 @@ pub struct Point {
 }
 
 /// Hysteresis of one test.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Gap {
     test: String,
     amplitude: f64,
@@ -37,8 +38,9 @@ struct Gap {
     mean_gap: f64,
 }
 
-/// Everything that a limit may ask of a campaign.
-#[derive(Debug, Clone)]
+/// Everything that a limit may ask of a campaign. It may be kept, as text by serde, and asked for other limits later: the answers are the
+/// same to the last digit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     points: Vec<Point>,
     gaps: Vec<Gap>,

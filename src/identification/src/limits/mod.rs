@@ -1,7 +1,7 @@
 //! Pass or fail: what a damper may show, as its maker or buyer writes it, against what the rig measured.
 //!
-//! [`table`] reads the limits, [`measured`] takes the figures from the records, [`judge`] compares them. The verdict is that
-//! of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
+//! [`table`] reads the limits, [`measured`] takes the figures from the records, [`judge`] compares them, and [`Figures::judge`] those that
+//! were kept. The verdict is that of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
 //! for a damper in a vehicle must keep the windows too.
 
 mod measured;
@@ -80,8 +80,18 @@ pub struct Certificate {
 
 /// Compares limits with records, and with the forces of a model at the records' samples where there is one.
 pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
-    let measured = Figures::of(records, None);
     let simulated = model.map(|forces| Figures::of(records, Some(forces)));
+    Figures::of(records, None).judge(limits, simulated.as_ref())
+}
+
+impl Figures {
+    /// Compares limits with these figures, and with those of a model on the same records where there is one.
+    pub fn judge(&self, limits: &[Limit], model: Option<&Figures>) -> Certificate {
+        answers(limits, self, model)
+    }
+}
+
+fn answers(limits: &[Limit], measured: &Figures, simulated: Option<&Figures>) -> Certificate {
     let verdict = |limit: &Limit, value: Option<&Value>| match value {
         None => Verdict::NotTested,
         Some(value) if limit.holds(value.value_n) => Verdict::Pass,
@@ -91,7 +101,7 @@ pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) ->
         .iter()
         .map(|limit| {
             let found = measured.value(limit);
-            let by_model = simulated.as_ref().map(|figures| figures.value(limit));
+            let by_model = simulated.map(|figures| figures.value(limit));
             Checked {
                 limit: limit.clone(),
                 verdict: verdict(limit, found.as_ref()),
@@ -106,11 +116,11 @@ pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) ->
         amplitude_m: point.amplitude,
         velocity_m_s: point.peak.velocity_m_s,
         force_n: point.peak.force_n,
-        model_n: simulated.as_ref().and_then(|figures| figures.points().nth(k)).map(|p| p.peak.force_n),
+        model_n: simulated.and_then(|figures| figures.points().nth(k)).map(|p| p.peak.force_n),
     });
     Certificate {
         passed: limits.iter().all(|l| l.verdict == Verdict::Pass),
-        model_passed: model.map(|_| limits.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
+        model_passed: simulated.map(|_| limits.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
         peaks: peaks.collect(),
         limits,
     }

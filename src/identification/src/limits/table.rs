@@ -26,6 +26,17 @@ impl Quantity {
         ("friction", Quantity::Friction),
         ("hysteresis", Quantity::Hysteresis),
     ];
+
+    /// The quantity of a name, in small letters or capitals, in one word or several.
+    ///
+    /// # Errors
+    /// A sentence with the names that there are.
+    pub fn named(said: &str) -> Result<Quantity, String> {
+        let plain = said.to_ascii_lowercase().replace([' ', '-'], "_");
+        Quantity::NAMES.iter().find(|(name, _)| *name == plain).map(|(_, quantity)| *quantity).ok_or_else(|| {
+            format!("{said:?} is nothing that can be limited; quantities are force, gas_force, friction, hysteresis")
+        })
+    }
 }
 
 /// One window.
@@ -48,6 +59,47 @@ pub struct Limit {
 }
 
 impl Limit {
+    /// Whether the window can be kept at all, and asks for something that a rig measures.
+    ///
+    /// # Errors
+    /// A sentence where it is not so.
+    pub fn check(&self) -> Result<(), String> {
+        let numbers = [
+            ("velocity_m_s", self.velocity_m_s),
+            ("amplitude_m", self.amplitude_m),
+            ("low", self.low_n),
+            ("high", self.high_n),
+        ];
+        if let Some((name, value)) = numbers.iter().find(|(_, value)| value.is_some_and(|v| !v.is_finite())) {
+            return Err(format!("{name} is {}, which is no number", value.unwrap_or(f64::NAN)));
+        }
+        match (self.low_n, self.high_n) {
+            (None, None) => return Err("neither low nor high is given; write at least one".into()),
+            (Some(low), Some(high)) if low > high => {
+                return Err(format!(
+                    "low ({low} N) is above high ({high} N); forces are signed, so in compression the stronger force is the lower one"
+                ));
+            }
+            _ => {}
+        }
+        if self.quantity == Quantity::Force {
+            match self.velocity_m_s {
+                None => return Err("a force needs the speed at which it is limited, in velocity_m_s".into()),
+                Some(0.0) => {
+                    return Err("there is no peak force at velocity 0; limit friction or gas_force instead".into());
+                }
+                Some(v) if v < 0.0 && self.low_n.is_some_and(|low| low > 0.0) => {
+                    return Err("the force is positive at a negative velocity; compression has a negative velocity and a negative force here".into());
+                }
+                Some(_) => {}
+            }
+        }
+        match self.amplitude_m {
+            Some(amplitude) if amplitude <= 0.0 => Err(format!("the amplitude {amplitude} m is not positive")),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether a value lies in the window.
     pub fn holds(&self, value_n: f64) -> bool {
         self.low_n.is_none_or(|low| value_n >= low) && self.high_n.is_none_or(|high| value_n <= high)
@@ -81,18 +133,13 @@ pub enum LimitError {
 /// Columns understood; `low` and `high`, or `nominal` and `tolerance`, say the window.
 const COLUMNS: &str = "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, unit, name";
 
-/// Reads a file of limits.
+/// Reads a file of limits, in UTF-8 or as a spreadsheet saves it otherwise.
 ///
 /// # Errors
 /// [`LimitError`] with file, line and what to do.
 pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
     let bytes = std::fs::read(file).map_err(|source| LimitError::Read { file: file.into(), source })?;
-    let text = String::from_utf8(bytes).map_err(|_| LimitError::Line {
-        file: file.into(),
-        line: 1,
-        cause: "is no UTF-8 text; save the table as CSV UTF-8".into(),
-    })?;
-    parse(file, &text)
+    parse(file, &dashpot_records::text(&bytes))
 }
 
 /// Reads the text of a file of limits; `file` is for messages.
@@ -109,6 +156,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter)
         .comment(Some(b'#'))
+        .flexible(true)
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
     let header: Vec<String> = reader
@@ -134,17 +182,15 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     }
     let mut limits = Vec::new();
     for row in reader.records() {
-        let row = row.map_err(|e| {
-            let line = e.position().map_or(1, csv::Position::line);
-            let cause = match e.kind() {
-                csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-                    format!("has {len} fields where the header has {expected_len}")
-                }
-                _ => e.to_string(),
-            };
-            wrong(line, cause)
-        })?;
-        let line = row.position().map_or(1, csv::Position::line);
+        let row = row.map_err(|e| wrong(e.position().map_or(1, csv::Position::line), e.to_string()))?;
+        // Spreadsheets write separators alone where a row is empty.
+        if row.iter().all(str::is_empty) {
+            continue;
+        }
+        let line = row.position().map_or(1, |at| line_of(text, at));
+        if row.len() != header.len() {
+            return Err(wrong(line, format!("has {} fields where the header has {}", row.len(), header.len())));
+        }
         let cell =
             |name: &str| header.iter().position(|h| h == name).and_then(|k| row.get(k)).filter(|cell| !cell.is_empty());
         limits.push(limit(&cell, decimal_comma, line).map_err(|cause| wrong(line, cause))?);
@@ -155,6 +201,12 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     Ok(limits)
 }
 
+/// Line of a row: its reader counts from where the row before ended, and passes over empty lines and comments without a word.
+fn line_of(text: &str, at: &csv::Position) -> u64 {
+    let ahead = usize::try_from(at.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or_default();
+    at.line() + ahead.lines().take_while(|l| l.is_empty() || l.starts_with('#')).count() as u64
+}
+
 fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
     let plain = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
     let value = plain.parse().ok().filter(|v: &f64| v.is_finite());
@@ -163,13 +215,7 @@ fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
 
 fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line: u64) -> Result<Limit, String> {
     let said = cell("quantity").unwrap_or_default();
-    let quantity = Quantity::NAMES
-        .iter()
-        .find(|(name, _)| *name == said.to_ascii_lowercase().replace([' ', '-'], "_"))
-        .map(|(_, quantity)| *quantity)
-        .ok_or_else(|| {
-            format!("{said:?} is nothing that can be limited; quantities are force, gas_force, friction, hysteresis")
-        })?;
+    let quantity = Quantity::named(said)?;
     let unit = match cell("unit") {
         None => Unit::Newton,
         Some(text) => text
@@ -196,41 +242,16 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
         (Some(_), Some(_)) => return Err("give either low and high or nominal and tolerance, not both".into()),
         _ => return Err("nominal and tolerance belong together (tolerance in the unit, or as 10 %)".into()),
     }
-    let velocity_m_s = value("velocity_m_s")?;
-    let amplitude_m = value("amplitude_m")?;
-    match (low, high) {
-        (None, None) => return Err("neither low nor high is given; write at least one".into()),
-        (Some(low), Some(high)) if low > high => {
-            return Err(format!(
-                "low ({low} N) is above high ({high} N); forces are signed, so in compression the stronger force is the lower one"
-            ));
-        }
-        _ => {}
-    }
-    if quantity == Quantity::Force {
-        match velocity_m_s {
-            None => return Err("a force needs the speed at which it is limited, in velocity_m_s".into()),
-            Some(0.0) => {
-                return Err("there is no peak force at velocity 0; limit friction or gas_force instead".into());
-            }
-            Some(v) if v < 0.0 && low.is_some_and(|low| low > 0.0) => {
-                return Err("the force is positive at a negative velocity; compression has a negative velocity and a negative force here".into());
-            }
-            Some(_) => {}
-        }
-    }
-    if let Some(amplitude) = amplitude_m.filter(|a| *a <= 0.0) {
-        return Err(format!("the amplitude {amplitude} m is not positive"));
-    }
-    Ok(Limit {
+    let limit = Limit {
         name: cell("name").map_or_else(|| said.to_owned(), str::to_owned),
         quantity,
-        velocity_m_s,
-        amplitude_m,
+        velocity_m_s: value("velocity_m_s")?,
+        amplitude_m: value("amplitude_m")?,
         low_n: low,
         high_n: high,
         line,
-    })
+    };
+    limit.check().map(|()| limit)
 }
 
 #[cfg(test)]
@@ -257,6 +278,13 @@ mod tests {
     }
 
     #[test]
+    fn a_table_is_read_in_the_code_page_that_a_spreadsheet_saves_it_in() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), b"name,quantity,low\nD\xE4mpfer \x96 vorn,friction,1\n").unwrap();
+        assert_eq!(read(file.path()).unwrap()[0].name, "Dämpfer – vorn");
+    }
+
+    #[test]
     fn mistakes_are_told_with_file_and_line() {
         let cases = [
             ("quantity,low\nforce,1\n", "line 2: a force needs the speed"),
@@ -272,6 +300,8 @@ mod tests {
             ("quantity,low,high,unit\nfriction,0,1,mm\n", "no unit of force"),
             ("quantity,lo\nfriction,0\n", "no column \"lo\""),
             ("quantity,low\nfriction,0,1\n", "line 2: has 3 fields where the header has 2"),
+            ("quantity,low\n\n# ours\n , \n,\nfriction,x\n", "line 6: low is \"x\""),
+            ("quantity,low\r\n\r\nfriction,x\r\n", "line 3: low is \"x\""),
             ("low\n1\n", "the column quantity is missing"),
             ("quantity,low,high\n", "no limit below it"),
             ("", "quantity is missing"),

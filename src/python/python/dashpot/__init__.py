@@ -36,15 +36,17 @@ from ._native import VERSION as __version__
 from .campaign import Campaign, Record
 from .damper import Damper
 from .identification import diagnose, fit
+from .limits import Limit, read_limits
 from .model import Model, Parameter, Response
 from .rig import measure_virtual
-from .results import Diagnosis, FitResult, Validation
+from .results import Certificate, Diagnosis, FitResult, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
 
 __all__ = [
     "Campaign",
+    "Certificate",
     "Damper",
     "DashpotError",
     "Diagnosis",
@@ -52,6 +54,7 @@ __all__ = [
     "ExportError",
     "FitError",
     "FitResult",
+    "Limit",
     "Model",
     "ModelError",
     "MotionError",
@@ -68,6 +71,7 @@ __all__ = [
     "diagnose",
     "fit",
     "measure_virtual",
+    "read_limits",
     "set_threads",
 ]
 

@@ -9,6 +9,9 @@ import numpy.typing as npt
 _Array = npt.NDArray[np.float64]
 _Progress = Callable[[float, str], object] | None
 
+#: Name, quantity, velocity, low, high, amplitude of a limit.
+_Limit = tuple[str, str, float | None, float | None, float | None, float | None]
+
 VERSION: str
 UNWINDS: bool
 
@@ -64,6 +67,16 @@ class Model:
     ) -> list[_Array]: ...
 
 @final
+@final
+class Figures:
+    @staticmethod
+    def measure(campaign: Campaign, progress: _Progress = None) -> Figures: ...
+    @staticmethod
+    def parse(text: str) -> Figures: ...
+    @property
+    def text(self) -> str: ...
+    def judge(self, limits: Sequence[_Limit]) -> str: ...
+
 class Dampers:
     def __new__(cls, models: Sequence[Model], initial_position: Sequence[float]) -> Dampers: ...
     def __len__(self) -> int: ...
@@ -88,7 +101,11 @@ def fit(
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
 ) -> tuple[str, str]: ...
-def validate(model: Model, campaign: Campaign, progress: _Progress = None) -> tuple[str, list[tuple[_Array, _Array]], Campaign]: ...
+def validate(
+    model: Model, campaign: Campaign, progress: _Progress = None, limits: Sequence[_Limit] | None = None
+) -> tuple[str, list[tuple[_Array, _Array]], Campaign]: ...
+def read_limits(path: str) -> list[_Limit]: ...
+def check_limits(limits: Sequence[_Limit]) -> None: ...
 def diagnose(
     model: Model,
     campaign: Campaign,

@@ -17,6 +17,7 @@ from ._result import Result, frame, table
 from ._numbers import column, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
+from .limits import Limit, rows
 from .results import FitResult, Validation
 
 if TYPE_CHECKING:
@@ -177,19 +178,26 @@ class Model:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
         return self._native.steady_force(column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity))
 
-    def validate(self, campaign: Sequence[Record], *, progress: Progress | None = None) -> Validation:
+    def validate(
+        self, campaign: Sequence[Record], *, limits: Sequence[Limit] | None = None, progress: Progress | None = None
+    ) -> Validation:
         """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
 
         What the model's own fit found these records to be off by (a late force, a mass on the load cell) is taken out of them;
         :attr:`Validation.campaign` has them as they were compared, with a note.
 
         :param campaign: a :class:`Campaign`, or some of its records.
-        :raises ValidationError: where they cannot be compared.
+        :param limits: windows that the damper has to keep, of :func:`dashpot.read_limits`; :attr:`Validation.limits` says which it does,
+            and which the model does.
+        :raises ValidationError: where they cannot be compared, or a limit cannot be kept.
         """
         from dataclasses import replace
 
         with watched(progress) as told:
             said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told)
+        windows = None if limits is None else rows(limits)
+        with watched(progress) as told:
+            said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told, windows)
         return replace(
             Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         )

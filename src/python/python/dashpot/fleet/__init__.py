@@ -8,8 +8,6 @@ again. A campaign that cannot be read or fitted is a row with its reason. ``pyth
 |---|---|
 | ``jobs`` | which campaigns, with serial number, batch and date |
 | ``files`` | which files a campaign is made of, and when they changed |
-| ``limits`` | what a good damper may do |
-| ``measured`` | the figures that limits speak of |
 | ``checks`` | what a plan may say |
 | ``examine`` | one campaign becomes one row |
 | ``store`` | parts on the disk, and the one table made of them |
@@ -18,10 +16,10 @@ again. A campaign that cannot be read or fitted is a row with its reason. ``pyth
 | ``statistics``, ``report`` | the fleet in one HTML file |
 """
 
+from ..limits import Limit, read_limits
 from .cluster import Place
 from .examine import Plan
 from .jobs import Job, find_jobs
-from .limits import Limit, read_limits
 from .report import write_report
 from .schedule import Outcome, run
 

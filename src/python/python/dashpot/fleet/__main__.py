@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from .._native import DashpotError
+from ..limits import read_limits
 from .cluster import Place
 from .examine import Plan
 from .jobs import find_jobs
-from .limits import read_limits
 from .report import check_target, write_report
 from .schedule import CHUNK, run, to_terminal
 

@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from .._native import DashpotError, DiagnosisError, FitError, RecordError
+from .. import _native
+from .._native import DashpotError, DiagnosisError, FitError, RecordError, ValidationError
 from .._numbers import words
 from ..campaign import Campaign
 from ..identification import diagnose, fit
+from ..limits import Limit, rows
 from ..model import Model
 from .examine import Plan
-from .limits import Limit
 
 #: Which campaigns are diagnosed.
 DIAGNOSED = ("all", "failed", "none")
@@ -41,6 +42,10 @@ def checked(plan: Plan) -> Plan:
         raise DashpotError(f"Plan.limits is {os.fspath(plan.limits)!r}; give what dashpot.fleet.read_limits of that file returns")
     if not all(isinstance(limit, Limit) for limit in plan.limits):
         raise DashpotError("Plan.limits is a sequence of dashpot.fleet.Limit; dashpot.fleet.read_limits reads them from a file")
+    try:
+        _native.check_limits(rows(plan.limits))
+    except (TypeError, ValidationError) as error:
+        raise DashpotError(f"Plan.limits: {error}") from None
     reference: Any = plan.reference
     if reference is not None:
         if not isinstance(reference, (str, os.PathLike)):

@@ -122,10 +122,11 @@ def _listed(path: Path) -> list[tuple[Job, str]]:
     text = text_of(path)
     rows = rows_of(text, delimiter_of(heading_of(text)), path)
     first, head = next(rows)
-    head = [c.lower() for c in head]
+    # Headings and their mistakes as in a table of limits (src/identification/src/limits/table.rs).
+    head = [c.lower().replace(" ", "_").replace("-", "_") for c in head]
     unknown = [c for c in head if c not in COLUMNS]
     if unknown:
-        raise RecordError(f"{path}, line {first}: there is no column {unknown[0]!r}; the columns are {', '.join(COLUMNS)}")
+        raise RecordError(f"{path}, line {first}: there is no column {unknown[0]!r} in a list of campaigns; the columns are {', '.join(COLUMNS)}")
     twice = [c for c in head if head.count(c) > 1]
     if twice:
         raise RecordError(f"{path}, line {first}: the column {twice[0]!r} stands there twice")
@@ -133,7 +134,7 @@ def _listed(path: Path) -> list[tuple[Job, str]]:
     for line, row in rows:
         at = f"{path}, line {line}"
         if len(row) != len(head):
-            raise RecordError(f"{at}: {len(row)} cells where the first line has {len(head)}")
+            raise RecordError(f"{at}: has {len(row)} fields where the header has {len(head)}")
         said = dict(zip(head, row, strict=True))
         if not said["campaign"]:
             raise RecordError(f"{at}: the cell of the campaign is empty")

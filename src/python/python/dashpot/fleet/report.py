@@ -144,7 +144,8 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
     if judged:
         out.append(f" {judged['passed']} keep all limits, {judged['failed']} do not.")
     out.append("</p>")
-    missed = Counter(text.split(":")[0] for all_of in table["missed"] for text in all_of or ())
+    # A name may hold a colon; what was found stands behind the last.
+    missed = Counter(text.rsplit(": ", 1)[0] for all_of in table["missed"] for text in all_of or ())
     if missed:
         rows = "".join(_row(pair) for pair in missed.most_common())
         out.append(f"<h2>Limits missed</h2><table>{_row(('limit', 'dampers'), 'th')}{rows}</table>")

@@ -10,14 +10,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import IO, Any
 
-from .._native import DashpotError, RecordError
+from .._native import DashpotError, Figures, RecordError
 from ..campaign import Campaign
 from ..identification import fit
 from .checks import checked
 from .cluster import Place, client_of, has_dashboard, wait_for_workers
 from .examine import PASSING, Plan, examine_all, judged
 from .jobs import Job
-from .measured import Measured
 from .store import NOT_DONE, Store
 
 #: Campaigns in a chunk: what one part holds and what a killed run may lose for each worker. At a second each, a part every
@@ -97,7 +96,7 @@ def run(
 
         def finish(place: int, row: Mapping[str, Any]) -> Mapping[str, Any]:
             """What the list says of the damper, and what the limits of this run say of what was measured."""
-            measured = Measured.read(row["measured"]) if row["measured"] else None
+            measured = Figures.parse(row["measured"]) if row["measured"] else None
             return {**asdict(given[place]), **judged(plan.limits, measured)}
 
         return Outcome(len(keys), before, store.table(keys, finish), time.monotonic() - started)
