@@ -503,6 +503,23 @@ class TestJobs:
         (two / "d1" / "campaign.toml").write_text('format = "dashpot campaign profile 1"\ngain = 2.0\n')
         assert single.key("") != before
 
+    def test_records_in_subfolders_are_read_where_the_plan_says_so(self, two: Path) -> None:
+        """As where campaign.toml says it; and a change down there is seen."""
+        deep = two / "d0"
+        (deep / "slow").mkdir()
+        (deep / "a25_v3.csv").rename(deep / "slow" / "a25_v3.csv")
+        job, plan = find_jobs([deep])[0], Plan(family="fv", mapping={"subfolders": True})
+        assert examine(job, "k", Plan(family="fv"))["tests"] == 1
+        row = examine(job, "k", checked(plan))
+        assert (row["status"], row["tests"]) == ("ok", 2)
+        before = job.key(plan.said(), plan.subfolders)
+        (deep / "slow" / "a25_v3.csv").write_text("changed\n")
+        assert job.key(plan.said(), plan.subfolders) != before
+        reference = replace(plan, reference=str(deep))
+        before = reference.said()
+        (deep / "slow" / "a25_v3.csv").write_text("changed again\n")
+        assert reference.said() != before
+
     def test_a_folder_whose_records_lie_in_subfolders_is_one_damper(self, two: Path) -> None:
         assert [Path(j.campaign).name for j in find_jobs(two)] == ["d0", "d1"]
         (two / "campaign.toml").write_text('format = "dashpot campaign profile 1"\nsubfolders = true\n')

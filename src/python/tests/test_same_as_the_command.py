@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -126,6 +127,19 @@ def test_a_mapping_reads_as_the_options_of_the_command(command: Command, records
     options = [f"--unit={c}={u}" for c, u in units.items()] + [f"--column={c}={h}" for c, h in columns.items()]
     command("fit", "foreign", "-o", "foreign.toml", "--positive", "compression", "--model", "fv", *options)
     assert dashpot.fit(read, family="fv").text == (command.folder / "foreign.toml").read_text()
+
+
+def test_records_in_subfolders_are_read_as_the_command_reads_them(command: Command, records: Path) -> None:
+    for k, file in enumerate(sorted(records.glob("*.csv"))):
+        folder = command.folder / "deep" / ("first" if k % 2 else "second")
+        folder.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, folder)
+    with pytest.raises(dashpot.RecordError, match="subfolders"):
+        dashpot.Campaign.read(command.folder / "deep")
+    read = dashpot.Campaign.read(command.folder / "deep", subfolders=True)
+    assert {name.split("/")[0] for name in read.names} == {"first", "second"}
+    command("fit", "deep", "--subfolders", "--model", "fv", "-o", "deep.toml")
+    assert dashpot.fit(read, family="fv").text == (command.folder / "deep.toml").read_text()
 
 
 def test_results_survive_a_dictionary(campaign: dashpot.Campaign, model: dashpot.Model) -> None:

@@ -136,6 +136,7 @@ class Campaign(Sequence[Record]):
         units: Mapping[str, str] | None = None,
         ignore: Sequence[str] = (),
         exclude: Sequence[str] = (),
+        subfolders: bool = False,
         delay_s: float = 0.0,
         force_zero_n: float = 0.0,
         displacement_zero_m: float = 0.0,
@@ -158,6 +159,8 @@ class Campaign(Sequence[Record]):
         :param units: unit of a channel whose heading has none: ``{"force": "kN"}``.
         :param ignore: channels left unread, such as ``"velocity"``.
         :param exclude: files or tests left out, by name; ``*`` stands for anything.
+        :param subfolders: read the records in the subfolders of a folder as tests of the same campaign; the names of their tests begin with
+            the folder.
         :param delay_s: how much later than the motion the force was recorded, s; taken out.
         :param force_zero_n: what the force channel shows without force, N, in the file's direction; taken off.
         :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
@@ -194,6 +197,7 @@ class Campaign(Sequence[Record]):
             "flip": words(flip),
             "ignore": words(ignore),
             "exclude": words(exclude),
+            "subfolders": bool(subfolders),
             **{name: float(value) for name, value in numbers.items()},
             "columns": {k: str(v) for k, v in (columns or {}).items()},
             "units": dict(units or {}),

@@ -67,6 +67,8 @@ def _parser() -> argparse.ArgumentParser:
     add("--unit", action="append", default=[], metavar="CHANNEL=UNIT", help="unit of a channel whose heading has none")
     add("--column", action="append", default=[], metavar="CHANNEL=HEADING", help="heading of a channel's column")
     add("--ignore", action="append", default=[], metavar="CHANNEL", help="channel to leave unread")
+    add("--subfolders", action="store_true",
+        help="read the records in the subfolders of a campaign as its tests; the names of their tests begin with the folder")  # fmt: skip
     add("--workers", type=_positive, metavar="N", help="worker processes on this computer [default: one a processor]")
     add("--scheduler", metavar="ADDRESS", help="a Dask cluster to use instead")
     add("--slurm", type=_positive, metavar="JOBS", help="Slurm jobs to start instead, one worker each")
@@ -93,6 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "units": _pairs(args.unit, "--unit"),
             "columns": _pairs(args.column, "--column"),
             "ignore": args.ignore,
+            "subfolders": args.subfolders,
         }
         plan = Plan(
             family=args.family,

@@ -58,13 +58,18 @@ class Plan:
     threads: int = 1
     """Threads inside one worker; campaigns, not tests, are what is shared out."""
 
+    @property
+    def subfolders(self) -> bool:
+        """Whether records in the subfolders of a campaign are its tests whatever its ``campaign.toml`` says."""
+        return bool(self.mapping.get("subfolders", False))
+
     def said(self) -> str:
         """All that decides what comes out, as text."""
         decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
         if self.diagnose != "failed" or self.reference is None:
             # Rows keep what was measured, and the table is judged when it is made.
             decides["limits"] = FIGURES if self.limits else False
-        made_of = stamps(self.reference) if self.reference is not None else []
+        made_of = stamps(self.reference, self.subfolders) if self.reference is not None else []
         return json.dumps([_native.VERSION, decides, made_of], sort_keys=True)
 
 
@@ -147,7 +152,7 @@ def judged(limits: Sequence[Limit], measured: _native.Figures | None) -> dict[st
 
 def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
     assert plan.reference is not None and plan.reference_model is not None
-    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True), tuple(stamps(plan.reference)))
+    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True), tuple(stamps(plan.reference, plan.subfolders)))
     reference = Model(plan.reference_model, "reference.toml")
     found = diagnose(reference, campaign, good, max_effects=plan.max_effects, candidates=plan.candidates)
     said: dict[str, Any] = {

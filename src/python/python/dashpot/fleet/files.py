@@ -29,11 +29,14 @@ _ROWS, _LOOKED_AT = 5, 65536
 Stamp = tuple[str, int, int]
 
 
-def stamps(campaign: str | os.PathLike[str]) -> list[Stamp]:
-    """The files that decide what a campaign is: its records, and what ``campaign.toml`` beside them says."""
+def stamps(campaign: str | os.PathLike[str], subfolders: bool = False) -> list[Stamp]:
+    """The files that decide what a campaign is: its records, and what ``campaign.toml`` beside them says.
+
+    :param subfolders: whether records in subfolders are read whatever ``campaign.toml`` says.
+    """
     path = Path(campaign)
     if path.is_dir():
-        files = sorted([*_records(path, DEEPEST if has_subfolders(path) else 0), *_profiles(path)])
+        files = sorted([*_records(path, DEEPEST if subfolders or has_subfolders(path) else 0), *_profiles(path)])
         return [_stamp(file, file.relative_to(path).as_posix()) for file in files]
     return [_stamp(path, path.name), *(_stamp(file, file.name) for file in _profiles(path.parent))]
 

@@ -28,13 +28,13 @@ class Job:
     date: str = ""
     """ISO date, ``2026-11-23``, with or without a time."""
 
-    def key(self, said: str) -> str:
+    def key(self, said: str, subfolders: bool = False) -> str:
         """What makes this work the same as work done before: the campaign, its files as they are now, and the plan.
 
         Serial number, batch and date are not in it: they stand in the table and change no figure.
         """
         path = os.path.abspath(self.campaign)
-        text = json.dumps([path, stamps(path), said], sort_keys=True)
+        text = json.dumps([path, stamps(path, subfolders), said], sort_keys=True)
         return hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
     def checked(self) -> Job:

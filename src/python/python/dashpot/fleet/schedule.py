@@ -71,7 +71,7 @@ def run(
         said = plan.said()
         # A worker may have another working directory.
         work = [replace(job, campaign=os.path.abspath(job.campaign)) for job in given]
-        keys = [job.key(said) for job in work]
+        keys = [job.key(said, plan.subfolders) for job in work]
         if again:
             store.forget(store.failed())
         rest = [(job, key) for key, job in dict(zip(keys, work, strict=True)).items() if key not in store.done]
