@@ -133,9 +133,17 @@ pub struct Dampers {
 
 #[pymethods]
 impl Dampers {
-    /// Dampers at rest in their initial positions, m.
+    /// Dampers that have long moved steadily in this manner: at their initial positions, m, with initial velocities, m/s, side forces, N, and
+    /// temperatures, °C. That is `dashpot_state_init_motion` of the C interface, and at velocity 0 `dashpot_state_init`.
     #[new]
-    fn new(models: Vec<Py<Model>>, initial_position: Vec<f64>) -> PyResult<Dampers> {
+    fn new(
+        py: Python<'_>,
+        models: Vec<Py<Model>>,
+        initial_position: Vec<f64>,
+        initial_velocity: Vec<f64>,
+        side_force: Vec<f64>,
+        temperature: Vec<f64>,
+    ) -> PyResult<Dampers> {
         if models.len() != 1 && models.len() != initial_position.len() {
             return Err(PyValueError::new_err(format!(
                 "{} models for {} dampers: give one model for all, or one for each",
@@ -146,10 +154,33 @@ impl Dampers {
         if let Some(x) = initial_position.iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
             return Err(say::<StepError>(format!("the initial position is {x} m, which is no position")));
         }
-        let at_rest = |(k, x): (usize, &f64)| {
-            models[if models.len() == 1 { 0 } else { k }].get().prepared.settled(&Input::motion(*x, 0.0))
+        let count = initial_position.len();
+        for (name, given) in
+            [("initial_velocity", &initial_velocity), ("side_force", &side_force), ("temperature", &temperature)]
+        {
+            if given.len() != count {
+                return Err(PyValueError::new_err(format!(
+                    "{name} has {} values; give one number, or one for each of the {count} dampers, of which initial_position says how many",
+                    given.len()
+                )));
+            }
+        }
+        let settled = |k: usize| {
+            let input = Input {
+                side_force: side_force[k],
+                temperature: temperature[k],
+                ..Input::motion(initial_position[k], initial_velocity[k])
+            };
+            let state = models[if models.len() == 1 { 0 } else { k }].get().prepared.settled(&input);
+            (sane(&input) && state.is_finite()).then_some(state).ok_or(k)
         };
-        let states: Vec<State> = initial_position.iter().enumerate().map(at_rest).collect();
+        let states = py.detach(|| (0..count).map(settled).collect::<Result<Vec<State>, usize>>());
+        let states = states.map_err(|k| {
+            say::<StepError>(format!(
+                "damper {k} cannot start so: position {} m, velocity {} m/s, side force {} N, temperature {} °C",
+                initial_position[k], initial_velocity[k], side_force[k], temperature[k]
+            ))
+        })?;
         Ok(Dampers { models, next: states.clone(), states })
     }
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -59,14 +61,15 @@ assert_type(campaign["a50"], dashpot.Record)
 assert_type(campaign[0:2], tuple[dashpot.Record, ...])
 model = dashpot.fit(campaign, hold_out="a40*")
 assert_type(model.validate(campaign).overall.error_percent, float)
-assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
-assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
 judged = model.validate(campaign, limits=dashpot.read_limits("limits.csv")).limits
 if judged is not None:
     assert_type(judged.passed, bool)
     assert_type(judged.limits[0].verdict, str)
+assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
+assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
 assert_type(dashpot.Damper(model).step(0.1, 1e-3), float)
+assert_type(dashpot.Damper(model, 0.01, initial_velocity=0.2).step(0.1, 1e-3), float)
 forces: npt.NDArray[np.float64] = dashpot.Damper([model, model], [0, 0]).step(np.zeros(2), 1e-3)
 dashpot.fit(campaign[1:])
 dashpot.plot.curve(model)
@@ -237,6 +240,102 @@ class TestDampers:
         assert np.array_equal(many.state, kept) and (out == 7).all()
         with pytest.raises(ValueError, match="models"):
             dashpot.Damper([damper(), damper()], [0.0, 0.0, 0.0])
+
+    #: A damper that remembers: a spring in series, presliding friction, a gas that cools, and friction that rises with the side force.
+    REMEMBERS = (
+        damper().text.replace('"gas_preload"', '"gas_preload", "gas_spring", "presliding_friction", "side_force_friction"')
+        + "gas_length = 0.3\ngas_adiabatic_index = 1.4\ngas_thermal_time = 1.0\n"
+    )
+    #: The same in C: reads a model file, starts in motion, goes on in the same manner, and prints every number.
+    IN_C = """
+    #include "dashpot.h"
+    #include <stdio.h>
+    #include <stdlib.h>
+    static dashpot_params params = DASHPOT_PARAMS_INIT;
+    static dashpot_model model;
+    int main(int count, char **given) {
+      static char text[1 << 16];
+      FILE *file = fopen(given[1], "rb");
+      size_t size = fread(text, 1, sizeof text, file);
+      dashpot_fault fault;
+      dashpot_state state;
+      dashpot_input input = dashpot_input_motion(atof(given[2]), atof(given[3]));
+      if (dashpot_params_read(&params, text, size, &fault) < 0) return 1;
+      if (dashpot_model_init(&model, &params) < 0) return 2;
+      input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+      input.side_force = atof(given[4]);
+      input.temperature = atof(given[5]);
+      int status = dashpot_state_init_motion(&model, &input, &state);
+      printf("%d\\n", status);
+      if (status < 0) return 0;
+      const double *number = &state.displacement;
+      for (int k = 0; k < 14; k++) printf("%.17g\\n", number[k]);
+      for (int k = 0; k < 5; k++) {
+        dashpot_output output;
+        input.displacement += 1e-3 * input.velocity;
+        dashpot_step(&model, &state, &input, 1e-3, &state, &output);
+        printf("%.17g\\n", output.force);
+      }
+      return count == 0;
+    }
+    """
+
+    def test_a_start_in_motion_is_that_of_the_c_interface(self, tmp_path: Path) -> None:
+        library, compiler = os.environ.get("DASHPOT_LIBRARY"), shutil.which("cc")
+        if library is None or compiler is None:
+            pytest.skip("DASHPOT_LIBRARY names no library of the same sources, or there is no C compiler")
+        model = dashpot.Model(self.REMEMBERS)
+        model.write(tmp_path / "m.toml")
+        (tmp_path / "start.c").write_text(self.IN_C)
+        include = Path(__file__).parents[3] / "include"
+        subprocess.run([compiler, "-I", include, "-o", tmp_path / "start", tmp_path / "start.c", library, "-lm"], check=True)
+        starts = [(0.01, 0.3, 0.0, 20.0), (-0.02, -0.8, 400.0, 20.0), (0.0, 0.0, 0.0, 60.0), (0.0, 2e3, 0.0, 20.0)]
+        for x, v, side, temperature in starts:
+            ran = subprocess.run(
+                [tmp_path / "start", tmp_path / "m.toml", *map(repr, (x, v, side, temperature))], capture_output=True, text=True, check=True
+            )
+            status, *numbers = map(float, ran.stdout.split())
+            if status < 0:
+                with pytest.raises(dashpot.StepError, match="damper 0 cannot start so"):
+                    dashpot.Damper(model, x, initial_velocity=v, side_force=side, temperature=temperature)
+                continue
+            one = dashpot.Damper(model, x, initial_velocity=v, side_force=side, temperature=temperature)
+            assert one.state[0].tolist() == numbers[:14]
+            forces = []
+            for _ in range(5):
+                x += 1e-3 * v
+                forces.append(one.step(v, 1e-3, x, side_force=side, temperature=temperature))
+            assert forces == numbers[14:]
+
+    def test_a_damper_that_starts_in_motion_is_what_simulate_says(self) -> None:
+        model = dashpot.Model(self.REMEMBERS)
+        expected = model.simulate(self.T, self.X, self.V).force
+        one = dashpot.Damper(model, self.X[0], initial_velocity=self.V[0])
+        motion = zip(self.V[1:].tolist(), np.diff(self.T).tolist(), self.X[1:].tolist(), strict=True)
+        assert [one.step(v, dt, x) for v, dt, x in motion] == expected[1:].tolist()
+        # Moving steadily on shows no jump: the force is that of the curve, but for the gas, which cools less than it is compressed.
+        steady = dashpot.Damper(damper(), 0.0, initial_velocity=0.5)
+        assert steady.step(0.5, 1e-4) == pytest.approx(damper().steady_force(0.5)[0], abs=0.1)
+        assert dashpot.Damper(damper(), 0.0).step(0.5, 1e-4) < 0.8 * damper().steady_force(0.5)[0]
+
+    def test_each_of_many_may_start_in_its_own_manner(self) -> None:
+        model = dashpot.Model(self.REMEMBERS)
+        many = dashpot.Damper(model, [0.0, 0.01], initial_velocity=[0.2, -0.3], side_force=100.0, temperature=[20, 40])
+        singles = [
+            dashpot.Damper(model, x, initial_velocity=v, side_force=100.0, temperature=t) for x, v, t in [(0.0, 0.2, 20.0), (0.01, -0.3, 40.0)]
+        ]
+        assert many.state.tolist() == [s.state[0].tolist() for s in singles]
+        for wrong, words in [
+            ({"initial_velocity": [0.1]}, "initial_velocity has 1 values; give one number, or one for each of the 2 dampers"),
+            ({"temperature": [[20.0, 20.0]]}, "temperature is one column"),
+        ]:
+            with pytest.raises(ValueError, match=words):
+                dashpot.Damper(model, [0.0, 0.01], **wrong)  # type: ignore[arg-type]
+        with pytest.raises(TypeError, match="complex"):
+            dashpot.Damper(model, initial_velocity=1j)  # type: ignore[arg-type]
+        for wrong in ({"initial_velocity": float("nan")}, {"side_force": float("inf")}, {"temperature": 1e9}):
+            with pytest.raises(dashpot.StepError, match="damper 0 cannot start so"):
+                dashpot.Damper(model, **wrong)
 
     def test_steps_do_not_allocate_for_each_damper(self) -> None:
         def grown(count: int) -> int:

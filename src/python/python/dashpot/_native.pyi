@@ -78,7 +78,14 @@ class Figures:
     def judge(self, limits: Sequence[_Limit]) -> str: ...
 
 class Dampers:
-    def __new__(cls, models: Sequence[Model], initial_position: Sequence[float]) -> Dampers: ...
+    def __new__(
+        cls,
+        models: Sequence[Model],
+        initial_position: Sequence[float],
+        initial_velocity: Sequence[float],
+        side_force: Sequence[float],
+        temperature: Sequence[float],
+    ) -> Dampers: ...
     def __len__(self) -> int: ...
     def step(
         self,

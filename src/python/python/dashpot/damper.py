@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 import numpy as np
 
 from . import _native
-from ._numbers import real
+from ._numbers import column, real
 from .model import Model
 
 if TYPE_CHECKING:
@@ -29,13 +29,32 @@ class Damper:
     >>> force = damper.step(velocity, dt)                         # one damper: numbers  # doctest: +SKIP
     >>> corners = Damper([front, front, rear, rear], np.zeros(4)) # four: arrays  # doctest: +SKIP
     >>> corners.step(velocities, dt, out=forces)                  # no allocation  # doctest: +SKIP
+    >>> moving = Damper(model, x, initial_velocity=v)             # has long moved so  # doctest: +SKIP
 
     A single initial position makes a single damper, whose step takes and gives numbers; a list or an array makes one damper for
     each, whose steps take numbers or arrays and give arrays. SI units; extension (rebound) velocity and tension force are
     positive. A refused step raises :class:`dashpot.StepError` and leaves all states as they were.
+
+    A damper starts at rest, settled: a step that holds the position gives the static force. With ``initial_velocity`` it starts as one that
+    has long moved steadily so, under ``side_force`` and at ``temperature``: start in this manner where the simulation starts in motion, so
+    that the first steps show no jump of the velocity. It is ``dashpot_state_init_motion`` of the C interface.
+
+    :param initial_position: m, extension positive; one number, or one for each damper.
+    :param initial_velocity: m/s, extension positive; one number for all, or one for each damper. So are the two that follow.
+    :param side_force: N.
+    :param temperature: damper temperature, °C.
+    :raises StepError: where a damper cannot start so.
     """
 
-    def __init__(self, model: Union[Model, Sequence[Model]], initial_position: npt.ArrayLike = 0.0) -> None:
+    def __init__(
+        self,
+        model: Union[Model, Sequence[Model]],
+        initial_position: npt.ArrayLike = 0.0,
+        *,
+        initial_velocity: npt.ArrayLike = 0.0,
+        side_force: npt.ArrayLike = 0.0,
+        temperature: npt.ArrayLike = 20.0,
+    ) -> None:
         models = [model] if isinstance(model, Model) else list(model)
         for given in models:
             if not isinstance(given, Model):
@@ -49,7 +68,9 @@ class Damper:
         if positions.ndim != 1:
             raise ValueError(f"initial_position is one number, or one for each damper, not an array of {positions.ndim} dimensions")
         self._models, self._count = tuple(models), len(positions)
-        self._native = _native.Dampers([m._native for m in models], positions.tolist())
+        channels = {"initial_velocity": initial_velocity, "side_force": side_force, "temperature": temperature}
+        start = [_of_each(name, given, len(positions)) for name, given in channels.items()]
+        self._native = _native.Dampers([m._native for m in models], positions.tolist(), *start)
         self._forces: Forces = np.zeros(len(positions))
         self._layouts = self._native.state[:, _LAYOUT].copy()
 
@@ -145,6 +166,15 @@ class Damper:
             if len(other):
                 raise ValueError(f"the state of damper {other[0]} is of a model with other elements; start a damper of that model instead")
         self._native.state = given
+
+
+def _of_each(name: str, given: npt.ArrayLike, count: int) -> list[float]:
+    """One number for all dampers, or a column with one for each, as a list."""
+    values = np.asarray(given)
+    real(name, values)
+    if values.ndim == 0:
+        return [float(values)] * count
+    return list(column(name, given).tolist())
 
 
 def _again(models: tuple[Model, ...], single: bool, state: Forces) -> Damper:
