@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -70,6 +71,56 @@ def test_ctrl_c_stops_it(own: dashpot.Campaign, work: str) -> None:
     progress(1.0, "again")
     calls[work]()
     assert len(told) > before + 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no signals to send")
+@pytest.mark.parametrize("work", ["simulate", "steady_force"])
+def test_ctrl_c_stops_long_motions_and_curves_in_the_middle(work: str) -> None:
+    model = damper()
+    t = np.linspace(0, 20, 2001)
+    calls: dict[str, Callable[[], object]] = {
+        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step=5e-6),
+        "steady_force": lambda: model.steady_force(np.linspace(-1, 1, 10_000_000)),
+    }
+    started = time.monotonic()
+    calls[work]()
+    whole = time.monotonic() - started
+    hand = threading.Timer(0.1 * whole, os.kill, (os.getpid(), signal.SIGINT))
+    started = time.monotonic()
+    hand.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            calls[work]()
+    finally:
+        hand.join()
+    assert time.monotonic() - started < 0.6 * whole
+
+
+@pytest.mark.parametrize("work", ["simulate", "steady_force"])
+def test_long_motions_and_curves_give_the_lock_back(work: str) -> None:
+    model = damper()
+    t = np.linspace(0, 20, 2001)
+    calls: dict[str, Callable[[], object]] = {
+        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step=5e-6),
+        "steady_force": lambda: model.steady_force(np.linspace(-1, 1, 10_000_000)),
+    }
+    worker = threading.Thread(target=calls[work])
+    started = time.monotonic()
+    worker.start()
+    ticks = 0
+    while worker.is_alive():
+        time.sleep(0.002)
+        ticks += 1
+    # Ten a second where there should be hundreds: a machine may be busy, a lock that is held lets none through.
+    assert ticks > 10 * (time.monotonic() - started)
+
+
+def test_a_long_motion_tells_its_progress() -> None:
+    told: list[tuple[float, str]] = []
+    damper().simulate([0, 1], [0, 0.01], step=1e-5, progress=lambda d, t: told.append((d, t)))
+    assert len(told) > 3 and told == sorted(told) and {text for _, text in told} == {"simulating"}
+    with pytest.raises(KeyError):
+        damper().simulate([0, 1], [0, 0.01], progress=lambda d, t: {}[t])
 
 
 def test_an_exception_of_the_progress_function_stops_it(own: dashpot.Campaign) -> None:
@@ -180,7 +231,10 @@ def test_results_are_short_at_a_prompt(own: dashpot.Campaign) -> None:
     assert "N>" in repr(model.simulate([0, 1], [0, 0.01]))
 
 
-@pytest.mark.parametrize("work", ["dashpot.fit(campaign)", "[model.simulate(t, x) for _ in range(10**6)]"])
+@pytest.mark.parametrize("work", [
+    "dashpot.fit(campaign)", "[model.simulate(t, x) for _ in range(10**6)]", "model.simulate(t, x, step=1e-6)",
+    "model.steady_force(np.full(10**8, 0.1))",
+])
 def test_a_thread_that_works_when_the_program_ends_does_not_abort_it(own: dashpot.Campaign, work: str) -> None:
     """Python does not wait for such a thread, and would be gone when the work comes back to it."""
     program = (

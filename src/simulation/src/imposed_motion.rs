@@ -7,6 +7,10 @@ use dashpot_records::MotionRecord;
 /// Most rows that a motion is sampled to: some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
+/// Samples from one word about the progress to the next: some hundredths of a second, so that work asked to stop ends at once to the eye, and
+/// telling costs nothing beside it.
+pub const TELL: usize = 16_384;
+
 /// A motion with which a model can be driven.
 #[derive(Debug, Clone)]
 pub struct ImposedMotion {
@@ -188,11 +192,22 @@ impl ImposedMotion {
     /// # Errors
     /// Where the motion is so far from any damper's that a number overflows.
     pub fn drive(&self, model: &Model) -> Result<Vec<Answer>, ImposeError> {
+        self.drive_telling(model, &|_, _| {})
+    }
+
+    /// The same, telling every [`TELL`] samples how many of how many are done.
+    ///
+    /// # Errors
+    /// As [`ImposedMotion::drive`].
+    pub fn drive_telling(&self, model: &Model, tell: &dyn Fn(usize, usize)) -> Result<Vec<Answer>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let mut state = model.settled(&first);
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {
+            if i % TELL == 0 {
+                tell(i, self.time.len());
+            }
             if i > 0 {
                 let found = force_in_place(model, &mut state, &self.input(i), time - self.time[i - 1]);
                 force = found.ok_or(ImposeError::NotFinite(time, "force"))?;

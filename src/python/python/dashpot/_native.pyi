@@ -54,7 +54,7 @@ class Model:
     def text(self) -> str: ...
     def json(self) -> str: ...
     def velocity_range(self) -> tuple[float, float]: ...
-    def steady_force(self, velocity: npt.ArrayLike) -> _Array: ...
+    def steady_force(self, velocity: npt.ArrayLike, progress: _Progress = None) -> _Array: ...
     def simulate(
         self,
         time: npt.ArrayLike,
@@ -64,9 +64,9 @@ class Model:
         temperature: npt.ArrayLike | None,
         initial_position: float | None,
         step: float | None,
+        progress: _Progress = None,
     ) -> list[_Array]: ...
 
-@final
 @final
 class Figures:
     @staticmethod
@@ -77,6 +77,7 @@ class Figures:
     def text(self) -> str: ...
     def judge(self, limits: Sequence[_Limit]) -> str: ...
 
+@final
 class Dampers:
     def __new__(
         cls,

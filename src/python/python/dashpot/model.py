@@ -176,7 +176,9 @@ class Model:
 
     def steady_force(self, velocity: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
-        return self._native.steady_force(column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity))
+        velocities = column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity)
+        with watched() as told:
+            return self._native.steady_force(velocities, told)
 
     def validate(
         self, campaign: Sequence[Record], *, limits: Sequence[Limit] | None = None, progress: Progress | None = None
@@ -193,8 +195,6 @@ class Model:
         """
         from dataclasses import replace
 
-        with watched(progress) as told:
-            said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told)
         windows = None if limits is None else rows(limits)
         with watched(progress) as told:
             said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told, windows)
@@ -212,6 +212,7 @@ class Model:
         temperature: npt.ArrayLike | None = None,
         initial_position: float | None = None,
         step: float | None = None,
+        progress: Progress | None = None,
     ) -> Response:
         """The force for a motion; as ``dashpot simulate``.
 
@@ -222,6 +223,7 @@ class Model:
 
         :param time: times, s, increasing.
         :param step: fixed step, s; the times given if not.
+        :param progress: is told the share done and what is being done.
         :raises MotionError: where a number overflows, or position or step cannot be.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
@@ -234,8 +236,8 @@ class Model:
         )
         for name, value in (("initial_position", initial_position), ("step", step)):
             real(name, value)
-        with watched():
-            return Response(*self._native.simulate(*channels, initial_position, step))
+        with watched(progress) as told:
+            return Response(*self._native.simulate(*channels, initial_position, step, told))
 
     def export_fmu(
         self,
