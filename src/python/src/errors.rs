@@ -1,8 +1,8 @@
 //! Exceptions, with the sentences of the command.
 
-use pyo3::PyErr;
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;
+use pyo3::prelude::*;
 
 create_exception!(dashpot, DashpotError, PyException, "What dashpot refuses; the text says what to do.");
 create_exception!(dashpot, RecordError, DashpotError, "Records that cannot be read or trusted.");
@@ -20,7 +20,18 @@ create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be wri
 pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
     // What is an option of the command has no meaning here.
     let said = dashpot_output::told_once(&error.into()).replace("or give --force to replace it", "or remove it first");
-    PyErr::new::<E, _>(said)
+    PyErr::new::<E, _>(as_arguments(said))
+}
+
+/// Options of the command in a sentence as arguments of the package.
+fn as_arguments(said: String) -> String {
+    if !said.contains("--") {
+        return said;
+    }
+    let translated = Python::attach(|py| -> PyResult<String> {
+        py.import("dashpot._arguments")?.getattr("as_arguments")?.call1((&said,))?.extract()
+    });
+    translated.unwrap_or(said)
 }
 
 /// A sentence as an exception.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import pytest
 from fleets import damper, measure
 
 import dashpot
+from dashpot._arguments import as_arguments
 
 T = np.arange(200) * 1e-3
 X = 0.02 * np.sin(20 * T)
@@ -137,6 +139,35 @@ def test_what_the_command_does_by_an_option_is_said_otherwise(tmp_path: Path) ->
     with pytest.raises(dashpot.OutputError, match="remove it first") as refused:
         damper().write(tmp_path / "notes.txt")
     assert "--force" not in str(refused.value)
+
+
+def test_sentences_speak_of_arguments_and_not_of_options(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("time_s,x,load\n" + "".join(f"{k / 100},{k % 7},{k % 5}\n" for k in range(50)))
+    with pytest.raises(dashpot.RecordError, match=r'units=\{"displacement": "mm", "force": "N"\}'):
+        dashpot.Campaign.read(tmp_path / "a.csv")
+    for said, wanted in [
+        ("Give --unit force=kN, or --unit force=N to insist", 'Give units={"force": "kN"}, or units={"force": "N"} to insist'),
+        ('give --column a="B b" --column b="A" (and --unit where)', 'give columns={"a": "B b", "b": "A"} (and units where)'),
+        ("give --unit force=... (and --unit where)", 'give units={"force": ...} (and units where)'),
+        ('Other headings can be given as --column force="Load Cell 1"', 'Other headings can be given as columns={"force": "Load Cell 1"}'),
+        ("--positive rebound or --positive compression, or give --positive", 'positive="rebound" or positive="compression", or give positive'),
+        ("Give --flip motion, and leave --flip out", 'Give flip="motion", and leave flip out'),
+        ("read one only: --ignore velocity (or --ignore displacement)", 'read one only: ignore="velocity" (or ignore="displacement")'),
+        ("say --sample-rate 1000 (samples per second)", "say sample_rate_hz=1000 (samples per second)"),
+        ("say dashpot import-profile FOLDER --unit force=N once", "say dashpot import-profile FOLDER --unit force=N once"),
+        ("compare them by dashpot diagnose --group folders", "compare them by dashpot diagnose --group folders"),
+        ("file--model.csv has --modelling in it", "file--model.csv has --modelling in it"),
+    ]:
+        assert as_arguments(said) == wanted
+
+
+def test_no_sentence_about_records_speaks_of_an_option_that_is_an_argument() -> None:
+    source = (Path(__file__).parents[2] / "records" / "src" / "phrases.rs").read_text(encoding="utf-8")
+    sentences = [text for text in re.findall(r'"((?:[^"\\]|\\.)*)"', source) if "--" in text]
+    assert len(sentences) > 30
+    for text in sentences:
+        said = as_arguments(re.sub(r"\{\w+\}", "force", text.replace('\\"', '"')))
+        assert "--" not in re.sub(r"dashpot [a-z-]+( [A-Z]+)? --\S+", "", said), said
 
 
 def test_a_model_may_be_written_where_it_was_read(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ import pytest
 from conftest import Command
 
 import dashpot
+from dashpot._arguments import as_arguments
 
 
 def test_fit(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
@@ -77,7 +78,7 @@ def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model:
         ran = command.run(*arguments)
         assert ran.returncode == 2
         # Before it, notes on the records may stand.
-        return ran.stderr.rstrip("\n").splitlines()[-1].removeprefix("dashpot: ")
+        return as_arguments(ran.stderr.rstrip("\n").splitlines()[-1].removeprefix("dashpot: "))
 
     with pytest.raises(dashpot.RecordError) as records:
         dashpot.Campaign.read(bad_records)
@@ -134,7 +135,7 @@ def test_records_in_subfolders_are_read_as_the_command_reads_them(command: Comma
         folder = command.folder / "deep" / ("first" if k % 2 else "second")
         folder.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, folder)
-    with pytest.raises(dashpot.RecordError, match="subfolders"):
+    with pytest.raises(dashpot.RecordError, match="give subfolders=True, which reads them as one campaign"):
         dashpot.Campaign.read(command.folder / "deep")
     read = dashpot.Campaign.read(command.folder / "deep", subfolders=True)
     assert {name.split("/")[0] for name in read.names} == {"first", "second"}
