@@ -39,6 +39,14 @@ def measure(model: dashpot.Model, folder: Path, seed: int, tests: Sequence[tuple
         np.savetxt(name, table, fmt="%.9g", delimiter=",", header="time_s,displacement_m,velocity_m_s,force_N", comments="")
 
 
+def turn(folder: Path) -> None:
+    """Turns every test of a campaign round: what counted extension positive counts compression."""
+    for file in folder.iterdir():
+        table = np.loadtxt(file, delimiter=",", skiprows=1)
+        head = file.read_text().splitlines()[0]
+        np.savetxt(file, table * [1, -1, -1, -1], fmt="%.9g", delimiter=",", header=head, comments="")
+
+
 def fleet(folder: Path, count: int) -> Path:
     """Campaigns of so many dampers whose valves scatter by 3 %; returns the list of them."""
     scatter = np.random.default_rng(7)

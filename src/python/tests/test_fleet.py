@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fleets import TESTS, damper, fleet, measure
+from fleets import TESTS, damper, fleet, measure, turn
 
 import dashpot
 from dashpot._native import Figures
@@ -642,6 +642,24 @@ class TestRuns:
         assert judgements(1, "B2") == (3, ["failed"] * 3)
         assert judgements(1000, "B1") == (3, ["passed"] * 3)
         assert out.read_bytes() == before and "measured" not in rows(out)[0]
+
+    def test_campaigns_that_were_read_in_two_directions_are_told(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
+        folder, place = cheap
+        shutil.copytree(folder, tmp_path / "fleet")
+        jobs, told = find_jobs(tmp_path / "fleet"), list[str]()
+        run_jobs(jobs, tmp_path / "a.parquet", Plan(family="fv"), place, tell=told.append)
+        assert [r["positive"] for r in rows(tmp_path / "a.parquet")] == ["rebound"] * 3 and not any("positive" in t for t in told)
+        turn(tmp_path / "fleet" / "d1")
+        run_jobs(jobs, tmp_path / "a.parquet", Plan(family="fv"), place, tell=told.append)
+        assert [r["positive"] for r in rows(tmp_path / "a.parquet")] == ["rebound", "compression", "rebound"]
+        words = "read 1 as counting compression positive and 2 as counting rebound positive"
+        assert words in told[-1]
+        pytest.importorskip("matplotlib")
+        write_report(tmp_path / "a.parquet", tmp_path / "a.html")
+        assert words in (tmp_path / "a.html").read_text()
+        # Where it was said, nobody found anything.
+        run_jobs(jobs, tmp_path / "b.parquet", Plan(family="fv", mapping={"positive": "rebound"}), place, tell=told.append)
+        assert "read 1 as" not in told[-1]
 
     def test_a_damaged_part_is_set_aside_and_done_anew(self, cheap: tuple[Path, Place], tmp_path: Path) -> None:
         folder, place = cheap

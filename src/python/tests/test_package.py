@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fleets import damper, measure
+from fleets import damper, measure, turn
 
 import dashpot
 from dashpot import _native
@@ -123,6 +123,27 @@ def test_a_diagnosis_against_a_reference_says_what_changed(own: dashpot.Campaign
     assert changed["coulomb_force"].reference == pytest.approx(30, abs=5)
     assert changed["coulomb_force"].value == pytest.approx(80, abs=8)
     assert "coulomb_force" in found._repr_html_()
+
+
+def test_a_campaign_and_a_reference_that_were_read_in_opposite_directions_are_told(own: dashpot.Campaign, tmp_path: Path) -> None:
+    measure(damper(), tmp_path / "turned", seed=2)
+    turn(tmp_path / "turned")
+    turned = dashpot.Campaign.read(tmp_path / "turned")
+    # Made as the reader may take them wrongly: what was measured in rebound stands where compression should.
+    wrong = dashpot.Campaign.read(tmp_path / "turned", positive="rebound")
+    assert (own.sign.positive, turned.sign.positive) == ("rebound", "compression")
+    model = dashpot.fit(own, family="fv")
+    few = {"candidates": ["free_play"], "max_effects": 0}
+    found = dashpot.diagnose(model, turned, own, **few)  # type: ignore[arg-type]
+    assert any("counting compression positive and the reference as counting rebound" in note for note in found.notes)
+    for campaign in (own, wrong):
+        assert not any("counting" in note for note in dashpot.diagnose(model, campaign, own, **few).notes)  # type: ignore[arg-type]
+    both = dashpot.Campaign.read(tmp_path / "turned", positive="compression"), dashpot.Campaign.read(own.paths[0], positive="rebound")
+    assert not any("counting" in note for note in dashpot.diagnose(model, *both, **few).notes)  # type: ignore[arg-type]
+    for file in (tmp_path / "turned").glob("a25*"):
+        file.unlink()
+    with pytest.raises(dashpot.DiagnosisError, match="read both with positive"):
+        dashpot.diagnose(model, turned[3:4], own[:1], **few)  # type: ignore[arg-type]
 
 
 def test_a_model_file_is_written_as_it_was_read(own: dashpot.Campaign, tmp_path: Path) -> None:

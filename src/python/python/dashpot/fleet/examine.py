@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -26,6 +27,9 @@ VELOCITIES = (-1.047, -0.524, -0.262, -0.131, -0.052, 0.052, 0.131, 0.262, 0.524
 
 #: Marks a row whose failure may be gone at the next start: files that a worker does not see, a file server that went away.
 PASSING = "passing"
+
+#: Which columns rows have; another number has campaigns done anew whose rows have others.
+ROWS = 2
 
 #: Which figures rows keep for limits; another number has what was kept in another form measured anew.
 FIGURES = 2
@@ -64,13 +68,22 @@ class Plan:
         return bool(self.mapping.get("subfolders", False))
 
     def said(self) -> str:
-        """All that decides what comes out, as text."""
+        """All that decides what comes out, as text, and which columns that has."""
         decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
         if self.diagnose != "failed" or self.reference is None:
             # Rows keep what was measured, and the table is judged when it is made.
             decides["limits"] = FIGURES if self.limits else False
         made_of = stamps(self.reference, self.subfolders) if self.reference is not None else []
-        return json.dumps([_native.VERSION, decides, made_of], sort_keys=True)
+        return json.dumps([_native.VERSION, ROWS, decides, made_of], sort_keys=True)
+
+
+def in_two_directions(positive: Iterable[str | None], confidence: Iterable[float | None]) -> str | None:
+    """A sentence where some campaigns were found to count rebound positive and others compression: of one rig, some were taken the wrong way round."""
+    counts = Counter(p for p, c in zip(positive, confidence, strict=True) if p is not None and c is not None)
+    if len(counts) < 2:
+        return None
+    told = " and ".join(f"{count} as counting {name} positive" for name, count in sorted(counts.items()))
+    return f"campaigns were read {told}; where all come from one rig, give --positive (the columns positive and positive_confidence have each)"
 
 
 def force_column(velocity: float) -> str:
@@ -115,6 +128,8 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
         measured = _native.Figures.measure((validation.campaign or campaign)._native)
     figures: dict[str, Any] = {
         "tests": len(campaign),
+        "positive": campaign.sign.positive,
+        "positive_confidence": None if campaign.sign.given else campaign.sign.confidence,
         "misfit": model.fit.misfit,
         "error_percent": validation.overall.error_percent,
         "rmse_n": validation.overall.rmse_n,

@@ -20,7 +20,7 @@ import pyarrow.parquet as pq
 
 from .._native import DashpotError, OutputError
 from ..plot import plain
-from .examine import VELOCITIES, force_column
+from .examine import VELOCITIES, force_column, in_two_directions
 from .statistics import OUTLIER, Control, Numbers, Places, batches, control, drift, far_off, spread
 
 #: Dampers in the table of outliers, worst first; all are in the Parquet file.
@@ -88,7 +88,7 @@ def report(results: str | os.PathLike[str]) -> str:
     """The report as text."""
     file = pq.ParquetFile(results)
     schema = file.schema_arrow
-    said = ["campaign", "serial", "batch", "date", "status", "reason", "judgement", "missed", "verdict", "effect",
+    said = ["campaign", "serial", "batch", "date", "status", "reason", "positive", "positive_confidence", "judgement", "missed", "verdict", "effect",
             "effect_confidence", "suspect", "changed"]  # fmt: skip
     table = file.read(columns=said).to_pydict()
     count = len(table["campaign"])
@@ -144,6 +144,10 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
     if judged:
         out.append(f" {judged['passed']} keep all limits, {judged['failed']} do not.")
     out.append("</p>")
+    # A table of an earlier version has no such columns.
+    turned = in_two_directions(table.get("positive", ()), table.get("positive_confidence", ()))
+    if turned:
+        out.append(f'<p class="warn">{html.escape(turned[0].upper() + turned[1:])}.</p>')
     # A name may hold a colon; what was found stands behind the last.
     missed = Counter(text.rsplit(": ", 1)[0] for all_of in table["missed"] for text in all_of or ())
     if missed:

@@ -10,12 +10,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import IO, Any
 
+import pyarrow.parquet as pq
+
 from .._native import DashpotError, Figures, RecordError
 from ..campaign import Campaign
 from ..identification import fit
 from .checks import checked
 from .cluster import Place, client_of, has_dashboard, wait_for_workers
-from .examine import PASSING, Plan, examine_all, judged
+from .examine import PASSING, Plan, examine_all, in_two_directions, judged
 from .jobs import Job
 from .store import NOT_DONE, Store
 
@@ -99,7 +101,12 @@ def run(
             measured = Figures.parse(row["measured"]) if row["measured"] else None
             return {**asdict(given[place]), **judged(plan.limits, measured)}
 
-        return Outcome(len(keys), before, store.table(keys, finish), time.monotonic() - started)
+        without = store.table(keys, finish)
+        read = pq.read_table(out, columns=["positive", "positive_confidence"]).to_pydict()
+        turned = in_two_directions(read["positive"], read["positive_confidence"])
+        if turned:
+            say(f"note: {turned}")
+        return Outcome(len(keys), before, without, time.monotonic() - started)
     finally:
         store.close()
 

@@ -61,6 +61,8 @@ SCHEMA = pa.schema(
         ("missed", pa.list_(pa.string())),
         ("measured", pa.string()),
         ("tests", pa.int32()),
+        ("positive", pa.string()),
+        ("positive_confidence", pa.float64()),
         ("misfit", pa.float64()),
         ("error_percent", pa.float64()),
         ("rmse_n", pa.float64()),
