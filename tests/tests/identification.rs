@@ -277,7 +277,7 @@ fn an_element_left_out_on_purpose_stays_out() {
 /// The largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
 fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
     let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
-    let at = |k: usize, v: f64| curves[k].elements().fv_curve.at(v).value;
+    let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.at(v).value;
     let speeds = (0..200).map(|k| 0.02 * 50.0_f64.powf(f64::from(k) / 199.0));
     speeds.flat_map(|v| [v, -v]).map(|v| (at(0, v) - at(1, v)).abs()).fold(0.0, f64::max)
 }
