@@ -1,8 +1,8 @@
 //! What a test shows at each velocity: the force against the motion, and the force between the two directions. By these the tests of one
 //! damper are compared with each other, whatever their strokes and frequencies.
 
+use super::numbers::median;
 use super::record::Record;
-use super::samples::median;
 use std::collections::BTreeMap;
 
 /// Ratio of one velocity to the next at which a test is looked at: the force grows by no more than that between two of them, and a sine

@@ -1,6 +1,6 @@
 //! Date and time of day as files write them, in a column of times or above the table, and how reports write them.
 
-use super::dates::DateOrder;
+use super::date_order::DateOrder;
 
 /// Seconds of a day.
 pub(crate) const DAY: f64 = 86_400.0;

@@ -3,123 +3,19 @@
 //! (13/11/2026); then how the file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
 
 use super::clock::{self, DAY};
+use super::date_order::DateOrder;
+use super::file_dates::{Dates, Open};
 use super::options::Options;
 use super::phrases;
 use super::record::Note;
 use super::samples::Samples;
 use super::sentence::{Sentence, Template};
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-use std::str::FromStr;
-
-/// Which of day and month comes first in a date that ends with the year.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum DateOrder {
-    /// As in Europe: 25/11/2026.
-    DayFirst,
-    /// As in America: 11/25/2026.
-    MonthFirst,
-}
-
-impl DateOrder {
-    /// The name as the command line writes it.
-    pub fn name(self) -> &'static str {
-        match self {
-            DateOrder::DayFirst => "day-first",
-            DateOrder::MonthFirst => "month-first",
-        }
-    }
-}
-
-impl FromStr for DateOrder {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.trim().to_ascii_lowercase().replace('_', "-").as_str() {
-            "day-first" => Ok(DateOrder::DayFirst),
-            "month-first" => Ok(DateOrder::MonthFirst),
-            _ => Err(format!("'{text}' should be day-first or month-first")),
-        }
-    }
-}
 
 /// How much closer together the tests of a campaign must lie by one reading than by the other to speak for it, as times, and the least distance
 /// by the other one, s: a campaign takes days, and a month read as a day scatters it over the year.
 const CLOSER: f64 = 5.0;
 const APART: f64 = 20.0 * DAY;
-
-/// What the dates of a file tell.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Dates {
-    /// The date by which the test began, where it is one in either order.
-    open: Option<Open>,
-    /// What another date of the file decides.
-    decided: Option<DateOrder>,
-    /// How programs write dates that write numbers as this file does.
-    pub usual: Option<DateOrder>,
-}
-
-/// A date that is one in either order.
-#[derive(Debug, Clone, PartialEq)]
-struct Open {
-    text: String,
-    read: DateOrder,
-    /// From the date as it was read to the other one, s.
-    shift: f64,
-}
-
-impl Dates {
-    /// Of lines above a table, the test of which began on the date `began`.
-    pub fn of_lines<'a>(lines: impl Iterator<Item = &'a str>, began: Option<&str>) -> Dates {
-        let mut dates = Dates::default();
-        if let Some(began) = began {
-            dates.see(began);
-        }
-        for word in lines.flat_map(clock::words) {
-            dates.decide(word);
-        }
-        dates
-    }
-
-    /// Sees a date, or a date with a time, by which a test began, or one below it.
-    pub fn see(&mut self, text: &str) {
-        let text = text.trim();
-        let date = text.split([' ', 'T']).next().unwrap_or_default();
-        self.decide(date);
-        if self.open.is_none()
-            && let Some(clock::Date { number, order: Some(read), other: Some(other) }) = clock::date(date)
-        {
-            self.open = Some(Open { text: date.to_owned(), read, shift: (other - number) * DAY });
-        }
-    }
-
-    /// Whether a date that is seen may still decide.
-    pub fn is_open(&self) -> bool {
-        self.open.is_some() && self.decided.is_none()
-    }
-
-    fn decide(&mut self, date: &str) {
-        if let Some(clock::Date { order: Some(order), other: None, .. }) = clock::date(date) {
-            self.decided = self.decided.or(Some(order));
-        }
-    }
-
-    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by it: no test goes on for a
-    /// month. Dates that only one order reads stay.
-    pub fn settle_column(&mut self, times: &mut [f64]) {
-        let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
-        let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();
-        if super::samples::range(&other) + 0.5 * DAY < super::samples::range(times) {
-            times.copy_from_slice(&other);
-            self.decided = Some(match open.read {
-                DateOrder::DayFirst => DateOrder::MonthFirst,
-                DateOrder::MonthFirst => DateOrder::DayFirst,
-            });
-            self.open = None;
-        }
-    }
-}
 
 /// Settles the order of the dates of all tests, and says what was assumed.
 pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use super::samples::{quantum, sample_time};
+use super::numbers::{quantum, sample_time};
 use super::smoothing::channel_noise;
 
 /// The filter that a derivative was taken with.

@@ -8,10 +8,10 @@
 use super::at_speed::{Level, Levels, apart, levels, velocity};
 use super::channel::Channel;
 use super::error::{FilesUnit, RecordError};
+use super::numbers::{median, sample_time};
 use super::options::Options;
 use super::plausibility::shows_noise_alone;
 use super::record::Record;
-use super::samples::{median, sample_time};
 use super::unit::Unit;
 use std::collections::{BTreeMap, HashMap};
 

@@ -55,7 +55,7 @@ pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
         lines: (1..=n).collect(),
         time: (0..n).map(|i| i as f64 / rate).collect(),
         begins: None,
-        dates: super::dates::Dates::default(),
+        dates: super::file_dates::Dates::default(),
         force: vec![0.0; n],
         displacement: Some(displacement),
         velocity: None,

@@ -4,9 +4,10 @@
 //! where the one before ended belongs to the same test; one that begins anew is another.
 
 use super::clock;
-use super::dates::{DateOrder, Dates};
+use super::date_order::DateOrder;
 use super::delimiter::split;
 use super::error::{Place, RecordError};
+use super::file_dates::Dates;
 use super::options::Options;
 use super::samples::Samples;
 use super::table::{Layout, Rows, is_header, no_header, number};

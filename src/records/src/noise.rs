@@ -1,8 +1,8 @@
 //! The noise floor of the force: what no model can explain.
 
 use super::cycle::Cycle;
+use super::numbers::median;
 use super::record::{Noise, NoiseSource};
-use super::samples::median;
 
 /// Samples needed for a figure from sample differences.
 const FEWEST: usize = 12;

@@ -6,9 +6,9 @@
 //! the damper is fast: at the ends of a long one a stop may push the other way. Both flanks of a stroke are in it, so that hysteresis cancels.
 
 use super::at_speed::{Levels, is_in_the_middle, levels};
+use super::numbers::median;
 use super::phrases;
 use super::record::{Note, Record};
-use super::samples::median;
 use super::sentence::Sentence;
 use std::collections::BTreeMap;
 

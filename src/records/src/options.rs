@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
-use super::dates::DateOrder;
+use super::date_order::DateOrder;
 use super::unit::Unit;
 
 /// The direction in which displacement, velocity and force of a file are counted positive.

@@ -5,9 +5,9 @@
 
 use super::at_speed::{Levels, levels};
 use super::glob;
+use super::numbers::median;
 use super::phrases;
 use super::record::{Note, Record};
-use super::samples::median;
 use super::sentence::Sentence;
 
 /// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle: drives keep them better.

@@ -5,9 +5,9 @@
 use std::collections::HashMap;
 
 use super::error::RecordError;
+use super::numbers::range;
 use super::phrases;
 use super::record::{Note, Record};
-use super::samples::range;
 use super::sentence::Sentence;
 
 /// Largest displacement amplitude, m; the longest suspensions travel half of it.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
-use super::dates::DateOrder;
+use super::date_order::DateOrder;
 use super::error::RecordError;
 use super::options::{Options, Positive};
 

@@ -2,10 +2,10 @@
 
 use super::channel::Channel;
 use super::error::RecordError;
+use super::numbers::{median, range, sample_time};
 use super::options::Options;
 use super::phrases;
 use super::record::Record;
-use super::samples::{median, range, sample_time};
 use super::sentence::Sentence;
 use super::unit::Unit;
 

@@ -3,9 +3,10 @@
 use super::channel::Channel;
 use super::cycle::Cycle;
 use super::error::RecordError;
+use super::numbers::{median, quantile, range};
 use super::options::Options;
 use super::phrases;
-use super::samples::{Samples, median, quantile, range};
+use super::samples::Samples;
 use super::sentence::Sentence;
 use super::whole_motion::Motion;
 

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::about::About;
 use super::channel::Channel;
 use super::clock;
-use super::dates::Dates;
 use super::error::{Place, RecordError};
+use super::file_dates::Dates;
 use super::heading::{
     Heading, HeadingUnit, by_unit, heading, is_plain, is_stopgap, nearest, nearest_to, vocabulary, without_unit,
 };

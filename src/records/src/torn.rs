@@ -1,9 +1,9 @@
 //! Tests that are cut off in their first cycle: an export that broke off, or a rig that stopped.
 
 use super::cleaning::turning_points;
+use super::numbers::{median, range};
 use super::phrases;
 use super::record::{Note, Record};
-use super::samples::{median, range};
 use super::sentence::Sentence;
 
 /// Share of the range of a motion that counts as a stroke, as where cycles are looked for.

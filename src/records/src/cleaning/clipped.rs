@@ -2,8 +2,9 @@
 
 use super::super::channel::Channel;
 use super::super::error::RecordError;
+use super::super::numbers::quantum;
 use super::super::phrases;
-use super::super::samples::{Samples, quantum};
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 
 /// Fewest equal samples at the extreme that make a flat top.

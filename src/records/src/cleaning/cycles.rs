@@ -8,7 +8,7 @@
 
 use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
-use super::super::samples::{median, quantile, range, sample_time};
+use super::super::numbers::{median, quantile, range, sample_time};
 use super::drift::time_mean;
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use super::super::channel::Channel;
+use super::super::numbers::{median, range};
 use super::super::phrases;
-use super::super::samples::{Samples, median, range};
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 
 /// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.

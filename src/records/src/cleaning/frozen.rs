@@ -3,8 +3,9 @@
 use super::super::channel::Channel;
 use super::super::error::RecordError;
 use super::super::noise::difference_noise;
+use super::super::numbers::range;
 use super::super::phrases;
-use super::super::samples::{Samples, range};
+use super::super::samples::Samples;
 use super::cycles::turning_points;
 
 /// Fewest equal samples in a row that can be called frozen.

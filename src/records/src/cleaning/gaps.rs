@@ -1,8 +1,9 @@
 //! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
 
+use super::super::numbers::median;
 use super::super::phrases;
 use super::super::record::Note;
-use super::super::samples::{Samples, median};
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 use super::FEWEST;
 

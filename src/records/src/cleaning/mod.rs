@@ -21,11 +21,12 @@ use super::cycle::Cycle;
 use super::derive;
 use super::error::RecordError;
 use super::noise;
+use super::numbers::range;
 use super::off::Off;
 use super::options::Options;
 use super::phrases;
 use super::record::Record;
-use super::samples::{Samples, range};
+use super::samples::Samples;
 use super::sentence::Sentence;
 use super::swapped;
 use super::taken_out::take_mass;
@@ -232,7 +233,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         (Some(_), Some(_)) => {
             let strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
             let seconds: f64 = cycles.iter().map(Cycle::period).sum();
-            (0.5 * super::samples::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
+            (0.5 * super::numbers::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
         }
         _ => (0.5 * range(&displacement), 0.0),
     };

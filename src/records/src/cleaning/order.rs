@@ -1,8 +1,9 @@
 //! Time stamps that repeat or step back.
 
 use super::super::error::RecordError;
+use super::super::numbers::{range, sample_time};
 use super::super::phrases;
-use super::super::samples::{Samples, range, sample_time};
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 
 /// How far, in samples, a row may be out of its place to be put back; further is another block of data.

@@ -3,9 +3,10 @@
 
 use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
+use super::super::numbers::{median, quantile, quantum, sample_time};
 use super::super::phrases;
 use super::super::record::Note;
-use super::super::samples::{Samples, median, quantile, quantum, sample_time};
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 use super::FEWEST;
 use super::cycles::{self, turning_points};

@@ -3,7 +3,8 @@
 use super::super::channel::Channel;
 use super::super::error::RecordError;
 use super::super::noise::difference_noise;
-use super::super::samples::{Samples, range};
+use super::super::numbers::range;
+use super::super::samples::Samples;
 
 /// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone: the smallest
 /// sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred thousand samples stays

@@ -2,9 +2,9 @@
 
 use super::super::cycle::Cycle;
 use super::super::noise::cycle_deviations;
+use super::super::numbers::median;
 use super::super::phrases;
 use super::super::record::Note;
-use super::super::samples::median;
 use super::super::sentence::Sentence;
 use super::super::whole_motion::Motion;
 

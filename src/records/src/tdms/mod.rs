@@ -7,8 +7,8 @@ mod value;
 
 use std::path::Path;
 
-use super::dates::Dates;
 use super::error::{Place, RecordError};
+use super::file_dates::Dates;
 use super::options::Options;
 use super::samples::Samples;
 use super::table::{Layout, Rows, is_header, no_header};

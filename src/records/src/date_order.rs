@@ -1,0 +1,36 @@
+//! Which of day and month comes first in a date.
+
+use serde::{Deserialize, Serialize};
+use std::str::FromStr;
+
+/// Which of day and month comes first in a date that ends with the year.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DateOrder {
+    /// As in Europe: 25/11/2026.
+    DayFirst,
+    /// As in America: 11/25/2026.
+    MonthFirst,
+}
+
+impl DateOrder {
+    /// The name as the command line writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            DateOrder::DayFirst => "day-first",
+            DateOrder::MonthFirst => "month-first",
+        }
+    }
+}
+
+impl FromStr for DateOrder {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim().to_ascii_lowercase().replace('_', "-").as_str() {
+            "day-first" => Ok(DateOrder::DayFirst),
+            "month-first" => Ok(DateOrder::MonthFirst),
+            _ => Err(format!("'{text}' should be day-first or month-first")),
+        }
+    }
+}

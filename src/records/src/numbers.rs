@@ -1,0 +1,32 @@
+//! What is asked of lists of numbers.
+
+/// The median; 0 of nothing. Reorders its argument.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    quantile(values, 0.5)
+}
+
+/// The value below which the share `q` of the values lies (nearest rank); 0 of nothing. Reorders its argument.
+pub(crate) fn quantile(values: &mut [f64], q: f64) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let rank = ((values.len() - 1) as f64 * q).round() as usize;
+    *values.select_nth_unstable_by(rank, f64::total_cmp).1
+}
+
+/// Difference of the largest and the smallest value; 0 of nothing.
+pub(crate) fn range(values: &[f64]) -> f64 {
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    (high - low).max(0.0)
+}
+
+/// Typical time from sample to sample (the median step).
+pub(crate) fn sample_time(time: &[f64]) -> f64 {
+    median(&mut time.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>())
+}
+/// The step of a channel's last digit: the smallest difference of neighbours that is not zero.
+pub(crate) fn quantum(values: &[f64]) -> f64 {
+    let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
+    if smallest.is_finite() { smallest } else { 0.0 }
+}
