@@ -510,8 +510,8 @@ pub fn write(fit: &Fit) -> String {
     out
 }
 
-/// Four significant digits: enough for a comment.
-fn short(value: f64) -> String {
+/// Four significant digits: enough for a comment or a sentence.
+pub(crate) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
