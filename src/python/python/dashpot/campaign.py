@@ -13,7 +13,7 @@ from . import _native
 from ._numbers import real, words
 from ._result import Result, flat, frame, table
 from ._work import watched
-from .results import Delay, Noise, Note, SignFinding, Unusable
+from .reading import Delay, Noise, Note, SignFinding, Unusable
 
 if TYPE_CHECKING:
     import numpy as np

@@ -11,7 +11,8 @@ from ._numbers import words
 from ._work import watched
 from .campaign import Progress, Record, native_of
 from .model import Model
-from .results import Diagnosis, FitResult
+from .diagnosis import Diagnosis
+from .fitted import FitResult
 
 
 def fit(

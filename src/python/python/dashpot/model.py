@@ -18,7 +18,8 @@ from ._numbers import column, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .limits import Limit, rows
-from .results import FitResult, Validation
+from .fitted import FitResult
+from .validation import Validation
 
 if TYPE_CHECKING:
     import pandas

@@ -12,7 +12,8 @@ import numpy as np
 
 from .campaign import Campaign
 from .model import Model
-from .results import Diagnosis, Validation
+from .diagnosis import Diagnosis
+from .validation import Validation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -17,7 +17,7 @@ from ..campaign import Campaign
 from ..identification import diagnose, fit
 from ..limits import Limit, rows
 from ..model import Model
-from ..results import missed
+from ..certificate import missed
 from .files import Stamp, stamps
 from .jobs import Job
 

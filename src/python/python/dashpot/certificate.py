@@ -1,0 +1,109 @@
+"""Whether a damper keeps its limits. SI units; extension (rebound) velocity and tension force are positive."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ._result import Result
+
+
+@dataclass(frozen=True, repr=False)
+class LimitValue(Result):
+    """A figure that a limit speaks of, N, and the test or tests that it comes from."""
+
+    value_n: float
+    tests: tuple[str, ...]
+
+
+def missed(said: Mapping[str, Any]) -> str | None:
+    """A sentence where a limit is missed, or was not tested, which is no pass; from the dictionary of a :class:`Checked`."""
+    if said["verdict"] == "pass":
+        return None
+    name, quantity, velocity = said["name"], said["quantity"], said["velocity_m_s"]
+    words = quantity if velocity is None else f"{quantity} at {velocity:g} m/s"
+    # A limit without a name is called by its quantity, as the file writes it.
+    if name.lower().replace(" ", "_").replace("-", "_") != quantity:
+        words = f"{name}, {words}"
+    if said["measured"] is None:
+        slow = quantity in ("gas_force", "friction")
+        return f"{words}: not tested, there is no {'slow test (below 6 mm/s)' if slow else 'test at this speed'}"
+    value, low = said["measured"]["value_n"], said["low_n"]
+    if low is not None and value < low:
+        return f"{words}: {value:.4g} N is below {low:g} N"
+    return f"{words}: {value:.4g} N is above {said['high_n']:g} N"
+
+
+@dataclass(frozen=True, repr=False)
+class Checked(Result):
+    """One limit, with what the rig measured and what the model gives on the same tests."""
+
+    name: str
+    """Name in the table; the quantity where it has none."""
+    quantity: str
+    velocity_m_s: float | None
+    amplitude_m: float | None
+    low_n: float | None
+    high_n: float | None
+    line: int
+    """Line of the table, or place among those given."""
+    measured: LimitValue | None
+    """None where the records cannot tell."""
+    model: LimitValue | None
+    verdict: str
+    """Of the damper: ``pass``, ``fail`` or ``not_tested``, which is no pass."""
+    model_verdict: str | None
+
+    @property
+    def missed(self) -> str | None:
+        """A sentence where the damper misses the limit, or it was not tested."""
+        return missed(self.to_dict())
+
+
+@dataclass(frozen=True, repr=False)
+class PeakPoint(Result):
+    """Force at peak velocity of one stroke of a test, of rig and model."""
+
+    test: str
+    amplitude_m: float
+    velocity_m_s: float
+    force_n: float
+    model_n: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class Certificate(Result):
+    """Which limits a damper keeps; the ``limits`` of ``dashpot validate --limits --json``."""
+
+    passed: bool
+    """Whether the damper keeps every limit. One that could not be tested is not kept."""
+    model_passed: bool | None
+    """The same for the model."""
+    limits: tuple[Checked, ...]
+    peaks: tuple[PeakPoint, ...]
+    """The points that the forces were read from."""
+
+    @property
+    def missed(self) -> tuple[str, ...]:
+        """A sentence for every limit that the damper misses or that was not tested."""
+        return tuple(told for limit in self.limits if (told := limit.missed))
+
+    def _rows(self) -> list[dict[str, Any]]:
+        return [
+            {
+                "limit": c.name,
+                "quantity": c.quantity,
+                "velocity_m_s": c.velocity_m_s,
+                "low_n": c.low_n,
+                "high_n": c.high_n,
+                "measured_n": c.measured.value_n if c.measured else None,
+                "model_n": c.model.value_n if c.model else None,
+                "verdict": c.verdict,
+                "model_verdict": c.model_verdict,
+            }
+            for c in self.limits
+        ]
+
+    def _title(self) -> str:
+        return "Limits: kept" if self.passed else "Limits: not kept"

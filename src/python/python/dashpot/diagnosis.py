@@ -1,0 +1,273 @@
+"""Which physical effect a model lacks, or what changed. SI units; extension (rebound) velocity and tension force are positive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ._result import Result, table
+from .reading import Unusable
+from .validation import Deviation
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from .model import Model
+
+
+@dataclass(frozen=True, repr=False)
+class Evidence(Result):
+    """What a refit with an effect brought."""
+
+    share: float
+    mean_square_before: float
+    mean_square_after: float
+    log_odds: float
+    numbers: float
+    implausibility: float
+    tests_better: float
+
+
+@dataclass(frozen=True, repr=False)
+class Value(Result):
+    """A number with its 95 % interval; ``plausible`` says whether dampers (or rigs) show such values."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+    plausible: bool
+
+
+@dataclass(frozen=True, repr=False)
+class Rival(Result):
+    """Another name for the same disagreement."""
+
+    effect: str
+    confidence: float
+    share: float
+    why: str
+
+
+@dataclass(frozen=True, repr=False)
+class Finding(Result):
+    """A named effect."""
+
+    effect: str
+    form: str
+    meaning: str
+    path: str
+    family: str
+    confidence: float
+    family_confidence: float
+    share: float
+    of_the_rig: bool
+    parameters: dict[str, Value]
+    gap_closed: float | None
+    evidence: Evidence
+    rivals: tuple[Rival, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class Region(Result):
+    """A region where model and records disagree."""
+
+    test: str
+    velocity_m_s: tuple[float, float]
+    displacement_m: tuple[float, float]
+    direction: str
+    acceleration: str
+    rmse_n: float
+    mean_n: float
+    noise_n: float
+    text: str
+
+
+@dataclass(frozen=True, repr=False)
+class Figures(Result):
+    """How far a model is off."""
+
+    rmse_n: float
+    error_percent: float
+    held_out_rmse_n: float | None
+    noise_n: float
+    held_out_noise_n: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class Branch(Result):
+    """A branch of the tree of probabilities: path, family, effect, form."""
+
+    name: str
+    level: str
+    probability: float
+    branches: tuple[Branch, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class NextTest(Result):
+    """A rig test worth running."""
+
+    text: str
+    amplitude_m: float | None
+    frequency_hz: float | None
+    mean_displacement_m: float | None
+    side_force_n: float | None
+    difference_n: float | None
+    separates: tuple[str, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class CouldNotTest(Result):
+    """An effect that these records cannot show."""
+
+    effect: str
+    why: str
+
+
+@dataclass(frozen=True, repr=False)
+class Shift(Result):
+    """A number of the model that moved when effects were added."""
+
+    parameter: str
+    before: float
+    after: float
+    unit: str
+
+
+@dataclass(frozen=True, repr=False)
+class Change(Result):
+    """A number of the model that is another on this damper than on the reference."""
+
+    parameter: str
+    reference: float
+    value: float
+    low: float
+    high: float
+    unit: str
+    force_share: float
+    #: Of a point of the FV curve (``fv_force``) its velocity, rebound positive.
+    velocity_m_s: float | None = None
+
+    @property
+    def name(self) -> str:
+        """The parameter, with the velocity of a point of the FV curve."""
+        return self.parameter if self.velocity_m_s is None else f"{self.parameter}, {self.velocity_m_s:.3f} m/s"
+
+
+@dataclass(frozen=True, repr=False)
+class CurveMoved(Result):
+    """How all points of the FV curve moved that the tests reach, where they moved alike."""
+
+    #: ``dry_force`` (N against the motion) or ``share`` (of the force on the reference damper).
+    by: str
+    #: ``rebound``, ``compression`` or ``both``.
+    side: str
+    #: Mean over the points; ``low`` and ``high`` are the least and the most of them.
+    value: float
+    low: float
+    high: float
+    speed_m_s: tuple[float, float]
+
+
+@dataclass(frozen=True, repr=False)
+class TestOutcome(Result):
+    """One test before and after."""
+
+    __test__ = False  # no test case of pytest's
+
+    test: str
+    held_out: bool
+    before_rmse_n: float
+    after_rmse_n: float
+    noise_n: float
+    allowed_n: float
+
+
+@dataclass(frozen=True, repr=False)
+class Tried(Result):
+    """An effect that was tried by refitting everything with it."""
+
+    effect: str
+    form: str
+    confidence: float
+    evidence: Evidence
+
+
+@dataclass(frozen=True, repr=False)
+class OverWholeRecords(Result):
+    """Errors of the models in a diagnosis over every sample of every record, as a validation measures."""
+
+    as_it_came: Deviation
+    refitted: Deviation
+    improved: Deviation
+
+
+@dataclass(frozen=True, repr=False)
+class Diagnosis(Result):
+    """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
+
+    verdict: str
+    summary: str
+    findings: tuple[Finding, ...]
+    suspects: tuple[Rival, ...]
+    regions: tuple[Region, ...] = field(metadata={"key": "where"})
+    before: Figures
+    after: Figures
+    gap_closed: float | None
+    unexplained_share: float
+    tree: tuple[Branch, ...]
+    next_tests: tuple[NextTest, ...]
+    could_not_test: tuple[CouldNotTest, ...]
+    shifts: tuple[Shift, ...]
+    changed: tuple[Change, ...]
+    curve_moved: tuple[CurveMoved, ...]
+    notes: tuple[str, ...]
+    tests: tuple[TestOutcome, ...]
+    rounds: tuple[tuple[Tried, ...], ...]
+    corrections: dict[str, float]
+    over_whole_records: OverWholeRecords
+    as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
+    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used."""
+    improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    """The model with the named effects added; what is of the rig is not put into it."""
+    _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
+        default=None, metadata={"hidden": True}, compare=False, repr=False
+    )
+
+    def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
+        """Mean cycle of one test: displacement, velocity, measured force, force before and after."""
+        names = [t.test for t in self.tests]
+        if test not in names:
+            raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
+        if self._curves is None:
+            raise ValueError("the curves are kept by diagnose() alone, not by a result made from a dictionary")
+        return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
+
+    def _rows(self) -> list[dict[str, Any]]:
+        return [
+            {
+                "effect": f.effect,
+                "form": f.form,
+                "confidence": f.confidence,
+                "share": f.share,
+                "of the rig": f.of_the_rig,
+                "parameter": name,
+                "value": v.value,
+                "low": v.low,
+                "high": v.high,
+                "unit": v.unit,
+            }
+            for f in self.findings
+            for name, v in f.parameters.items()
+        ]
+
+    def _repr_html_(self) -> str:
+        suspects = [f"Suspect, {s.effect}: {s.why}" for s in self.suspects]
+        tests = [t.text for t in self.next_tests]
+        changed = table("Numbers that are others than on the reference", [c.to_dict() for c in self.changed])
+        said = table(self.summary, self._rows(), [*suspects, *self.notes, *tests])
+        return said + (changed if self.changed else "")

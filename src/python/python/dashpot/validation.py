@@ -1,0 +1,187 @@
+"""How close a model comes to a campaign. SI units; extension (rebound) velocity and tension force are positive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ._result import Result, flat, table
+from .certificate import Certificate
+from .reading import Unusable
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from .campaign import Campaign
+
+
+@dataclass(frozen=True, repr=False)
+class Deviation(Result):
+    """How far a simulated force is from the measured one."""
+
+    mean_error_n: float
+    error_percent: float
+    region1_n: float
+    region2_n: float
+    rmse_n: float
+
+
+@dataclass(frozen=True, repr=False)
+class Errors(Deviation):
+    """Errors of the model, and beside them those of the FV curve alone."""
+
+    fv_only: Deviation
+
+
+@dataclass(frozen=True, repr=False)
+class Summary(Errors):
+    """Mean figures over a set of tests."""
+
+    tests: int
+
+
+@dataclass(frozen=True, repr=False)
+class OfEach(Result):
+    """One figure of the measured force, of the model, and of the FV curve alone."""
+
+    measured: float
+    model: float
+    fv_only: float
+
+
+@dataclass(frozen=True, repr=False)
+class GapBin(Result):
+    """Gap between rising and falling velocity at one velocity."""
+
+    velocity_m_s: float
+    gap_n: OfEach
+
+
+@dataclass(frozen=True, repr=False)
+class Hysteresis(Result):
+    """Hysteresis of one test over its whole cycles."""
+
+    cycles: int
+    gap: tuple[GapBin, ...]
+    mean_gap_n: OfEach
+    max_gap_n: OfEach
+    gap_error_n: float
+    gap_error_fv_only_n: float
+    area_n_m_s: OfEach
+    energy_j: OfEach
+
+
+@dataclass(frozen=True, repr=False)
+class PeakForce(Result):
+    """Force at the peak velocity of one stroke of a test."""
+
+    velocity_m_s: float
+    force_n: OfEach
+
+
+@dataclass(frozen=True, repr=False)
+class TestValidation(Errors):
+    """Every figure of one test."""
+
+    __test__ = False  # no test case of pytest's
+
+    name: str
+    amplitude_m: float
+    frequency_hz: float
+    peak_velocity_m_s: float
+    max_force_n: float
+    used_in_fit: bool
+    samples: int
+    cycles: int
+    noise_rms_n: float
+    hysteresis: Hysteresis | None
+    peaks: tuple[PeakForce, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class MatrixRow(Errors):
+    """Errors of the tests of one amplitude or one peak velocity."""
+
+    label: str
+    value: float
+    tests: int
+    test_names: tuple[str, ...]
+    max_force_n: float
+
+
+@dataclass(frozen=True, repr=False)
+class MatrixCell(Errors):
+    """Errors of the tests of one amplitude and one peak velocity."""
+
+    amplitude_row: int
+    peak_velocity_row: int
+    tests: int
+
+
+@dataclass(frozen=True, repr=False)
+class ErrorMatrix(Result):
+    """Errors grouped as the test schedule is."""
+
+    by_amplitude: tuple[MatrixRow, ...]
+    by_peak_velocity: tuple[MatrixRow, ...]
+    cells: tuple[MatrixCell, ...]
+    slow: MatrixRow | None
+    not_periodic: MatrixRow | None
+
+
+@dataclass(frozen=True, repr=False)
+class Validation(Result):
+    """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
+
+    tests: tuple[TestValidation, ...]
+    overall: Summary
+    used_in_fit: Summary | None
+    left_out: Summary | None
+    matrix: ErrorMatrix
+    region_boundary_m_s: float
+    limits: Certificate | None = field(default=None, metadata={"omitted": True})
+    """Which limits the damper keeps, where some were given."""
+    as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
+    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used."""
+    campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    """The records as they were compared; none in a result made from a dictionary."""
+    _forces: tuple[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]], ...] | None = field(
+        default=None, metadata={"hidden": True}, compare=False, repr=False
+    )
+
+    def forces(self, test: str) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
+        names = [t.name for t in self.tests]
+        if test not in names:
+            raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
+        if self._forces is None:
+            raise ValueError("the forces are kept by Model.validate alone, not by a result made from a dictionary")
+        model, fv_only = self._forces[names.index(test)]
+        return model.copy(), fv_only.copy()
+
+    def _rows(self) -> list[dict[str, Any]]:
+        return [flat({k: v for k, v in t.to_dict().items() if k != "hysteresis"}) for t in self.tests]
+
+    def _repr_html_(self) -> str:
+        row = {
+            "tests": self.overall.tests,
+            "mean error N": self.overall.mean_error_n,
+            "error %": self.overall.error_percent,
+            "rms N": self.overall.rmse_n,
+            "FV curve %": self.overall.fv_only.error_percent,
+        }
+        short = [
+            {
+                "test": t.name,
+                "used in the fit": t.used_in_fit,
+                "mean error N": t.mean_error_n,
+                "error %": t.error_percent,
+                "FV curve %": t.fv_only.error_percent,
+                "noise N": t.noise_rms_n,
+            }
+            for t in self.tests
+        ]
+        return table("Validation", [row]) + table("Tests", short)
