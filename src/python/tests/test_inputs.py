@@ -153,6 +153,7 @@ def test_sentences_speak_of_arguments_and_not_of_options(tmp_path: Path) -> None
         ("--positive rebound or --positive compression, or give --positive", 'positive="rebound" or positive="compression", or give positive'),
         ("Give --flip motion, and leave --flip out", 'Give flip="motion", and leave flip out'),
         ("read one only: --ignore velocity (or --ignore displacement)", 'read one only: ignore="velocity" (or ignore="displacement")'),
+        ("--dates day-first says which", 'dates="day-first" says which'),
         ("say --sample-rate 1000 (samples per second)", "say sample_rate_hz=1000 (samples per second)"),
         ("say dashpot import-profile FOLDER --unit force=N once", "say dashpot import-profile FOLDER --unit force=N once"),
         ("compare them by dashpot diagnose --group folders", "compare them by dashpot diagnose --group folders"),

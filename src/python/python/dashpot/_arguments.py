@@ -14,6 +14,7 @@ _NAMES = {
     "exclude": "exclude",
     "subfolders": "subfolders=True",
     "sample-rate": "sample_rate_hz",
+    "dates": "dates",
     "delay": "delay_s",
     "rig-mass": "rig_mass_kg",
     "initial-position": "initial_position",
@@ -32,6 +33,7 @@ _WORDS = {
     "ignore": _CHANNELS,
     "flip": "force|motion",
     "positive": "rebound|compression",
+    "dates": "day-first|month-first",
     "model": "thesis|fv|piecewise|lag",
 }
 #: A channel with its unit or heading.

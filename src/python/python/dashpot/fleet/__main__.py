@@ -67,6 +67,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--unit", action="append", default=[], metavar="CHANNEL=UNIT", help="unit of a channel whose heading has none")
     add("--column", action="append", default=[], metavar="CHANNEL=HEADING", help="heading of a channel's column")
     add("--ignore", action="append", default=[], metavar="CHANNEL", help="channel to leave unread")
+    add("--dates", choices=("day-first", "month-first"), help="which of day and month comes first in dates such as 3/11/2026")
     add("--subfolders", action="store_true",
         help="read the records in the subfolders of a campaign as its tests; the names of their tests begin with the folder")  # fmt: skip
     add("--workers", type=_positive, metavar="N", help="worker processes on this computer [default: one a processor]")
@@ -96,6 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "columns": _pairs(args.column, "--column"),
             "ignore": args.ignore,
             "subfolders": args.subfolders,
+            "dates": args.dates,
         }
         plan = Plan(
             family=args.family,
