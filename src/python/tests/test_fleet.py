@@ -34,7 +34,7 @@ from dashpot.fleet.checks import checked  # noqa: E402
 from dashpot.fleet.cluster import wait_for_workers  # noqa: E402
 from dashpot.fleet.examine import Plan, examine, examine_all  # noqa: E402
 from dashpot.fleet.files import RECORDS  # noqa: E402
-from dashpot.fleet.schedule import _kept  # noqa: E402
+from dashpot.fleet.schedule import _kept, _rows  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
@@ -243,6 +243,28 @@ def test_a_campaign_that_ends_its_worker_is_a_row(campaigns: Path, tmp_path: Pat
     table = rows(tmp_path / "dies.parquet")
     assert [r["status"] for r in table] == ["ok"] * 3 + ["failed"] + ["ok"] * 2
     assert "ended each time" in table[3]["reason"]
+
+
+def test_rows_that_are_lost_with_their_worker_are_done_again() -> None:
+    """A job that ends when its work is done and what came out was not fetched yet."""
+
+    class Lost:
+        """A task that was done, and whose worker is gone when its rows are asked for."""
+
+        def __init__(self, status: str) -> None:
+            self.status = "finished"
+            self.then = status
+
+        def exception(self) -> None:
+            return None
+
+        def result(self) -> list[Any]:
+            self.status = self.then
+            raise distributed.KilledWorker("examine_all-1", "tcp://127.0.0.1:1", 1)
+
+    assert _rows(Lost("error")) is None
+    with pytest.raises(dashpot.DashpotError, match="the cluster went away"):
+        _rows(Lost("cancelled"))
 
 
 def test_a_passing_fault_is_tried_again(campaigns: Path, monkeypatch: pytest.MonkeyPatch) -> None:

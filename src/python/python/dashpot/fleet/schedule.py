@@ -183,10 +183,13 @@ def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Ite
 
 def _rows(future: Any) -> list[Any] | None:
     """Rows of a chunk; none where its worker died on it again and again."""
-    error = future.exception()
-    if error is None:
-        rows: list[Any] = future.result()
-        return rows
+    if future.exception() is None:
+        try:
+            rows: list[Any] = future.result()
+            return rows
+        except Exception:  # noqa: BLE001
+            # The work raises nothing. Its worker ended between the end of the work and the fetching of what came out, and took it along.
+            pass
     if future.status != "error":
         raise DashpotError("the cluster went away; what was finished is kept, start the run again to go on")
     return None
