@@ -19,8 +19,9 @@ const FROM: f64 = 0.02;
 const NARROWEST: f64 = 1.12;
 /// Fewest tests that must pass through an interval.
 const TESTS: usize = 3;
-/// Fewest samples of a test in the middle of an interval, and at its ends, in each sense.
-const SAMPLES: usize = 3;
+/// Fewest samples of a test in the middle of an interval, and at each of its ends, in each sense: a fast test has few there. Both ends, or a slope
+/// would pass for a bump; what one sample scatters by shows between the tests.
+const SAMPLES: usize = 1;
 /// How many standard errors of the mean over the tests a bump is from nothing, in each of the two senses.
 const CLEAR: f64 = 2.0;
 /// How many times the bump of the one sense may be that of the other.
@@ -38,23 +39,25 @@ fn bumps(structure: Structure, from: &Params, segments: &[Segment]) -> Option<Ve
     let mut of: Vec<[Vec<f64>; 2]> = vec![Default::default(); velocity.len().saturating_sub(1)];
     for segment in segments.iter().filter(|s| s.peak_velocity > SLOW) {
         let forces = unknowns.forces(&run, &theta, segment);
-        // Sum and count in the middle half of each interval, and in its outer quarters.
-        let mut sums = vec![[[(0.0, 0usize); 2]; 2]; of.len()];
-        for i in segment.from.max(1)..forces.len().saturating_sub(1) {
-            let speed = |i: usize| segment.input[i].velocity.abs();
+        // Sum and count at the one end of each interval, in its middle half, and at the other end.
+        let mut sums = vec![[[(0.0, 0usize); 3]; 2]; of.len()];
+        let speed = |i: usize| segment.input.get(i).map(|input| input.velocity.abs());
+        for (i, model) in forces.iter().enumerate().skip(segment.from.max(1)) {
+            let (Some(before), Some(here), Some(next)) = (speed(i - 1), speed(i), speed(i + 1)) else { continue };
             let k = velocity.partition_point(|v| *v <= segment.input[i].velocity);
             if k == 0 || k == velocity.len() {
                 continue;
             }
             let (a, b) = (velocity[k - 1].abs(), velocity[k].abs());
-            let place = (speed(i) / a).ln() / (b / a).ln();
-            let slows = usize::from(speed(i + 1) < speed(i - 1));
-            let sum = &mut sums[k - 1][slows][usize::from(!(0.25..=0.75).contains(&place))];
-            *sum = (sum.0 + segment.force[i] - forces[i], sum.1 + 1);
+            let place = (here / a).ln() / (b / a).ln();
+            let part = usize::from(place > 0.25) + usize::from(place > 0.75);
+            let sum = &mut sums[k - 1][usize::from(next < before)][part];
+            *sum = (sum.0 + segment.force[i] - model, sum.1 + 1);
         }
-        for (bumps, [middle, ends]) in of.iter_mut().flatten().zip(sums.iter().flatten()) {
-            if middle.1 >= SAMPLES && ends.1 >= SAMPLES {
-                bumps.push((middle.0 / middle.1 as f64 - ends.0 / ends.1 as f64) / segment.scale);
+        for (bumps, parts) in of.iter_mut().flatten().zip(sums.iter().flatten()) {
+            if parts.iter().all(|part| part.1 >= SAMPLES) {
+                let [one, middle, other] = parts.map(|part| part.0 / part.1 as f64);
+                bumps.push((middle - 0.5 * (one + other)) / segment.scale);
             }
         }
     }
