@@ -22,6 +22,7 @@
 //! standstill or inside a jump of the curve, and a spring of a table has another slope past its next point. There the step is
 //! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
 
+use super::reach::{springs, within_reach};
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
 use crate::input::PathPoint;
@@ -80,7 +81,7 @@ impl After {
         if !elements.bends() {
             return true;
         }
-        let made = super::springs(elements, self.x, self.v, end.x, side).1;
+        let made = springs(elements, self.x, self.v, end.x, side).1;
         (made - self.spring).abs() <= MISSED * (made.abs() + self.primary.abs())
     }
 }
@@ -90,7 +91,7 @@ impl Before {
     #[inline(always)]
     pub fn springs_at(&self, end: &PathPoint) -> Motion {
         Motion {
-            displacement: super::within_reach(self.x + self.h * self.v, end.x),
+            displacement: within_reach(self.x + self.h * self.v, end.x),
             velocity: self.v,
             side_force: self.side.0,
             temperature: self.side.1,

@@ -12,7 +12,8 @@
 
 mod stage;
 
-use super::{Euler, MOST_STAGES, REACH, Rows, Second, Tableau};
+use super::reach::REACH;
+use super::tableau::{Euler, MOST_STAGES, Rows, Second, Tableau};
 use crate::assembly::Elements;
 use crate::input::Path;
 use crate::model::Model;

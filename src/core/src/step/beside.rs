@@ -1,0 +1,96 @@
+//! The elements beside the damper in a step: those with a private state, and the stops.
+
+use super::tableau::{MOST_STAGES, Tableau};
+use crate::assembly::Elements;
+use crate::element::{Memory, Motion, Response};
+use crate::input::Path;
+use crate::math::pair;
+use crate::state::{MAX_MEMORY, Output};
+
+/// Advances all private states beside the damper along the path; returns the force of their elements and of the stops
+/// at its end, with its slopes, and counts their shares in `output`.
+///
+/// Apart, so that a damper without such elements does not pay for them.
+#[inline(never)]
+pub(super) fn advance_extras<T: Tableau>(
+    elements: &Elements,
+    path: &Path,
+    substeps: u32,
+    end: &Motion,
+    memory: &mut [f64; MAX_MEMORY],
+    output: &mut Output,
+    slopes: bool,
+) -> Response {
+    let mut sum = elements.stops(end);
+    output.stop_force = sum.force;
+    elements.each_memory(|place, element| {
+        let Some(slot) = memory.get_mut(place) else {
+            return;
+        };
+        let (z, by_end) = element.carried(path, *slot, slopes).unwrap_or_else(|| {
+            advance_memory::<T>(substeps, element, *slot, path, slopes, (end.side_force, end.temperature))
+        });
+        *slot = z;
+        let recall = element.recall(end, z);
+        output.count(element.share(), recall.force);
+        sum.force += recall.force;
+        sum.by_x += recall.by_x + recall.by_memory * by_end[0];
+        sum.by_v += recall.by_v + recall.by_memory * by_end[1];
+    });
+    sum
+}
+
+/// Advances one element's private state, driven by the known input motion.
+///
+/// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `slopes` those over
+/// the end of the step are 0.
+fn advance_memory<T: Tableau>(
+    substeps: u32,
+    element: &dyn Memory,
+    z0: f64,
+    path: &Path,
+    slopes: bool,
+    side: (f64, f64),
+) -> (f64, [f64; 2]) {
+    let n = substeps;
+    let part = 1.0 / n as f64;
+    let h = path.length() * part;
+    let (mut z, mut by_end) = (z0, [0.0; 2]);
+    let mut theta = 0.0;
+    for sub in 0..n {
+        let (mut pushes, mut d_pushes) = ([0.0; MOST_STAGES], [[0.0; 2]; MOST_STAGES]);
+        let (mut now, mut d_now) = (z, by_end);
+        for i in 0..T::STAGES {
+            let ends_step = i + 1 == T::STAGES && sub + 1 == n;
+            let point = if ends_step { path.last() } else { path.at(theta + T::ROWS.c[i] * part) };
+            let mut known = z;
+            for (push, weight) in pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+                known += weight * push;
+            }
+            let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
+            let recall = element.recall(&at, known);
+            let g = T::ROWS.gamma[i] * h;
+            let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
+            now = known + g * recall.rate * divide;
+            pushes[i] = now - known;
+            if !slopes {
+                continue;
+            }
+            let mut d_known = by_end;
+            for (push, weight) in d_pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+                d_known = pair(|k| d_known[k] + weight * push[k]);
+            }
+            // Differentiated where the stage ends: there the rate depends on the input alone.
+            let recall = element.recall(&at, now);
+            for k in 0..2 {
+                let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
+                d_now[k] = (d_known[k] + g * drive) * divide;
+                d_pushes[i][k] = d_now[k] - d_known[k];
+            }
+        }
+        z = now;
+        by_end = d_now;
+        theta += part;
+    }
+    (z, by_end)
+}

@@ -1,0 +1,132 @@
+//! The stages of a step as one sees them who follows, and the slopes of the answer found on the way.
+
+use super::tableau::MOST_STAGES;
+use crate::assembly::Elements;
+use crate::element::Response;
+use crate::input::PathPoint;
+use crate::math::pair;
+
+/// What happened in one stage: all that a derivative of the step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage<'a> {
+    /// Place of the stage in its substep.
+    pub index: usize,
+    /// Whether it ends the substep.
+    pub last: bool,
+    /// γh of the stage, s.
+    pub g: f64,
+    /// What it takes of the gains of the stages before it.
+    pub row: &'a [f64],
+    /// The driven end.
+    pub path: PathPoint,
+    /// Known part of the velocity of the mass, V.
+    pub known_velocity: f64,
+    /// Displacement and velocity of the mass after the stage.
+    pub x_m: f64,
+    /// Velocity of the mass.
+    pub u: f64,
+    /// a + g F_d': what divides every derivative of u.
+    pub denominator: f64,
+    /// The same over g, N s/m.
+    pub resistance: f64,
+    /// Springs on the mass, linearised.
+    pub inner: Response,
+    /// Place about which they were linearised.
+    pub inner_at: f64,
+    /// ∂u/∂v̂ over the velocity v̂ about which the FV curve was linearised; 0 where the curve itself was solved.
+    pub by_guess: f64,
+    /// What the driven end adds to v̂, over the displacement and velocity at the end of the step.
+    pub guess_by_end: [f64; 2],
+}
+
+/// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
+pub trait Follow {
+    /// Whether the answer's slopes are asked for.
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        false
+    }
+
+    /// Called after every stage.
+    fn stage(&mut self, elements: &Elements, stage: &Stage);
+
+    /// Slopes of k_s x_m + c_s v_m over displacement and velocity at the end of the step: what the series force loses
+    /// because the mass yields. Zero where the slopes of the output are to hold the mass still.
+    #[inline(always)]
+    fn yields(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
+}
+
+/// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
+pub(super) struct ByEnd {
+    /// Whether they are asked for.
+    wanted: bool,
+    /// Whether anything depends on the end of the step yet: not before its first stage.
+    moved: bool,
+    x: [f64; 2],
+    v: [f64; 2],
+    /// Of k_s x_m + c_s v_m: what the series force loses because the mass yields.
+    yields: [f64; 2],
+    /// Of each stage of the substep: g × velocity and g × acceleration.
+    gains: [[[f64; 2]; 2]; MOST_STAGES],
+}
+
+impl ByEnd {
+    #[inline(always)]
+    pub fn new(wanted: bool) -> ByEnd {
+        let zero = [0.0; 2];
+        ByEnd { wanted, moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
+    }
+}
+
+impl Follow for ByEnd {
+    #[inline(always)]
+    fn wants_slopes(&self) -> bool {
+        self.wanted
+    }
+
+    #[inline(always)]
+    fn stage(&mut self, elements: &Elements, s: &Stage) {
+        if !self.wanted {
+            return;
+        }
+        let e = &elements.paths.series_compliance;
+        let divide = 1.0 / s.resistance;
+        let follows = e.damping + s.g * e.stiffness;
+        let drive = s.path.drive_by_end(e.stiffness, e.damping);
+        let (mut x, mut v) = ([0.0; 2], [0.0; 2]);
+        let mut u = drive.map(|d| d * divide);
+        let mut yields = [0.0; 2];
+        // A first stage starts from what the end of the step cannot change.
+        if s.index > 0 || self.moved {
+            (x, v) = (self.x, self.v);
+            for (a, [moved, push]) in s.row.iter().zip(&self.gains).take(s.index) {
+                x = pair(|k| x[k] + a * moved[k]);
+                v = pair(|k| v[k] + a * push[k]);
+            }
+            let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
+            u = pair(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
+        }
+        if s.by_guess != 0.0 {
+            u = pair(|k| u[k] + s.by_guess * (v[k] + s.guess_by_end[k]));
+        }
+        if s.last {
+            yields = pair(|k| e.stiffness * x[k] + follows * u[k]);
+        }
+        let moved = u.map(|u| s.g * u);
+        if s.last {
+            self.x = pair(|k| x[k] + moved[k]);
+            self.v = u;
+            self.yields = yields;
+            self.moved = true;
+        } else if let Some(gains) = self.gains.get_mut(s.index) {
+            *gains = [moved, pair(|k| u[k] - v[k])];
+        }
+    }
+
+    #[inline(always)]
+    fn yields(&self) -> [f64; 2] {
+        self.yields
+    }
+}

@@ -1,0 +1,315 @@
+//! The internal mass through the stages of a step: the plain step, where nothing but springs and the FV curve acts on it.
+
+use super::cheap;
+use super::follow::{Follow, Stage};
+use super::primary::Primary;
+use super::reach::{springs, within_reach};
+use super::tableau::{Euler, MOST_STAGES, Tableau};
+use crate::assembly::Elements;
+use crate::curve::Value;
+use crate::element::{Motion, Response};
+use crate::input::Path;
+use crate::math::pair;
+
+/// Where the mass is, and what acts on it.
+#[derive(Clone, Copy)]
+pub(super) struct Mass {
+    pub x: f64,
+    pub v: f64,
+    pub primary: f64,
+    pub inner: f64,
+}
+
+/// One substep under way.
+struct Substep<'a, P> {
+    elements: &'a Elements,
+    primary: P,
+    path: &'a Path,
+    /// Start and length of the substep as fractions of the step.
+    theta: f64,
+    part: f64,
+    /// Whether its end is the end of the step.
+    ends_step: bool,
+    /// Its length, s, and 1 over it.
+    h: f64,
+    per_h: f64,
+    side: (f64, f64),
+    start: Mass,
+    predicted: f64,
+    /// Of each stage: g × velocity and g × acceleration.
+    gains: [[f64; 2]; MOST_STAGES],
+}
+
+impl<P: Primary> Substep<'_, P> {
+    /// All stages. `BENT`: with springs that no straight line may stand for; apart, so that others do not pay for it.
+    #[inline(always)]
+    fn run<T: Tableau, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.stage::<T, 0, BENT>(follow);
+        if T::STAGES > 1 {
+            mass = self.stage::<T, 1, BENT>(follow);
+        }
+        if T::STAGES > 2 {
+            mass = self.stage::<T, 2, BENT>(follow);
+        }
+        if T::STAGES > 3 {
+            mass = self.stage::<T, 3, BENT>(follow);
+        }
+        if T::STAGES > 4 {
+            mass = self.stage::<T, 4, BENT>(follow);
+        }
+        mass
+    }
+
+    #[inline(always)]
+    fn stage<T: Tableau, const I: usize, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
+        let e = &self.elements.paths.series_compliance;
+        let g = T::ROWS.gamma[I] * self.h;
+        let mass_rate = e.mass * (1.0 / T::ROWS.gamma[I] * self.per_h);
+        let resistance = mass_rate + e.damping + g * e.stiffness;
+        let last = I + 1 == T::STAGES;
+        let point =
+            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::ROWS.c[I] * self.part) };
+        let mut known = [self.start.x, self.start.v];
+        for j in 0..I {
+            let a = T::ROWS.weights[I][j];
+            known = pair(|k| known[k] + a * self.gains[j][k]);
+        }
+        let [known_x, known_v] = known;
+        let inner_at = within_reach(known_x + g * self.predicted, point.x);
+        let (side_force, temperature) = self.side;
+        let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
+        let inner = self.elements.inner(&at);
+        // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
+        let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
+        let inner_slope = inner.by_v + g * inner.by_x;
+        let a = resistance + inner_slope;
+        let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
+        let r = mass_rate * known_v + drive - inner_known;
+        // Three iterations are below the method's own error.
+        let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
+        let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
+        let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
+        let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
+        if BENT && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
+            let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
+            let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
+            self.settle(&held, &mut balance);
+            Balance { u, fd, inner, inner_at, inner_known, inner_slope } = balance;
+            a = resistance + inner_slope;
+        }
+        let moved = g * u;
+        self.gains[I] = [moved, u - known_v];
+        self.predicted = u;
+        let x_m = known_x + moved;
+        follow.stage(
+            self.elements,
+            &Stage {
+                index: I,
+                last,
+                g,
+                row: &T::ROWS.weights[I],
+                path: point,
+                known_velocity: known_v,
+                x_m,
+                u,
+                denominator: g * (a + fd.slope),
+                resistance: a + fd.slope,
+                inner,
+                inner_at,
+                by_guess: 0.0,
+                guess_by_end: [0.0; 2],
+            },
+        );
+        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
+    }
+}
+
+/// What answers a stage: the velocity of the mass, the FV curve there, and the springs about a place.
+struct Balance {
+    u: f64,
+    fd: Value,
+    inner: Response,
+    inner_at: f64,
+    /// The springs as `inner_known` + `inner_slope` u.
+    inner_known: f64,
+    inner_slope: f64,
+}
+
+/// What a stage holds still while its springs are sought.
+struct Held {
+    g: f64,
+    resistance: f64,
+    /// X.
+    known: f64,
+    /// Displacement of the driven end.
+    driven: f64,
+    /// The right side without the springs.
+    r: f64,
+}
+
+/// What the springs' straight line may miss, as a part of the forces on the mass: the error that the automatic method is held
+/// to. More lets through forces that no spring makes.
+const MISSED: f64 = 1e-3;
+/// What is left of a balance of large forces that cancel, as a part of them.
+const ROUNDING: f64 = 1e-12;
+/// Most rounds until it misses no more. Past [`PATIENCE`] every other one halves the bracket.
+const ROUNDS: usize = 60;
+const PATIENCE: usize = 6;
+
+impl<P: Primary> Substep<'_, P> {
+    /// Solves a stage whose springs bend: the straight line that they were taken for at the predicted place holds neither beyond
+    /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
+    ///
+    /// The springs rise with the place and the curve with the velocity, so what is left of the balance rises with u: each
+    /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro.
+    #[inline(never)]
+    fn settle(&self, held: &Held, balance: &mut Balance) {
+        let Held { g, resistance, known, driven, r } = *held;
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for round in 0..ROUNDS {
+            let Balance { u, fd, .. } = *balance;
+            let (inner, held, at) = springs(self.elements, known + g * u, u, driven, self.side);
+            let slope = inner.by_v + g * inner.by_x;
+            *balance = Balance { u, fd, inner, inner_at: at, inner_known: held - slope * u, inner_slope: slope };
+            let left = resistance * u + held + fd.value - r;
+            if left.abs() <= MISSED * (held.abs() + fd.value.abs()) + ROUNDING * r.abs() {
+                break;
+            }
+            if left > 0.0 {
+                high = u;
+            } else {
+                low = u;
+            }
+            (balance.u, balance.fd) = self.primary.solve(self.elements, resistance + slope, r - balance.inner_known);
+            let inside = balance.u > low && balance.u < high;
+            let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
+            if !inside || halved {
+                balance.u = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { u };
+                balance.fd = self.primary.at(self.elements, balance.u);
+            }
+        }
+    }
+}
+
+impl<'a, P: Primary> Substep<'a, P> {
+    /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
+    #[inline(always)]
+    fn new(drive: &Drive<'a, P>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a, P> {
+        let h = drive.path.length() * part;
+        Substep {
+            elements: drive.elements,
+            primary: drive.primary,
+            path: drive.path,
+            theta,
+            part,
+            ends_step,
+            h,
+            per_h: 1.0 / h,
+            side: drive.side,
+            start,
+            predicted: start.v,
+            gains: [[0.0; 2]; MOST_STAGES],
+        }
+    }
+}
+
+/// What moves the internal mass during a step.
+#[derive(Clone, Copy)]
+pub(super) struct Drive<'a, P> {
+    pub elements: &'a Elements,
+    pub primary: P,
+    pub path: &'a Path,
+    pub side: (f64, f64),
+}
+
+/// Moves the internal mass along the path.
+#[inline(always)]
+pub(super) fn move_mass<T: Tableau, const ONCE: bool>(
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    if T::STAGES == 1 {
+        return move_mass_cheaply(drive, substeps, mass, follow);
+    }
+    if drive.elements.bends() {
+        return move_mass_on_bent_springs::<T>(drive, substeps, mass, follow);
+    }
+    if ONCE {
+        // The common case, written out so that the places of the stages are constants.
+        return Substep::new(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
+    }
+    move_mass_in_substeps::<T, false>(drive, substeps, mass, follow)
+}
+
+/// As [`move_mass`] where springs bend ([`Elements::bends`]).
+#[inline(never)]
+fn move_mass_on_bent_springs<T: Tableau>(
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    move_mass_in_substeps::<T, true>(drive, substeps, mass, follow)
+}
+
+#[inline(always)]
+fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    let part = 1.0 / substeps as f64;
+    let mut theta = 0.0;
+    for left in (0..substeps).rev() {
+        mass = Substep::new(drive, theta, part, left == 0, mass).run::<T, BENT>(follow);
+        theta += part;
+    }
+    mass
+}
+
+/// As [`move_mass`] by cheap steps.
+fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+    let (elements, path) = (drive.elements, drive.path);
+    let part = 1.0 / substeps as f64;
+    let h = path.length() * part;
+    let mut from = path.at(0.0);
+    for sub in 1..=substeps {
+        let last = sub == substeps;
+        let to = if last { path.last() } else { path.at(sub as f64 * part) };
+        let before = cheap::Before { x: mass.x, v: mass.v, gain: to.v - from.v, h, side: drive.side };
+        let at = before.springs_at(&to);
+        let (inner, inner_at) = (elements.inner(&at), at.displacement);
+        let after = cheap::take(elements, &before, &to, inner_at, inner);
+        if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
+            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run::<Euler, true>(follow);
+            from = to;
+            continue;
+        }
+        let denominator = 1.0 / after.by_impulse;
+        follow.stage(
+            elements,
+            &Stage {
+                index: 0,
+                last: true,
+                g: h,
+                row: &[],
+                path: to,
+                known_velocity: mass.v,
+                x_m: after.x,
+                u: after.v,
+                denominator,
+                resistance: denominator / h,
+                inner,
+                inner_at,
+                by_guess: after.by_guess,
+                guess_by_end: pair(|k| to.v_by_end[k] - from.v_by_end[k]),
+            },
+        );
+        mass = Mass { x: after.x, v: after.v, primary: after.primary, inner: after.spring };
+        from = to;
+    }
+    mass
+}

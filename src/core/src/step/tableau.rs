@@ -1,0 +1,139 @@
+//! The methods as tables: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
+
+/// Most stages of a method.
+pub(super) const MOST_STAGES: usize = 5;
+
+/// Coefficients of a diagonally implicit method; the last row is the result (stiffly accurate). A constant of a type, so
+/// that every stage is compiled for its own.
+pub(super) trait Tableau {
+    const STAGES: usize;
+    const ROWS: Rows;
+    /// How far from its latest stage a step through the paths may end at least, in halves of the spread of its stages: see
+    /// [`super::paths`]. With 1 the method of four stages was taken to be thrown at every twentieth step of free play, where it was not.
+    const ENDS_WITHIN: f64 = 1.0;
+}
+
+/// The rows of a method.
+pub(super) struct Rows {
+    /// γ of each stage: the diagonal.
+    pub gamma: [f64; MOST_STAGES],
+    /// a_ij/γ_j below the diagonal: what a stage takes of γ_j h times the rates of those before.
+    pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
+    /// Places of the stages inside the step.
+    pub c: [f64; MOST_STAGES],
+}
+
+impl Rows {
+    /// From the diagonal and the rows below it. The places are the sums of the rows; what is not used is 0.
+    const fn new(stages: usize, gamma: [f64; MOST_STAGES], below: [[f64; MOST_STAGES]; MOST_STAGES]) -> Rows {
+        let mut rows = Rows { gamma, weights: [[0.0; MOST_STAGES]; MOST_STAGES], c: [1.0; MOST_STAGES] };
+        let mut i = 0;
+        while i + 1 < stages {
+            let (mut j, mut sum) = (0, 0.0);
+            while j < i {
+                sum += below[i][j];
+                j += 1;
+            }
+            rows.c[i] = sum + gamma[i];
+            i += 1;
+        }
+        i = 0;
+        while i < stages {
+            let mut j = 0;
+            while j < i {
+                rows.weights[i][j] = below[i][j] / gamma[j];
+                j += 1;
+            }
+            i += 1;
+        }
+        rows
+    }
+}
+
+pub(super) struct Euler;
+
+impl Tableau for Euler {
+    const STAGES: usize = 1;
+    const ROWS: Rows = Rows::new(1, [1.0; 5], [[0.0; 5]; 5]);
+}
+
+pub(super) struct Second;
+
+impl Tableau for Second {
+    const STAGES: usize = 2;
+    const ROWS: Rows = {
+        let gamma = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+        Rows::new(2, [gamma; 5], [[0.0; 5], [1.0 - gamma, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]])
+    };
+}
+
+/// The smallest γ with which three stages of order 2 are L-stable, rounded up, and with it the smallest error (Hairer & Wanner,
+/// table IV.6.4).
+const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
+/// The second stage's place, which the conditions of order leave free: least error over dampers of every kind at 1 ms, flat
+/// about it.
+const THREE_STAGE_PLACE: f64 = 0.663;
+
+pub(super) struct ThreeStage;
+
+impl Tableau for ThreeStage {
+    const STAGES: usize = 3;
+    const ROWS: Rows = {
+        let (gamma, c2) = (THREE_STAGE_GAMMA, THREE_STAGE_PLACE);
+        // b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂ + γ = ½.
+        let b2 = (0.5 - gamma - (1.0 - gamma) * gamma) / (c2 - gamma);
+        let below =
+            [[0.0; 5], [c2 - gamma, 0.0, 0.0, 0.0, 0.0], [1.0 - gamma - b2, b2, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5]];
+        Rows::new(3, [gamma; 5], below)
+    };
+}
+
+/// The smallest γ with which four stages of order 3 are L-stable, rounded up (the same table).
+const THIRD_GAMMA: f64 = 0.223_647_9;
+/// The places of the two inner stages, which the conditions of order leave free: as [`THREE_STAGE_PLACE`].
+const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
+
+pub(super) struct Third;
+
+impl Tableau for Third {
+    const STAGES: usize = 4;
+    const ROWS: Rows = {
+        let (g, [c2, c3]) = (THIRD_GAMMA, THIRD_PLACES);
+        // Σ b = 1, Σ b c = ½, Σ b c² = ⅓ without the last stage, which has c = 1 and b = γ.
+        let sums = [1.0 - g, 0.5 - g, 1.0 / 3.0 - g];
+        const fn weight(sums: [f64; 3], own: f64, other: f64, third: f64) -> f64 {
+            (sums[2] - (other + third) * sums[1] + other * third * sums[0]) / ((own - other) * (own - third))
+        }
+        let (b1, b2, b3) = (weight(sums, g, c2, c3), weight(sums, c2, g, c3), weight(sums, c3, g, c2));
+        // Σ b_i a_ij c_j = ⅙, solved for a₃₂.
+        let others = 0.5 * g + b1 * g * g + b2 * ((c2 - g) * g + g * c2) + b3 * ((c3 - g) * g + g * c3);
+        let a32 = (1.0 / 6.0 - others) / (b3 * (c2 - g));
+        let below = [
+            [0.0; 5],
+            [c2 - g, 0.0, 0.0, 0.0, 0.0],
+            [c3 - g - a32, a32, 0.0, 0.0, 0.0],
+            [b1, b2, b3, 0.0, 0.0],
+            [0.0; 5],
+        ];
+        Rows::new(4, [g; 5], below)
+    };
+}
+
+pub(super) struct Fourth;
+
+impl Tableau for Fourth {
+    const STAGES: usize = 5;
+    /// Its weights reach 31.
+    const ENDS_WITHIN: f64 = 0.0;
+    const ROWS: Rows = Rows::new(
+        5,
+        [0.25; 5],
+        [
+            [0.0; 5],
+            [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
+            [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
+            [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
+            [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
+        ],
+    );
+}
