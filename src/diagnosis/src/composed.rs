@@ -28,8 +28,8 @@ const UNDECIDED: usize = 3;
 
 /// What the answer is made from.
 pub(super) struct Composed<'a> {
-    /// That the reference was not as warm, where that is so.
-    pub warmer: Option<Sentence>,
+    /// That the reference was read to count the other way, and that it was not as warm, where that is so.
+    pub beside: [Option<Sentence>; 2],
     pub records: &'a [&'a Record],
     pub fitted: &'a [Test],
     pub left: &'a [Test],
@@ -117,7 +117,7 @@ impl Composed<'_> {
                 .notes
                 .iter()
                 .chain(&about_the_reference)
-                .chain(&self.warmer)
+                .chain(self.beside.iter().flatten())
                 .cloned()
                 .chain(self.or_warm_gas(&names))
                 .collect(),

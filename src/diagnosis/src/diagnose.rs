@@ -7,7 +7,7 @@ use super::options::{DiagnosisError, Options};
 use super::outcome::Diagnosis;
 use super::prepared::{Prepared, prepare};
 use super::search::{Limits, search};
-use super::{calibration, phrases, warmer};
+use super::{calibration, opposite, phrases, warmer};
 use dashpot_core::Params;
 use dashpot_records::Record;
 use dashpot_records::sentence::Template;
@@ -35,7 +35,7 @@ pub fn diagnose(
         None
     } else {
         progress(0.02, phrases::FITTING_REFERENCE);
-        Some(prepared.against(&options.reference, params)?)
+        Some(prepared.against(records, &options.reference, params)?)
     };
     let Prepared { fitted, left, base, situation } = prepared;
     let may = |effect: &str| {
@@ -50,9 +50,9 @@ pub fn diagnose(
         calibration::confidence(of(SUSPECTED), of(SURE), reference.is_some())
     });
     let confidence = confidence.collect();
-    let warmer = warmer::warmer(records, &options.reference);
+    let beside = [opposite::opposite(records, &options.reference), warmer::warmer(records, &options.reference)];
     let composed = Composed {
-        warmer,
+        beside,
         records,
         fitted: &fitted,
         left: &left,

@@ -19,6 +19,7 @@
 //! | [`phrases`] | every text that it says, in English |
 //! | [`regions`] | where model and records disagree |
 //! | [`reference`] | what changed against the same tests on a good damper |
+//! | [`opposite`], [`warmer`] | how the two campaigns differ beside the damper |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
 //! | [`mod@first_look`], [`mod@refitted`] | for those who calibrate and prove |
 
@@ -40,6 +41,7 @@ mod name_of;
 mod nearby;
 mod next_matrix;
 mod next_test;
+mod opposite;
 mod options;
 mod outcome;
 mod phrases;

@@ -33,7 +33,10 @@ pub enum DiagnosisError {
         name: String,
     },
     /// The reference campaign has none of the tests.
-    NothingToCompare,
+    NothingToCompare {
+        /// That the two were read as counting opposite directions positive, where that is so.
+        turned: Option<Sentence>,
+    },
     /// The model gives no finite force.
     NotFinite,
 }
@@ -46,7 +49,10 @@ impl DiagnosisError {
             DiagnosisError::UnknownEffect { name } => Sentence::from(phrases::UNKNOWN_NAME)
                 .with("name", format!("{name:?}"))
                 .with_names("known", EFFECTS, phrases::COMMA),
-            DiagnosisError::NothingToCompare => phrases::NOTHING_TO_COMPARE.into(),
+            DiagnosisError::NothingToCompare { turned } => {
+                let turned = turned.clone().map(|said| Sentence::from(phrases::BESIDES).with_said("said", said));
+                Sentence::from(phrases::NOTHING_TO_COMPARE).with_any("turned", turned)
+            }
             DiagnosisError::NotFinite => phrases::NOT_FINITE.into(),
         }
     }

@@ -15,7 +15,9 @@ dashpot_records::phrases! {
     // Why there is no diagnosis.
     NO_TESTS: "there is no test to diagnose: give a folder or files with at least one record, and leave some of them in";
     UNKNOWN_NAME: "there is no effect called {name}; the effects are {known}";
-    NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers";
+    NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers{turned}";
+    BESIDES: "; {said}";
+    OPPOSITE: "the campaign was read as counting {own} positive and the reference as counting {good} positive; where both come from one rig, read both with --positive rebound, or both with --positive compression";
     NOT_FINITE: "the model gives no finite force for these records: run dashpot validate to see where";
     // Lists.
     COMMA: ", ";

@@ -2,7 +2,7 @@
 
 use super::options::DiagnosisError;
 use super::situation::Situation;
-use super::{reference, vocabulary};
+use super::{opposite, reference, vocabulary};
 use dashpot_core::Params;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
@@ -47,16 +47,21 @@ pub(super) struct Against {
 
 impl Prepared {
     /// Takes what the model leaves of the same tests on the reference out of the comparison, and starts from the model fitted to it.
-    pub fn against(&mut self, reference: &[Record], params: &Params) -> Result<Against, DiagnosisError> {
-        let records: Vec<&Record> = reference.iter().collect();
-        let mut own = prepare(&records, &[], params);
+    pub fn against(
+        &mut self,
+        records: &[&Record],
+        reference: &[Record],
+        params: &Params,
+    ) -> Result<Against, DiagnosisError> {
+        let good: Vec<&Record> = reference.iter().collect();
+        let mut own = prepare(&good, &[], params);
         own.base.heating = None;
         let start = own.base.start();
         let fine = refit::refit(&own.base, &own.fitted, &start, None, refit::Effort::FINE);
         let fine = fine.ok_or(DiagnosisError::NotFinite)?;
         // By the integration of the refits: where it is not exact, it is off by the same on both dampers, and with another one the numbers
         // of a damper would move against themselves.
-        let residual = errors(Accuracy::Single, &own.base, &fine.theta, &records, &own.fitted);
+        let residual = errors(Accuracy::Single, &own.base, &fine.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let correct = |tests: &mut Vec<Test>| {
             let (kept, missing) = reference::without_shared_error(std::mem::take(tests), &own.fitted, &residual);
@@ -66,7 +71,8 @@ impl Prepared {
         let mut missing = correct(&mut self.fitted);
         missing.extend(correct(&mut self.left));
         if self.fitted.is_empty() {
-            return Err(DiagnosisError::NothingToCompare);
+            let turned = opposite::opposite(records, reference);
+            return Err(DiagnosisError::NothingToCompare { turned });
         }
         // What a test was heated by is counted by its place among the tests.
         if let Some(heating) = &mut self.base.heating {

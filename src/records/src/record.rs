@@ -2,6 +2,7 @@
 
 use super::about::About;
 use super::off::Off;
+use super::options::Positive;
 use super::sentence::Sentence;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
@@ -64,6 +65,18 @@ pub struct Record {
     /// What the user said the measurement to be off by, and what was taken out of it therefore: a delay and a mass.
     #[serde(skip)]
     pub given: Off,
+    /// How its file was read to count; `None` of a record that was in no file.
+    #[serde(skip)]
+    pub counted: Option<Counted>,
+}
+
+/// Which direction a file was read to count positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Counted {
+    /// The direction.
+    pub positive: Positive,
+    /// Whether the user said so; else it was worked out.
+    pub given: bool,
 }
 
 impl Record {

@@ -67,27 +67,8 @@ def diagnose(
         raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
     with watched(progress) as told:
         own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
-        turned = None if good is None else _read_in_two_directions(own, good)
-        try:
-            said, improved, curves = _native.diagnose(
-                model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
-            )
-        except _native.DiagnosisError as error:
-            if turned is None:
-                raise
-            raise _native.DiagnosisError(f"{error}; {turned}") from None
+        said, improved, curves = _native.diagnose(
+            model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
+        )
     found = Diagnosis.from_dict(json.loads(said))
-    notes = (*found.notes, turned) if turned else found.notes
-    return replace(found, notes=notes, improved=Model(improved, "improved.toml"), _curves=tuple(curves))
-
-
-def _read_in_two_directions(campaign: _native.Campaign, reference: _native.Campaign) -> str | None:
-    """A sentence where the two were read as counting opposite directions positive, and nobody said so of both: on one rig that is hardly so, and what
-    one shows in rebound is then compared with what the other shows in compression."""
-    own, good = (json.loads(of.json())["sign"] for of in (campaign, reference))
-    if own["positive"] == good["positive"] or (own["given"] and good["given"]):
-        return None
-    return (
-        f"the campaign was read as counting {own['positive']} positive and the reference as counting {good['positive']} positive; where both come "
-        'from one rig, read both with positive="rebound", or both with positive="compression"'
-    )
+    return replace(found, improved=Model(improved, "improved.toml"), _curves=tuple(curves))

@@ -258,6 +258,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         notes,
         as_read: None,
         given,
+        counted: None,
     };
     take_mass(&mut record, given.mass_kg);
     Ok(record)

@@ -50,10 +50,17 @@ pub const ALL: &[Said] = &[
         "没有名为 {name} 的效应；效应有 {known}",
     ],
     [
-        "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers",
-        "die Referenzmessreihe hat keinen der Versuche dieser Messreihe (Amplitude, Frequenz, Mittellage und Seitenkraft auf 5 % gleich): an beiden Dämpfern dieselbe Prüfmatrix fahren",
-        "la campagne de référence n’a aucun des essais de celle-ci (mêmes amplitude, fréquence, déplacement moyen et effort latéral, à 5 % près) : mener la même matrice sur les deux amortisseurs",
-        "参考试验中没有与本试验相同的项目（振幅、频率、平均位移和侧向力在 5 % 以内相同）：请对两支减振器做相同的试验矩阵",
+        "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers{turned}",
+        "die Referenzmessreihe hat keinen der Versuche dieser Messreihe (Amplitude, Frequenz, Mittellage und Seitenkraft auf 5 % gleich): an beiden Dämpfern dieselbe Prüfmatrix fahren{turned}",
+        "la campagne de référence n’a aucun des essais de celle-ci (mêmes amplitude, fréquence, déplacement moyen et effort latéral, à 5 % près) : mener la même matrice sur les deux amortisseurs{turned}",
+        "参考试验中没有与本试验相同的项目（振幅、频率、平均位移和侧向力在 5 % 以内相同）：请对两支减振器做相同的试验矩阵{turned}",
+    ],
+    ["; {said}", "; {said}", " ; {said}", "；{said}"],
+    [
+        "the campaign was read as counting {own} positive and the reference as counting {good} positive; where both come from one rig, read both with --positive rebound, or both with --positive compression",
+        "die Messreihe wurde so gelesen, dass sie {own} positiv zählt, die Referenz so, dass sie {good} positiv zählt; wenn beide von einem Prüfstand kommen, beide mit --positive rebound oder beide mit --positive compression lesen",
+        "la campagne a été lue comme comptant {own} positivement, la référence comme comptant {good} positivement ; si les deux viennent du même banc, lire les deux avec --positive rebound, ou les deux avec --positive compression",
+        "本试验按{own}为正读入，参考试验按{good}为正读入；若二者来自同一台试验机，请都用 --positive rebound 或都用 --positive compression 读入",
     ],
     [
         "the model gives no finite force for these records: run dashpot validate to see where",

@@ -1,0 +1,40 @@
+//! Whether campaign and reference were read as counting opposite directions positive. Each works its direction out by itself; on one rig they are
+//! hardly two, and what one shows in rebound is then compared with what the other shows in compression.
+
+use super::phrases;
+use dashpot_records::record::Counted;
+use dashpot_records::{Positive, Record, Sentence};
+
+/// A sentence where they were, and the user did not say so of both.
+pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
+    let (own, good) = (records.first()?.counted?, reference.first()?.counted?);
+    let is_meant = own.given && good.given;
+    let name = |counted: Counted| match counted.positive {
+        Positive::Rebound => phrases::REBOUND,
+        Positive::Compression => phrases::COMPRESSION,
+    };
+    (own.positive != good.positive && !is_meant)
+        .then(|| Sentence::from(phrases::OPPOSITE).with_said("own", name(own)).with_said("good", name(good)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_directions_are_told_unless_the_user_meant_them() {
+        let of = |positive, given| Record { counted: Some(Counted { positive, given }), ..Record::default() };
+        let told = |own: &Record, good: Record| opposite(&[own], &[good]).map(|said| said.to_string());
+        let (rebound, compression) = (of(Positive::Rebound, false), of(Positive::Compression, false));
+        let said = told(&compression, rebound.clone()).unwrap();
+        assert!(
+            said.contains("counting compression positive and the reference as counting rebound positive"),
+            "{said}"
+        );
+        assert_eq!(told(&rebound, rebound.clone()), None);
+        assert!(told(&rebound, of(Positive::Compression, true)).is_some());
+        assert_eq!(told(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
+        // Records that were in no file.
+        assert_eq!(told(&rebound, Record::default()), None);
+    }
+}
