@@ -5,9 +5,9 @@ use super::intervals::{Estimate, Standing, estimates};
 use super::knees::with_points_at_knees;
 use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
-use super::model_file::short;
 use super::of_the_rig::{self, Measured, OfTheRig};
 use super::phrases;
+use super::short::short;
 use super::variants::{
     Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
     physical_springs, with_slow_points,

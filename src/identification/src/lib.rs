@@ -15,6 +15,7 @@ pub mod model_file;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;
+mod short;
 mod texts;
 pub mod validation;
 mod variants;

@@ -3,6 +3,7 @@
 //! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
 //! are for validation, diagnosis and people.
 
+use super::short::short;
 use crate::phrases;
 use crate::{Choice, Estimate, Fit, Measured, Standing, off};
 use dashpot_core::parameter::GROUPS;
@@ -508,15 +509,6 @@ pub fn write(fit: &Fit) -> String {
         number(fit.fv_only.number(number!("gas_force"))),
     );
     out
-}
-
-/// Four significant digits: enough for a comment or a sentence.
-pub(crate) fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let digits = (3 - value.abs().log10().floor() as i32).max(0) as usize;
-    if value.abs() >= 1e5 { format!("{value:.3e}") } else { format!("{value:.digits$}") }
 }
 
 #[cfg(test)]
