@@ -5,9 +5,9 @@
 //! them, for a diagnosis looks for them in what is left.
 
 use super::first_guess::SLOW;
+use super::more_points::with_points;
 use super::variants::Structure;
 use dashpot_core::Params;
-use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use dashpot_core::list;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
@@ -82,21 +82,10 @@ fn bumps(structure: Structure, from: &Params, segments: &[Segment]) -> Option<Ve
 /// The same parameters with every interval of the FV curve that shows a bump parted in so many; nothing where none does, or there are too many
 /// points already.
 pub fn with_points_at_knees(structure: Structure, from: &Params, segments: &[Segment], parts: usize) -> Option<Params> {
-    let (v, f) = (from.list(list!("fv_velocity")), from.list(list!("fv_force")));
-    let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
-    let parted = bumps(structure, from, segments)?;
-    let mut points: Vec<f64> = v.to_vec();
-    for k in parted {
+    let v = from.list(list!("fv_velocity"));
+    let part = |k: usize| {
         let (a, b) = (v[k], v[k + 1]);
-        points.extend((1..parts).map(|i| a * (b / a).powf(i as f64 / parts as f64)));
-    }
-    if points.len() == v.len() || points.len() > MAX_POINTS {
-        return None;
-    }
-    points.sort_by(f64::total_cmp);
-    let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
-    let mut params = *from;
-    params.set_list(list!("fv_velocity"), &points).ok()?;
-    params.set_list(list!("fv_force"), &forces).ok()?;
-    Some(params)
+        (1..parts).map(move |i| a * (b / a).powf(i as f64 / parts as f64))
+    };
+    with_points(from, bumps(structure, from, segments)?.into_iter().flat_map(part))
 }

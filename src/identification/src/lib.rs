@@ -12,6 +12,7 @@ mod knees;
 pub mod limits;
 pub mod literature;
 pub mod model_file;
+mod more_points;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;

@@ -1,9 +1,9 @@
 //! The variants of friction and spring, and the choice among them by tests that the fit did not see.
 
+use super::more_points::with_points;
 use super::of_the_rig::OfTheRig;
 use super::phrases;
 use dashpot_core::Params;
-use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS};
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
@@ -412,20 +412,12 @@ const SLOW_POINTS: [f64; 2] = [0.4, 1.0];
 /// The same parameters with points in the FV table where only slow tests are (thesis 4: "with and without the slow-test
 /// points"); `None` where the table already reaches that far down.
 pub fn with_slow_points(from: &Params, slow_peak: f64) -> Option<Params> {
-    let (v, f) = (from.list(list!("fv_velocity")), from.list(list!("fv_force")));
-    let curve = Curve::new(v, f, Interpolation::MonotoneCubic).ok()?;
+    let v = from.list(list!("fv_velocity"));
     let closest = v.iter().filter(|v| **v != 0.0).fold(f64::INFINITY, |m, v| m.min(v.abs()));
-    if slow_peak <= 0.0 || 2.0 * slow_peak > closest || v.len() + 2 * SLOW_POINTS.len() > MAX_POINTS {
+    if slow_peak <= 0.0 || 2.0 * slow_peak > closest {
         return None;
     }
-    let mut points: Vec<f64> = v.to_vec();
-    points.extend(SLOW_POINTS.iter().flat_map(|share| [share * slow_peak, -share * slow_peak]));
-    points.sort_by(f64::total_cmp);
-    let forces: Vec<f64> = points.iter().map(|v| curve.at(*v).value).collect();
-    let mut params = *from;
-    params.set_list(list!("fv_velocity"), &points).ok()?;
-    params.set_list(list!("fv_force"), &forces).ok()?;
-    Some(params)
+    with_points(from, SLOW_POINTS.iter().flat_map(|share| [share * slow_peak, -share * slow_peak]))
 }
 
 /// The outcome of one choice.

@@ -3,13 +3,13 @@
 
 use crate::ProvingError;
 use crate::case::{Measured, model_of};
-use crate::measured::base_model;
+use crate::measured::{as_read, base_model};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_core::element;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
 use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind, Protocol};
-use dashpot_records::{self as records, Record};
+use dashpot_records::Record;
 use dashpot_rig::{HiddenEffect, Truth};
 use std::collections::BTreeMap;
 
@@ -146,12 +146,7 @@ pub fn at_severities(case: &Case) -> Result<Case, ProvingError> {
 /// # Errors
 /// What laboratory or reader refuse.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
-    let folder = tempfile::tempdir()?;
-    let path = folder.path().join("campaign");
-    campaign.write(&path)?;
-    let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
-    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| ProvingError::Records(e.to_string()))?;
-    Ok(loaded.records)
+    as_read(|path| Ok(campaign.write(path)?))
 }
 
 fn seen(records: &[Record]) -> Vec<&Record> {

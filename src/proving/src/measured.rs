@@ -6,6 +6,7 @@ use dashpot_core::{Params, element, number};
 use dashpot_identification::{FitOptions, fit};
 use dashpot_records::{self as records, Record};
 use dashpot_rig::Campaign;
+use std::path::Path;
 
 /// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
 pub const BASE: [Element; 4] =
@@ -47,9 +48,14 @@ pub fn without_noise(campaign: &Campaign) -> Campaign {
 
 /// The records as a user reads them: written to files and loaded.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
+    as_read(|path| Ok(campaign.write(path)?))
+}
+
+/// The records of a campaign that is written into a folder, as a user reads them.
+pub fn as_read(write: impl FnOnce(&Path) -> Result<(), ProvingError>) -> Result<Vec<Record>, ProvingError> {
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("campaign");
-    campaign.write(&path)?;
+    write(&path)?;
     let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
     let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| ProvingError::Records(e.to_string()))?;
     Ok(loaded.records)
