@@ -7,7 +7,7 @@ use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured, OfTheRig};
 use super::phrases;
-use super::short::short;
+use super::short::in_words;
 use super::variants::{
     Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
     physical_springs, with_slow_points,
@@ -609,7 +609,7 @@ fn with_the_rest_of_the_measurement(
 /// What is said of a number of the model.
 fn of_number(template: Template, estimate: &Estimate) -> Sentence {
     // Digits that count: four behind the point would make 0.15 mm of m 0.2 mm, and a creep of nm nothing.
-    let value = short(estimate.value);
+    let value = in_words(estimate.value);
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
 
