@@ -24,11 +24,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.label(if cancelled { w.stopping } else { doing });
             let bar = egui::ProgressBar::new(progress.done as f32).desired_width(220.0).show_percentage();
             ui.add(bar);
-            let now = progress.text.map_or_else(String::new, |text| said.say(&text.into()));
-            ui.label(format!("{now} · {seconds} s"));
+            // Before the text, whose width changes: behind it the button moved away from under the pointer.
             if ui.add_enabled(!cancelled, egui::Button::new(w.cancel)).clicked() {
                 session.cancel();
             }
+            let now = progress.text.map_or_else(String::new, |text| said.say(&text.into()));
+            ui.label(format!("{now} · {seconds} s"));
             return;
         }
         match &session.message {
