@@ -3,7 +3,7 @@
 use crate::session::Session;
 use crate::units::read;
 use crate::views::{View, named_list};
-use dashpot_records::{Channel, Positive, Unit};
+use dashpot_records::{Channel, DateOrder, Positive, Unit};
 use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
 
 /// Draws the panel.
@@ -30,6 +30,19 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         });
         named_list(list, w.positive);
         ui.end_row();
+        ui.label(w.dates);
+        let order = |o: Option<DateOrder>| match o {
+            None => w.from_data,
+            Some(DateOrder::DayFirst) => w.day_first,
+            Some(DateOrder::MonthFirst) => w.month_first,
+        };
+        let list = ComboBox::from_id_salt("dates").selected_text(order(reading.dates)).show_ui(ui, |ui| {
+            for o in [None, Some(DateOrder::DayFirst), Some(DateOrder::MonthFirst)] {
+                ui.selectable_value(&mut reading.dates, o, order(o));
+            }
+        });
+        named_list(list, w.dates);
+        ui.end_row();
         for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
             ui.label(format!("{} {}", w.unit_of, w.channel(channel)));
             let now = reading.units.get(&channel).copied();
@@ -55,6 +68,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         ui.end_row();
         ui.label("");
         ui.checkbox(&mut reading.flip_motion, w.flip_motion);
+        ui.end_row();
+        ui.label("");
+        ui.checkbox(&mut reading.subfolders, w.subfolders);
         ui.end_row();
         let mut field = |name: &str, value: &mut f64, factor: f64, unit: &str, speed: f64| {
             ui.label(name);

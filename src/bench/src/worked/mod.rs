@@ -328,13 +328,18 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     let before = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
     press(&mut harness, "Records");
     harness.state_mut().session.reading.gain = 2.0;
+    widget(&harness, Role::CheckBox, "Tests in subfolders too").click();
+    widget(&harness, Role::ComboBox, "Dates such as 3/11/2026").click();
+    harness.step();
+    harness.step();
+    press(&mut harness, "day first");
     press(&mut harness, "Read again");
     until(&mut harness, "the records again", |app| app.session.task.is_none());
     let after = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
     assert!((after / before - 2.0).abs() < 1e-6, "{before} {after}");
     press(&mut harness, "Keep as campaign.toml");
     let profile = dashpot_records::Profile::of(folder.path()).unwrap().unwrap();
-    assert_eq!(profile.gain, 2.0);
+    assert_eq!((profile.gain, profile.subfolders, profile.dates.as_deref()), (2.0, true, Some("day-first")));
     // A test that is excluded is out when the folder is read anew.
     harness.state_mut().session.exclude(0);
     until(&mut harness, "the records again", |app| app.session.task.is_none());
