@@ -375,12 +375,12 @@ impl Session {
         outputs::remember_inputs(&loaded);
         // What is kept beside the records is shown and can be changed.
         self.reading = loaded.options.clone();
-        if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::of(folder)) {
-            if let Ok(said) = profile.options() {
-                self.reading = self.reading.over(&said);
-                self.reading.exclude.sort();
-                self.reading.exclude.dedup();
-            }
+        if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::of(folder))
+            && let Ok(said) = profile.options()
+        {
+            self.reading = self.reading.over(&said);
+            self.reading.exclude.sort();
+            self.reading.exclude.dedup();
         }
         let again = self.campaign.as_ref().is_some_and(|c| c.paths == loaded.paths);
         let names = |of: &Loaded, chosen: &BTreeSet<usize>| -> BTreeSet<String> {

@@ -110,20 +110,12 @@ fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec
             of.as_ref().and_then(|s| s.tests.get(*test)).map(|t| (t.shown.clone(), t.stride))
         };
         lines.push(over(Whose::Measured, &record.force[seen.shown.clone()], 1));
-        if let Some(other) = &session.reference {
-            if let Some(k) = other.like(record) {
-                let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
-                let name = format!("{} · {}", record.name, words.reference);
-                lines.push(line(
-                    Whose::Reference,
-                    place,
-                    name,
-                    record,
-                    seen,
-                    (&record.force[seen.shown.clone()], 1),
-                    most,
-                ));
-            }
+        if let Some(other) = &session.reference
+            && let Some(k) = other.like(record)
+        {
+            let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
+            let name = format!("{} · {}", record.name, words.reference);
+            lines.push(line(Whose::Reference, place, name, record, seen, (&record.force[seen.shown.clone()], 1), most));
         }
         if session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned) {
             lines.extend(simulated(&session.identified).map(|(f, stride)| over(Whose::Identified, &f, stride)));

@@ -207,7 +207,7 @@ pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
         let plain = |points: Vec<PlotPoint>| points.iter().map(|p| [p.x, p.y]).collect();
         let of =
             |l: &Drawn| both(l).map(|(what, points)| (role(l.whose), format!("{}: {what}", l.name), plain(points)));
-        lines.iter().flat_map(|l| of(l)).collect()
+        lines.iter().flat_map(of).collect()
     });
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
     let response = plot("gas", axes, false, words).show(ui, |plot| {

@@ -85,11 +85,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let test = session.selected.iter().next_back().copied();
         let can = session.task.is_none() && session.has_records() && test.is_some() && from < to;
         let count = form.count;
-        if ui.add_enabled(can, egui::Button::new(w.compute)).clicked() {
-            if let Some(test) = test {
-                view.corner = Corner::Study;
-                session.study(Question { number, range: [from, to], factors: reach.factors, count, test });
-            }
+        if ui.add_enabled(can, egui::Button::new(w.compute)).clicked()
+            && let Some(test) = test
+        {
+            view.corner = Corner::Study;
+            session.study(Question { number, range: [from, to], factors: reach.factors, count, test });
         }
     }
     if let Some(study) = &session.study {

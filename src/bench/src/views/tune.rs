@@ -129,7 +129,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         Shape::List(_) => format!("{}[{entry}]", p.name),
         _ => p.name.to_owned(),
     };
-    let loose = model.identification.not_identified.iter().any(|n| *n == name);
+    let loose = model.identification.not_identified.contains(&name);
     let title = if loose {
         RichText::new(format!("{name} ({})", w.not_identified)).small().weak()
     } else {
@@ -166,10 +166,10 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         if value != now {
             session.tune(|m| m.set(row, entry, value));
         }
-        if ended(&slider) || ended(&field) {
-            if let Some(model) = &mut session.model {
-                model.seal();
-            }
+        if (ended(&slider) || ended(&field))
+            && let Some(model) = &mut session.model
+        {
+            model.seal();
         }
     });
 }
