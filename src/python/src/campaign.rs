@@ -118,6 +118,7 @@ impl Campaign {
             record.force = always("force")?;
             (record.side_force, record.temperature) = (channel("side_force"), channel("temperature"));
             record.as_read = as_read;
+            record.counted = Some(read.sign.counted());
         }
         read.files = files;
         Ok(Campaign { read })

@@ -18,7 +18,7 @@ use super::options::Options;
 use super::phrases;
 use super::plausibility;
 use super::profile::{self, Profile};
-use super::record::{Counted, Note, Record};
+use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
@@ -142,7 +142,7 @@ pub fn load(
     tell_splits(&motions, &mut notes);
     let mut of_the_sign = Vec::new();
     let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
-    let counted = Counted { positive: sign.positive, given: sign.given };
+    let counted = sign.counted();
     let finished: Vec<Result<Record, RecordError>> = motions
         .into_par_iter()
         .map(|motion| {

@@ -14,7 +14,7 @@ use super::error::RecordError;
 use super::numbers::{median, quantile};
 use super::options::{Options, Positive};
 use super::phrases;
-use super::record::Note;
+use super::record::{Counted, Note};
 use super::sentence::Sentence;
 use super::swapped::Overtones;
 use super::whole_motion::Motion;
@@ -34,6 +34,13 @@ pub struct SignFinding {
     pub standstill_force: f64,
     /// Damping force in rebound over that in compression at like speed, where it could be told; with `positive` applied.
     pub asymmetry: Option<f64>,
+}
+
+impl SignFinding {
+    /// What every record of the campaign bears of it.
+    pub fn counted(&self) -> Counted {
+        Counted { positive: self.positive, given: self.given }
+    }
 }
 
 /// Zero offset to be expected of a load cell, N; a smaller force at standstill tells nothing of gas.
