@@ -554,7 +554,7 @@ class TestJobs:
         assert [j.campaign for j in find_jobs([tmp_path])] == [str(tmp_path)]
 
     def test_the_endings_are_those_of_the_reader(self) -> None:
-        source = (Path(__file__).parents[2] / "records" / "src" / "campaign.rs").read_text(encoding="utf-8")
+        source = (Path(__file__).parents[2] / "records" / "src" / "endings.rs").read_text(encoding="utf-8")
         listed = source.split("pub const ENDINGS")[1].split("];")[0].split("=")[1]
         assert {f".{e}" for e in listed.split('"')[1::2]} == RECORDS
 
