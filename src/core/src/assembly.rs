@@ -284,9 +284,8 @@ macro_rules! assembled {
             /// Whether the internal mass is there and nothing that its plain step does not know.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
-                const MASS: u64 = 1 << Place::$series as usize;
-                const REST: u64 = MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
-                self.on & REST == MASS
+                const REST: u64 = Paths::MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & REST == Paths::MASS
             }
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.

@@ -6,11 +6,12 @@
 //! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
 //! - `friction` and `preload`: beside the whole damper, driven by the input motion;
 //! - `memory`: beside the whole damper, with one private state;
-//! - `stops`: beside the whole damper, at the ends of its stroke;
+//! - `stops`: beside the whole damper, at the ends of its stroke.
 //!
 //! The elements in the way of the force, which act on each other, come first; their list is [`crate::paths::list`].
 //!
 //! Private states take a place in [`crate::State::memory`] in the order of the list, those of elements that are on only.
+//!
 //! Whoever needs the list hands the name of a macro to [`each_element!`], which calls it with all blocks: the table makes its groups of
 //! them ([`crate::parameter::groups`]), the model its prepared set ([`crate::assembly`]).
 

@@ -1,8 +1,10 @@
 //! What acts in a stage, and how sharply it bends the forces: the stages of common dampers are compiled for their own.
 
-pub use super::bits::*;
-
 use super::Paths;
+use super::bits::{
+    AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
+    SLOW_BUSHING, SPOOL, VALVE,
+};
 use super::slots::place;
 
 /// Those that scale the FV curve slowly and do nothing else.

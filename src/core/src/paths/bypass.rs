@@ -6,7 +6,8 @@
 //! holds it.
 
 use super::Paths;
-use super::acting::{GROOVE, PASSAGE, acts};
+use super::acting::acts;
+use super::bits::{GROOVE, PASSAGE};
 use super::{STATES, place};
 use crate::dual::{Dual, Real};
 use crate::elements::passage::{STATED, law};

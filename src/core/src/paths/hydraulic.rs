@@ -2,7 +2,8 @@
 
 use super::Paths;
 use super::STATES;
-use super::acting::{AIR, FADE, LENGTH, POSITION, SELECTIVE, VALVE, acts};
+use super::acting::acts;
+use super::bits::{AIR, FADE, LENGTH, POSITION, SELECTIVE, VALVE};
 use super::place;
 use crate::dual::{Dual, Real};
 use crate::elements::soft_gap::SoftGap;

@@ -1,7 +1,8 @@
 //! The series path: what pulls at the internal mass.
 
 use super::Paths;
-use super::acting::{ANY, BUSHING, FREE_PLAY, acts};
+use super::acting::acts;
+use super::bits::{ANY, BUSHING, FREE_PLAY};
 use crate::dual::{Dual, Real};
 
 /// The series spring and damper, as numbers that may be differentiated by.

@@ -17,9 +17,10 @@ use super::tableau::{Euler, MOST_STAGES, Rows, Second, Tableau};
 use crate::assembly::Elements;
 use crate::input::Path;
 use crate::model::Model;
-use crate::paths::acting::{
+use crate::paths::acting::{acts, moves};
+use crate::paths::bits::{
     AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
-    VALVE, acts, moves,
+    VALVE,
 };
 use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};

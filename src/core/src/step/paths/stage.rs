@@ -6,9 +6,8 @@ use crate::dual::Dual;
 use crate::element::{Motion, Response};
 use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
-use crate::paths::acting::{
-    BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL, acts,
-};
+use crate::paths::acting::acts;
+use crate::paths::bits::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL};
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
