@@ -17,51 +17,33 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     ui.add(egui::Label::new(egui::RichText::new(w.how_read_hint).weak()).wrap());
     let reading = &mut session.reading;
     egui::Grid::new("reading").num_columns(2).spacing([8.0, 6.0]).show(ui, |ui| {
-        ui.label(w.positive);
         let direction = |p: Option<Positive>| match p {
             None => w.from_data,
             Some(Positive::Rebound) => w.rebound,
             Some(Positive::Compression) => w.compression,
         };
-        let list = ComboBox::from_id_salt("positive").selected_text(direction(reading.positive)).show_ui(ui, |ui| {
-            for p in [None, Some(Positive::Rebound), Some(Positive::Compression)] {
-                ui.selectable_value(&mut reading.positive, p, direction(p));
-            }
-        });
-        named_list(list, w.positive);
-        ui.end_row();
-        ui.label(w.dates);
+        let directions = [None, Some(Positive::Rebound), Some(Positive::Compression)];
+        choice(ui, w.positive, &mut reading.positive, &directions, direction);
         let order = |o: Option<DateOrder>| match o {
             None => w.from_data,
             Some(DateOrder::DayFirst) => w.day_first,
             Some(DateOrder::MonthFirst) => w.month_first,
         };
-        let list = ComboBox::from_id_salt("dates").selected_text(order(reading.dates)).show_ui(ui, |ui| {
-            for o in [None, Some(DateOrder::DayFirst), Some(DateOrder::MonthFirst)] {
-                ui.selectable_value(&mut reading.dates, o, order(o));
-            }
-        });
-        named_list(list, w.dates);
-        ui.end_row();
+        let orders = [None, Some(DateOrder::DayFirst), Some(DateOrder::MonthFirst)];
+        choice(ui, w.dates, &mut reading.dates, &orders, order);
         for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
-            ui.label(format!("{} {}", w.unit_of, w.channel(channel)));
             let now = reading.units.get(&channel).copied();
             let mut chosen = now;
             let name = |u: Option<Unit>| u.map_or(w.as_file_says, Unit::name);
-            let list = ComboBox::from_id_salt(channel.name()).selected_text(name(now)).show_ui(ui, |ui| {
-                let units = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
-                for unit in std::iter::once(None).chain(units) {
-                    ui.selectable_value(&mut chosen, unit, name(unit));
-                }
-            });
-            named_list(list, &format!("{} {}", w.unit_of, w.channel(channel)));
+            let units = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
+            let units: Vec<Option<Unit>> = std::iter::once(None).chain(units).collect();
+            choice(ui, &format!("{} {}", w.unit_of, w.channel(channel)), &mut chosen, &units, name);
             if chosen != now {
                 match chosen {
                     Some(unit) => reading.units.insert(channel, unit),
                     None => reading.units.remove(&channel),
                 };
             }
-            ui.end_row();
         }
         ui.label("");
         ui.checkbox(&mut reading.flip_force, w.flip_force);
@@ -136,4 +118,16 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.add(egui::Label::new(egui::RichText::new(format!("• {}", said.say(text))).weak()).wrap());
         }
     });
+}
+
+/// A row of the form: one of several values, each by its name.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, all: &[T], name: impl Fn(T) -> &'static str) {
+    ui.label(label);
+    let list = ComboBox::from_id_salt(label).selected_text(name(*value)).show_ui(ui, |ui| {
+        for one in all {
+            ui.selectable_value(value, *one, name(*one));
+        }
+    });
+    named_list(list, label);
+    ui.end_row();
 }
