@@ -67,7 +67,7 @@ for file in dashpot.exe dashpot-window.exe sdk/bin/dashpot.dll adams/dashpot_ada
         case $library in
             kernel32.dll | msvcrt.dll | ntdll.dll | advapi32.dll | bcrypt.dll | bcryptprimitives.dll | userenv.dll | ws2_32.dll | api-ms-win-*) ;;
             # What a window needs.
-            combase.dll | dwmapi.dll | dwrite.dll | gdi32.dll | imm32.dll | ole32.dll | oleaut32.dll | opengl32.dll | propsys.dll | rpcrt4.dll | shell32.dll | uiautomationcore.dll | user32.dll | uxtheme.dll) ;;
+            combase.dll | dwmapi.dll | dwrite.dll | dxgi.dll | gdi32.dll | imm32.dll | ole32.dll | oleaut32.dll | opengl32.dll | propsys.dll | rpcrt4.dll | setupapi.dll | shell32.dll | uiautomationcore.dll | user32.dll | uxtheme.dll) ;;
             *) fail "dist/build: $file needs $library, which Windows may not have" ;;
         esac
     done

@@ -7,11 +7,13 @@
 //! | [`views`] | what is drawn, one file a view |
 //! | [`words`] | every text, in every language |
 //! | [`app`] | the window itself: views arranged around a session |
+//! | [`drawing`] | by what it is drawn |
 //! | [`dialogs`] | files that the user names |
 //! | [`units`] | SI inside, an engineer's units on the screen |
 
 pub mod app;
 pub mod dialogs;
+pub mod drawing;
 pub mod session;
 pub mod units;
 pub mod views;

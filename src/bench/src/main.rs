@@ -5,6 +5,7 @@
 
 use dashpot_bench::app::App;
 use dashpot_bench::dialogs::Native;
+use dashpot_bench::drawing;
 use eframe::egui;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -30,16 +31,21 @@ fn main() -> ExitCode {
         .with_inner_size([1440.0, 900.0])
         .with_min_inner_size([900.0, 600.0])
         .with_drag_and_drop(true);
-    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
-    let ran = eframe::run_native(
-        "dashpot",
-        options,
-        Box::new(move |creation| {
-            let mut app = App::new(&creation.egui_ctx, Box::new(Native::default()));
-            app.session.open(&paths);
-            Ok(Box::new(app))
-        }),
-    );
+    let ran = drawing::run(|renderer, opened| {
+        let (paths, opened) = (paths.clone(), opened.clone());
+        let options =
+            eframe::NativeOptions { viewport: viewport.clone(), renderer, ..eframe::NativeOptions::default() };
+        eframe::run_native(
+            "dashpot",
+            options,
+            Box::new(move |creation| {
+                opened.set(true);
+                let mut app = App::new(&creation.egui_ctx, Box::new(Native::default()));
+                app.session.open(&paths);
+                Ok(Box::new(app))
+            }),
+        )
+    });
     match ran {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
