@@ -19,6 +19,8 @@ demo() { "$dashpot" demo -o demo && grep -q '<svg' demo/report.html && [ -s demo
 check "demo" demo
 fit() { "$dashpot" fit demo/records -o eigen.toml && "$dashpot" validate eigen.toml demo/records --report report.html; }
 check "fit and validate, folder with umlauts" fit
+. "$here/checks/window.sh"
+check_window "the window shows the demonstration's records" "$dashpot" open demo/records demo/damper.toml
 crlf() {
     mkdir -p crlf && for file in demo/records/*.csv; do printf '\xef\xbb\xbf' >"crlf/${file##*/}" && sed 's/$/\r/' "$file" >>"crlf/${file##*/}" || return 1; done
     cp demo/records/*.toml crlf/ 2>/dev/null

@@ -77,27 +77,7 @@ if [ -e "$here/packages/$linux_name.tar.gz" ]; then
 fi
 adams() { dashpot export adams demo/damper.toml -o adamsrun --length 412.5 && cmp adamsrun/dashpot_adams.dll adams/dashpot_adams.dll; }
 check "Windows: run folder for Adams holds the library of the package" adams
-# Wine's Direct3D 12 is not all of Windows's, so that here the window mostly falls back to OpenGL: both ways end in a picture.
-window() {
-    local screen shown=no colours=0
-    Xvfb -displayfd 3 -screen 0 1440x900x24 3>screen >/dev/null 2>&1 &
-    local server=$!
-    for _ in $(seq 50); do [ -s screen ] && break; sleep 0.1; done
-    screen=:$(cat screen)
-    # Plots have many colours (edges of letters and lines are smoothed); an empty screen has one, a window without records some dozens.
-    DISPLAY=$screen wine dashpot-window.exe demo/records demo/damper.toml >window.said 2>&1 &
-    for _ in $(seq 90); do
-        sleep 1
-        colours=$(import -display "$screen" -window root png:- 2>/dev/null | convert png:- -format %k info: 2>/dev/null || echo 0)
-        [ "$colours" -gt 500 ] && shown=yes && break
-    done
-    DISPLAY=$screen wine taskkill /f /im dashpot-window.exe >/dev/null 2>&1
-    kill $server
-    echo "$colours colours; $(cat window.said)"
-    [ $shown = yes ]
-}
-if has Xvfb && has import; then
-    check "Windows: the window shows the demonstration's records" window
-else
-    skip "Windows: the window" "needs Xvfb and import (Debian: xvfb imagemagick)"
-fi
+# Wine 8 has no compiler for the shaders of Direct3D 12, so that here the window falls back to OpenGL.
+. "$here/checks/window.sh"
+check_window "Windows: the window shows the demonstration's records" wine dashpot-window.exe demo/records demo/damper.toml
+wine taskkill /f /im dashpot-window.exe >/dev/null 2>&1
