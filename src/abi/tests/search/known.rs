@@ -376,3 +376,81 @@ fn a_spool_that_turns_inside_a_step() {
     case.motion = vec![given(Some(-2.51983e-2), -0.2519, 0.01), given(Some(-2.557563e-2), 0.17647, 0.01)];
     holds(&case);
 }
+
+/// A piece of the FV curve that is level at one end and in the mean a thousand times steeper than what soft oil leaves of the mass. The
+/// middles of the bracket all lay at its one end, and the stage ended without an answer: half a kilogram was thrown to 0.16 m/s in
+/// 10 µs by a force of 37 N (seed 503, case 3947).
+#[test]
+fn soft_oil_on_the_level_half_of_a_curve() {
+    let on = [
+        "fv_curve",
+        "series_compliance",
+        "bushing",
+        "oil_compressibility",
+        "aeration",
+        "parallel_spring",
+        "gas_warming",
+    ];
+    let values: [(&'static str, &[f64]); 9] = [
+        ("series_stiffness", &[21402863.65264435]),
+        ("series_load", &[1.0]),
+        ("oil_stiffness", &[31057.85930900506]),
+        ("oil_compression", &[100.0]),
+        ("method", &[2.0]),
+        ("fv_velocity", &[-0.32289006102071727, 0.0, 0.3885651469724961]),
+        ("fv_force", &[-1019.0658511473486, 0.0, 0.0]),
+        (
+            "spring_displacement",
+            &[
+                -0.045512502006297716,
+                -0.045472649653551,
+                -0.045432797300804295,
+                -0.002255120938774491,
+                0.0,
+                0.009119688129589215,
+                0.00915954048233593,
+                0.05932959998285001,
+                0.0651676168268158,
+                0.10666814019298294,
+                0.15035963777766842,
+                0.16989397630750294,
+            ],
+        ),
+        (
+            "spring_force",
+            &[
+                -4.718451596375977,
+                -4.692580345431096,
+                -4.692580345431096,
+                -2.649605271892684,
+                0.0,
+                0.009602115521659738,
+                12.861766938220685,
+                12.861766938220685,
+                13.196391847407591,
+                28.850632312195117,
+                30.2257454495716,
+                30.226206938941804,
+            ],
+        ),
+    ];
+    let speed = 0.0016794412413345115;
+    let motion = (0..99).map(|i| {
+        // To and fro, once with a step of the motion left out.
+        let towards = (i % 2 == 0) == (i < 90);
+        Given {
+            x: Some(-0.013440454233588509),
+            v: if towards { speed } else { -speed },
+            side: 0.0,
+            temperature: 126.31635785603717,
+            dt: 1e-5,
+        }
+    });
+    holds(&Case {
+        on: on.to_vec(),
+        values: values.iter().map(|(name, values)| (*name, values.to_vec())).collect(),
+        start: -0.013440454233588509,
+        motion: motion.collect(),
+        ordinary: true,
+    });
+}
