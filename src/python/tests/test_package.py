@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import math
 import os
 import shutil
 import subprocess
@@ -10,6 +12,7 @@ import threading
 import time
 import tracemalloc
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -111,6 +114,77 @@ def test_everything_is_a_dictionary_a_table_and_a_view(own: dashpot.Campaign) ->
         assert "<table>" in result._repr_html_()
     assert list(own[0].to_pandas()) == ["time_s", "displacement_m", "velocity_m_s", "force_N"]
     assert len(validation.to_pandas()) == len(own)
+
+
+def leaves(said: Any) -> set[Any]:
+    """Every word and number in a dictionary."""
+    if isinstance(said, dict):
+        return set().union(*map(leaves, said.values()))
+    if isinstance(said, (list, tuple)):
+        return set().union(*map(leaves, said))
+    return {said}
+
+
+@pytest.fixture(scope="module")
+def worn(own: dashpot.Campaign, tmp_path_factory: pytest.TempPathFactory) -> tuple[dashpot.Model, dashpot.Campaign]:
+    """A model of the good damper, and the records of one with more friction and a file that is none."""
+    folder = tmp_path_factory.mktemp("worn") / "campaign"
+    measure(damper(friction=80), folder, seed=2)
+    (folder / "notes.csv").write_text("what,when\nnothing,never\n")
+    return dashpot.fit(own, elements=["series_compliance", "coulomb_friction", "gas_preload"]), dashpot.Campaign.read(folder)
+
+
+def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: dashpot.Campaign, worn: tuple[dashpot.Model, dashpot.Campaign]) -> None:
+    pytest.importorskip("pandas")
+    model, campaign = worn
+    assert campaign.unusable
+    limits = [dashpot.Limit("force", 0.26, -math.inf, 1.0), dashpot.Limit("friction", None, 0.0, 500.0)]
+    validation = model.validate(campaign, limits=limits)
+    few = {"candidates": ["free_play", "moving_mass", "gas_spring"]}
+    alone = dashpot.diagnose(model, campaign, **few)  # type: ignore[arg-type]
+    compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[arg-type]
+    assert compared.changed and not compared.findings
+    certificate = validation.limits
+    results = [campaign, campaign[0], model, model.fit, validation, validation.matrix, validation.tests[0], certificate, alone, compared]
+    results += [*compared.changed, *compared.curve_moved, *alone.next_tests, *alone.regions, *alone.tree, campaign.sign]
+    for result in results:
+        assert result is not None
+        tables = result.tables()
+        in_tables = {value for table in tables.values() for column in table for value in leaves(list(table[column]))}
+        view = result._repr_html_()
+        for value in leaves(result.to_dict()):
+            if value is None or value != value:
+                continue
+            assert value in in_tables, (type(result), value)
+            if isinstance(value, str):
+                # Longer tables say how many rows more there are.
+                assert html.escape(value) in view or "more rows" in view, (type(result), value)
+    assert list(validation.tables()) == list(dict.fromkeys(validation.tables())) and len(validation.to_pandas()) == len(campaign)
+    # What the table of a result shows without a word more.
+    found = compared.to_pandas()
+    assert set(found["what"]) == {"changed"} | ({"curve moved"} if compared.curve_moved else set())
+    assert set(found["parameter"]) >= {c.parameter for c in compared.changed}
+    matrix = validation.matrix.to_pandas()
+    assert len(matrix) >= len(campaign) and set(matrix["by"]) >= {"amplitude", "peak velocity", "both"}
+    assert certificate is not None and "a25_v260" in leaves(list(certificate.to_pandas()["measured_tests"]))
+    assert "not kept" in validation._repr_html_()
+
+
+def test_an_effect_without_numbers_is_in_the_table() -> None:
+    pytest.importorskip("pandas")
+    evidence = dict.fromkeys(("share", "mean_square_before", "mean_square_after", "log_odds", "numbers", "implausibility", "tests_better"), 0.5)
+    words = dict.fromkeys(("effect", "form", "meaning", "path", "family"), "word")
+    finding = {**words, **dict.fromkeys(("confidence", "family_confidence", "share"), 0.9), "of_the_rig": True, "parameters": {}, "gap_closed": None}
+    empty: dict[str, Any] = dict.fromkeys(("where", "tree", "next_tests", "could_not_test", "shifts", "changed", "curve_moved", "notes", "tests", "rounds"), ())
+    off = {"rmse_n": 1.0, "error_percent": 1.0, "held_out_rmse_n": None, "noise_n": 1.0, "held_out_noise_n": None}
+    errors = dict.fromkeys(("mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"), 1.0)
+    whole = dict.fromkeys(("as_it_came", "refitted", "improved"), errors)
+    found = dashpot.Diagnosis.from_dict({
+        **empty, "verdict": "v", "summary": "s", "findings": [{**finding, "evidence": evidence, "rivals": []}], "before": off, "after": off,
+        "suspects": [{"effect": "another", "confidence": 0.3, "share": 0.1, "why": "because"}], "gap_closed": None, "unexplained_share": 0.1,
+        "corrections": {}, "over_whole_records": whole,
+    })  # fmt: skip
+    assert found.to_pandas()[["what", "effect"]].to_numpy().tolist() == [["effect", "word"], ["suspect", "another"]]
 
 
 def test_a_diagnosis_against_a_reference_says_what_changed(own: dashpot.Campaign, tmp_path: Path) -> None:

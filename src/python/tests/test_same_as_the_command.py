@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Command
+from fleets import damper, measure
 
 import dashpot
 from dashpot._arguments import as_arguments
@@ -49,6 +50,17 @@ def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.M
     assert found.improved.text == (command.folder / "improved.toml").read_text()
     curves = found.curves(found.tests[0].test)
     assert np.sqrt(np.mean((curves["measured"] - curves["before"]) ** 2)) == pytest.approx(found.tests[0].before_rmse_n, rel=1e-9)
+
+
+def test_diagnose_against_a_reference(command: Command) -> None:
+    measure(damper(), command.folder / "good", seed=1)
+    measure(damper(scale=1.2, friction=80), command.folder / "worn", seed=2)
+    command("fit", "good", "-o", "good.toml", "--elements", "series_compliance,coulomb_friction,gas_preload")
+    command("diagnose", "good.toml", "worn", "--reference", "good", "--json", "changed.json", "--candidates", "free_play")
+    good, worn = (dashpot.Campaign.read(command.folder / name) for name in ("good", "worn"))
+    found = dashpot.diagnose(dashpot.Model.read(command.folder / "good.toml"), worn, good, candidates="free_play")
+    assert found.changed and any(c.velocity_m_s is None for c in found.changed)
+    assert found.to_dict() == command.json("changed.json")
 
 
 @pytest.mark.parametrize("known", ["displacement", "velocity", "both"])

@@ -96,19 +96,32 @@ class Result:
             out[field.metadata.get("key", field.name)] = _plain(value)
         return out
 
-    def _rows(self) -> list[dict[str, Any]]:
+    def _rows(self) -> list[Row]:
         """The rows of the table that says most about this result."""
-        return [flat(self.to_dict())]
+        return [held(self)[0]]
 
     def _title(self) -> str:
         return type(self).__name__
 
+    def _tables(self) -> dict[str, list[Row]]:
+        own, several = held(self)
+        return {"": [own], **several} if own else several
+
     def to_pandas(self) -> pandas.DataFrame:
-        """As a table. Needs pandas."""
+        """The table that says most. Needs pandas; :meth:`tables` has everything."""
         return frame(self._rows())
 
+    def tables(self) -> dict[str, pandas.DataFrame]:
+        """Everything that this holds, as tables. Needs pandas.
+
+        The one called ``""`` has a single row, the figures of the whole; every other is called by what it lists, under the keys of
+        :meth:`to_dict`: ``changed``, ``tests.peaks``. Where the lists of many things stand in one table, the column ``of`` says whose a row is.
+        """
+        return {name: frame(rows) for name, rows in self._tables().items()}
+
     def _repr_html_(self) -> str:
-        return table(self._title(), self._rows())
+        several = {name: rows for name, rows in self._tables().items() if name}
+        return table(self._title(), self._rows()) + folded(several)
 
     def __repr__(self) -> str:
         """Short enough for a prompt: of many values it says how many there are; :meth:`to_dict` and :meth:`to_pandas` have all."""
@@ -128,15 +141,58 @@ def _brief(value: Any) -> str:
     return repr(value)
 
 
-def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Nested dictionaries as one, keys joined by dots; lists are left out."""
-    out: dict[str, Any] = {}
-    for key, value in data.items():
-        if isinstance(value, Mapping):
-            out.update(flat(value, f"{prefix}{key}."))
-        elif not isinstance(value, (list, tuple)):
-            out[f"{prefix}{key}"] = value
-    return out
+#: A row of a table: columns by name.
+Row = dict[str, Any]
+
+
+def _is_one(value: Any) -> bool:
+    """Whether a value is a thing with fields of its own, a row of a table."""
+    return isinstance(value, (Result, Mapping))
+
+
+def held(thing: Result | Mapping[str, Any]) -> tuple[Row, dict[str, list[Row]]]:
+    """Everything that a result holds: its own figures as one row, keys of nested things joined by dots and short lists of plain values as
+    they are, and the things that there may be many of as tables, by name."""
+    own: Row = {}
+    tables: dict[str, list[Row]] = {}
+    for key, value in _entries(thing):
+        if isinstance(value, Mapping) and value and all(map(_is_one, value.values())):
+            _list(tables, key, [({"name": name}, one) for name, one in value.items()])
+        elif _is_one(value):
+            inner, more = held(value)
+            own.update({f"{key}.{name}": one for name, one in inner.items()})
+            tables.update({f"{key}.{name}": rows for name, rows in more.items()})
+        elif isinstance(value, (tuple, list)) and value and all(map(_is_one, value)):
+            _list(tables, key, [({}, one) for one in value])
+        elif isinstance(value, (tuple, list)) and value and all(isinstance(part, (tuple, list)) and all(map(_is_one, part)) for part in value):
+            # Things in turns, such as the rounds of a search.
+            _list(tables, key, [({"turn": k + 1}, one) for k, part in enumerate(value) for one in part])
+        else:
+            own[key] = value
+    return own, tables
+
+
+def _entries(thing: Result | Mapping[str, Any]) -> Iterable[tuple[str, Any]]:
+    """What :meth:`Result.to_dict` has of a thing, with results as they are."""
+    if isinstance(thing, Mapping):
+        return thing.items()
+    fields = [(field, getattr(thing, field.name)) for field in dataclasses.fields(thing)]
+    return [
+        (field.metadata.get("key", field.name), value)
+        for field, value in fields
+        if not (field.metadata.get("hidden") or (value is None and field.metadata.get("omitted")))
+    ]
+
+
+def _list(tables: dict[str, list[Row]], key: str, things: Iterable[tuple[Row, Any]]) -> None:
+    """Things as rows of one table; what each lists itself in one table for all of them, with whose it is."""
+    for first, thing in things:
+        own, more = held(thing)
+        row = {**first, **own}
+        tables.setdefault(key, []).append(row)
+        whose = next((value for value in row.values() if isinstance(value, str)), None)
+        for name, rows in more.items():
+            tables.setdefault(f"{key}.{name}", []).extend({"of": whose, **inner} for inner in rows)
 
 
 def frame(rows: Sequence[Mapping[str, Any]] | Mapping[str, Any]) -> pandas.DataFrame:
@@ -155,10 +211,12 @@ def _shown(value: Any) -> str:
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:.5g}"
+    if isinstance(value, (tuple, list)):
+        return ", ".join(map(_shown, value)) or "–"
     return str(value)
 
 
-#: Rows that a notebook shows; the rest is in to_pandas().
+#: Rows that a notebook shows; the rest is in to_pandas() and tables().
 SHOWN = 60
 
 
@@ -178,3 +236,10 @@ def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = 
     said = "".join(f"<li>{html.escape(note)}</li>" for note in notes)
     listed = f"<ul>{said}</ul>" if said else ""
     return f"<h4>{html.escape(title)}</h4>{listed}<table><tr>{head}</tr>{''.join(lines)}</table>{more}"
+
+
+def folded(tables: Mapping[str, Sequence[Row]]) -> str:
+    """Tables that stand behind their names until these are clicked."""
+    return "".join(
+        f"<details><summary>{html.escape(name)} ({len(rows)})</summary>{table(name, rows)}</details>" for name, rows in tables.items() if rows
+    )

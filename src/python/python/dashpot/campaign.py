@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _native
 from ._numbers import real, words
-from ._result import Result, flat, frame, table
+from ._result import Result, Row, folded, frame, held, table
 from ._work import watched
 from .reading import Delay, Noise, Note, SignFinding, Unusable
 
@@ -95,10 +95,24 @@ class Record(Result):
             return (_plain_record, (self.to_dict(),))
         return (_record, self._native.state(self._index))
 
+    def _tables(self) -> dict[str, list[Row]]:
+        own, several = held(self)
+        channels = self._columns() if self._native is not None else {}
+        rows = [dict(zip(channels, row, strict=True)) for row in zip(*(c.tolist() for c in channels.values()), strict=True)]
+        return {"": [own], **several, **({"channels": rows} if rows else {})}
+
+    def _columns(self) -> dict[str, Channel]:
+        units = {"time": "s", "displacement": "m", "velocity": "m_s", "force": "N", "side_force": "N", "temperature": "C"}
+        return {f"{name}_{units[name]}": values for name, values in self._channels().items()}
+
     def to_pandas(self) -> pandas.DataFrame:
         """The channels as columns with their units."""
-        units = {"time": "s", "displacement": "m", "velocity": "m_s", "force": "N", "side_force": "N", "temperature": "C"}
-        return frame({f"{name}_{units[name]}": values for name, values in self._channels().items()})
+        return frame(self._columns())
+
+    def _repr_html_(self) -> str:
+        # The channels are too long to be read.
+        own, several = held(self)
+        return table(f"Test {self.name}", [own], [n.text for n in self.notes]) + folded(several)
 
 
 class Campaign(Sequence[Record]):
@@ -244,20 +258,32 @@ class Campaign(Sequence[Record]):
         copied: dict[str, Any] = json.loads(self._native.json())
         return copied
 
-    def _rows(self) -> list[dict[str, Any]]:
+    def _rows(self) -> list[Row]:
         rows = []
         for record in self._records:
-            row = flat({k: v for k, v in record.to_dict().items() if k not in ("notes", "cycles")})
+            row = held(record)[0]
             row["cycles"] = len(record.cycles)
+            row["notes"] = tuple(note.text for note in record.notes)
             rows.append(row)
         return rows
+
+    def _tables(self) -> dict[str, list[Row]]:
+        own, several = held({name: value for name, value in self.to_dict().items() if name != "records"})
+        return {"": [own], **several, **held({"records": self._records})[1]}
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row a test."""
         return frame(self._rows())
 
+    def tables(self) -> dict[str, pandas.DataFrame]:
+        """Everything that was found, as tables: what is of the whole under ``""``, and a table for everything that there may be many of."""
+        return {name: frame(rows) for name, rows in self._tables().items()}
+
     def _repr_html_(self) -> str:
-        return table(f"Campaign of {len(self)} tests", self._rows(), [n.text for n in self.notes])
+        said = [*(n.text for n in self.notes), *(u.why for u in self.unusable)]
+        said += [f"{record.name}: {note.text}" for record in self._records for note in record.notes]
+        shown = table(f"Campaign of {len(self)} tests", self._rows(), said)
+        return shown + folded({name or "figures": rows for name, rows in self._tables().items()})
 
     def __repr__(self) -> str:
         return f"<dashpot.Campaign of {len(self)} tests from {', '.join(self.paths)}>"

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ._result import Result
+from ._result import Result, Row
 
 
 @dataclass(frozen=True, repr=False)
@@ -89,18 +89,22 @@ class Certificate(Result):
         """A sentence for every limit that the damper misses or that was not tested."""
         return tuple(told for limit in self.limits if (told := limit.missed))
 
-    def _rows(self) -> list[dict[str, Any]]:
+    def _rows(self) -> list[Row]:
         return [
             {
                 "limit": c.name,
                 "quantity": c.quantity,
                 "velocity_m_s": c.velocity_m_s,
+                "amplitude_m": c.amplitude_m,
                 "low_n": c.low_n,
                 "high_n": c.high_n,
                 "measured_n": c.measured.value_n if c.measured else None,
                 "model_n": c.model.value_n if c.model else None,
                 "verdict": c.verdict,
                 "model_verdict": c.model_verdict,
+                "line": c.line,
+                "measured_tests": c.measured.tests if c.measured else (),
+                "model_tests": c.model.tests if c.model else (),
             }
             for c in self.limits
         ]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from ._result import Result, table
+from ._result import Result, Row, folded, table
 from .reading import Unusable
 from .validation import Deviation
 
@@ -148,7 +148,7 @@ class Change(Result):
     unit: str
     force_share: float
     #: Of a point of the FV curve (``fv_force``) its velocity, rebound positive.
-    velocity_m_s: float | None = None
+    velocity_m_s: float | None = field(default=None, metadata={"omitted": True})
 
     @property
     def name(self) -> str:
@@ -169,6 +169,11 @@ class CurveMoved(Result):
     low: float
     high: float
     speed_m_s: tuple[float, float]
+
+    @property
+    def unit(self) -> str:
+        """Unit of the value: N, or - of a share."""
+        return "N" if self.by == "dry_force" else "-"
 
 
 @dataclass(frozen=True, repr=False)
@@ -247,27 +252,28 @@ class Diagnosis(Result):
             raise ValueError("the curves are kept by diagnose() alone, not by a result made from a dictionary")
         return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
 
-    def _rows(self) -> list[dict[str, Any]]:
-        return [
-            {
-                "effect": f.effect,
-                "form": f.form,
-                "confidence": f.confidence,
-                "share": f.share,
-                "of the rig": f.of_the_rig,
-                "parameter": name,
-                "value": v.value,
-                "low": v.low,
-                "high": v.high,
-                "unit": v.unit,
-            }
-            for f in self.findings
-            for name, v in f.parameters.items()
-        ]
+    def _rows(self) -> list[Row]:
+        """Everything that has a name here: effects with their numbers, suspects, numbers of the model that are others than on the reference, and
+        how the FV curve moved as a whole; the first column says which of these a row is."""
+        rows: list[Row] = []
+        for found in self.findings:
+            of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "share": found.share}
+            of_it["of the rig"] = found.of_the_rig
+            numbers = [{"parameter": name, **number.to_dict()} for name, number in found.parameters.items()]
+            rows += [{**of_it, **number} for number in numbers or [{}]]
+        for suspect in self.suspects:
+            rows.append({"what": "suspect", **suspect.to_dict()})
+        for change in self.changed:
+            rows.append({"what": "changed", **change.to_dict()})
+        for moved in self.curve_moved:
+            low, high = moved.speed_m_s
+            said = f"fv_force, {moved.side}, {low:.3f} to {high:.3f} m/s"
+            rows.append({"what": "curve moved", "parameter": said, "value": moved.value, "low": moved.low, "high": moved.high, "unit": moved.unit})
+        return rows
 
     def _repr_html_(self) -> str:
         suspects = [f"Suspect, {s.effect}: {s.why}" for s in self.suspects]
-        tests = [t.text for t in self.next_tests]
-        changed = table("Numbers that are others than on the reference", [c.to_dict() for c in self.changed])
-        said = table(self.summary, self._rows(), [*suspects, *self.notes, *tests])
-        return said + (changed if self.changed else "")
+        left_out = [u.why for u in self.unusable]
+        seen = [self.as_the_fit_saw] if self.as_the_fit_saw else []
+        said = table(self.summary, self._rows(), [*suspects, *seen, *self.notes, *left_out, *(t.text for t in self.next_tests)])
+        return said + folded({name or "figures": rows for name, rows in self._tables().items()})

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
-from ._result import Result, table
+from ._result import Result, Row, folded, table
 from .reading import SignFinding, Unusable
 from .validation import Deviation
 
@@ -71,9 +70,12 @@ class FitResult(Result):
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
 
-    def _rows(self) -> list[dict[str, Any]]:
+    def _rows(self) -> list[Row]:
         return [p.to_dict() for p in self.parameters]
 
     def _repr_html_(self) -> str:
-        said = [f"{c.of}: {c.chosen} — {c.why}" for c in self.choices] + list(self.notes)
-        return table(f"Fit to {len(self.tests)} tests", self._rows(), said)
+        said = [f"{c.of}: {c.chosen} — {c.why}" for c in self.choices]
+        said += [f"{m.name} of the measurement: {m.value:.4g} {m.unit} ({m.low:.4g} to {m.high:.4g})" for m in self.measured]
+        said += [*self.notes, *(u.why for u in self.unusable)]
+        shown = table(f"Fit to {len(self.tests)} tests", self._rows(), said)
+        return shown + folded({name or "figures": rows for name, rows in self._tables().items() if name != "parameters"})

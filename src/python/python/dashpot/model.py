@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._result import Result, frame, table
+from ._result import Result, Row, folded, frame, held, table
 from ._numbers import column, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
@@ -71,6 +71,14 @@ class Response(Result):
     def to_pandas(self) -> pandas.DataFrame:
         """One row an instant."""
         return frame(self._columns())
+
+    def _tables(self) -> dict[str, list[Row]]:
+        columns = self._columns()
+        return {"": [dict(zip(columns, row, strict=True)) for row in zip(*(c.tolist() for c in columns.values()), strict=True)]}
+
+    def tables(self) -> dict[str, pandas.DataFrame]:
+        """The table of :meth:`to_pandas` alone."""
+        return {"": self.to_pandas()}
 
     def _repr_html_(self) -> str:
         row = {
@@ -304,9 +312,18 @@ class Model:
     def __hash__(self) -> int:
         return hash(self.text)
 
+    def _tables(self) -> dict[str, list[Row]]:
+        own, several = held(self._said())
+        return {"": [own], **several}
+
+    def tables(self) -> dict[str, pandas.DataFrame]:
+        """Everything that the model file says, as tables: what is of the whole under ``""``, and the parameters."""
+        return {name: frame(rows) for name, rows in self._tables().items()}
+
     def _repr_html_(self) -> str:
         rows = [{k: v for k, v in p.items() if k not in ("meaning", "source")} for p in self._said()["parameters"]]
-        return table(f"Damper: {', '.join(self.elements)}", rows, self.notes)
+        shown = table(f"Damper: {', '.join(self.elements)}", rows, self.notes)
+        return shown + folded({name or "fit": rows for name, rows in self._tables().items()})
 
     def __repr__(self) -> str:
         return f"<dashpot.Model of {', '.join(self.elements)}>"

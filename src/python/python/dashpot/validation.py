@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from ._result import Result, flat, table
+from ._result import Result, Row, folded, held, table
 from .certificate import Certificate
 from .reading import Unusable
 
@@ -129,6 +129,20 @@ class ErrorMatrix(Result):
     slow: MatrixRow | None
     not_periodic: MatrixRow | None
 
+    def _rows(self) -> list[Row]:
+        return _in_groups(self)
+
+
+def _in_groups(matrix: ErrorMatrix) -> list[Row]:
+    """The rows and cells of a matrix, with what they are grouped by."""
+    rows = [("amplitude", row) for row in matrix.by_amplitude] + [("peak velocity", row) for row in matrix.by_peak_velocity]
+    rows += [(name, row) for name, row in (("slow", matrix.slow), ("not periodic", matrix.not_periodic)) if row is not None]
+    cells: list[Row] = []
+    for cell in matrix.cells:
+        label = f"{matrix.by_amplitude[cell.amplitude_row].label}, {matrix.by_peak_velocity[cell.peak_velocity_row].label}"
+        cells.append({"by": "both", "label": label, **held(cell)[0]})
+    return [{"by": by, **held(row)[0]} for by, row in rows] + cells
+
 
 @dataclass(frozen=True, repr=False)
 class Validation(Result):
@@ -162,8 +176,8 @@ class Validation(Result):
         model, fv_only = self._forces[names.index(test)]
         return model.copy(), fv_only.copy()
 
-    def _rows(self) -> list[dict[str, Any]]:
-        return [flat({k: v for k, v in t.to_dict().items() if k != "hysteresis"}) for t in self.tests]
+    def _rows(self) -> list[Row]:
+        return [held(t)[0] for t in self.tests]
 
     def _repr_html_(self) -> str:
         row = {
@@ -184,4 +198,8 @@ class Validation(Result):
             }
             for t in self.tests
         ]
-        return table("Validation", [row]) + table("Tests", short)
+        said = [self.as_the_fit_saw] if self.as_the_fit_saw else []
+        shown = table("Validation", [row], [*said, *(u.why for u in self.unusable)]) + table("Tests", short)
+        if self.limits is not None:
+            shown += self.limits._repr_html_()
+        return shown + folded({name or "figures": rows for name, rows in self._tables().items() if not name.startswith("limits")})
