@@ -1,5 +1,6 @@
 """One damper from a model file, by ctypes: what the Python hosts beside this file share. Needs libdashpot.so or dashpot.dll alone."""
 import ctypes as c
+from typing import Any
 
 
 class Params(c.Structure):
@@ -34,7 +35,7 @@ class Fault(c.Structure):
 ABI_VERSION, KNOWS_DISPLACEMENT = 9, 1
 
 
-def aligned(kind):
+def aligned(kind: Any) -> Any:
     """A zeroed structure at an address divisible by 16, which Params and Model need and ctypes does not promise."""
     block = c.create_string_buffer(c.sizeof(kind) + 16)
     made = kind.from_buffer(block, -c.addressof(block) % 16)
@@ -45,7 +46,7 @@ def aligned(kind):
 class Damper:
     """Extension velocity and tension are positive; SI. `evaluate` is for hosts whose solver integrates the states, `step` for all others."""
 
-    def __init__(self, library, model_file, position=0.0):
+    def __init__(self, library: str, model_file: str, position: float = 0.0) -> None:
         self.library = c.CDLL(library)
         self.library.dashpot_status_text.restype = c.c_char_p
         if self.library.dashpot_abi_version() != ABI_VERSION:
@@ -60,16 +61,16 @@ class Damper:
         self.state, self.output = State(), Output()
         self.rest(position)
 
-    def check(self, status, before=""):
+    def check(self, status: int, before: str = "") -> None:
         if status < 0:
             raise ValueError(before + self.library.dashpot_status_text(c.c_int32(status)).decode())
 
-    def rest(self, position):
+    def rest(self, position: float) -> float:
         """At rest at a position (m); its static force."""
         self.check(self.library.dashpot_state_init(c.byref(self.model), c.c_double(position), c.byref(self.state)))
         return self.try_step(position, 0.0, 0.0)[0]
 
-    def try_step(self, displacement, velocity, dt):
+    def try_step(self, displacement: float, velocity: float, dt: float) -> tuple[float, State]:
         """Force and state at the end of a step of dt to this motion; the damper itself stays where it is."""
         motion = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0)
         reached = State()
@@ -77,12 +78,12 @@ class Damper:
             c.byref(self.model), c.byref(self.state), c.byref(motion), c.c_double(dt), c.byref(reached), c.byref(self.output)))
         return self.output.force, reached
 
-    def step(self, displacement, velocity, dt):
+    def step(self, displacement: float, velocity: float, dt: float) -> float:
         """The same, and the damper goes there."""
         force, self.state = self.try_step(displacement, velocity, dt)
         return force
 
-    def evaluate(self, state, displacement, velocity):
+    def evaluate(self, state: State, displacement: float, velocity: float) -> tuple[float, State]:
         """Force and the rates of all states at one instant."""
         motion, rate = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0), State()
         self.check(self.library.dashpot_evaluate(

@@ -57,5 +57,5 @@ def campaign(records: Path) -> dashpot.Campaign:
 
 
 @pytest.fixture(scope="session")
-def model(campaign: dashpot.Campaign) -> dashpot.Model:
+def model(campaign: dashpot.Campaign) -> dashpot.FittedModel:
     return dashpot.fit(campaign)

@@ -64,10 +64,12 @@ assert_type(campaign["a50"], dashpot.Record)
 assert_type(campaign[0:2], tuple[dashpot.Record, ...])
 model = dashpot.fit(campaign, hold_out="a40*")
 assert_type(model.validate(campaign).overall.error_percent, float)
+assert_type(model.fit.misfit, float)
+assert_type(dashpot.Model.read("damper.toml").fit, dashpot.FitResult | None)
 judged = model.validate(campaign, limits=dashpot.read_limits("limits.csv")).limits
-if judged is not None:
-    assert_type(judged.passed, bool)
-    assert_type(judged.limits[0].verdict, str)
+assert_type(judged.passed, bool)
+assert_type(judged.limits[0].verdict, str)
+assert_type(dashpot.diagnose(model, campaign).improved.validate(campaign).overall.error_percent, float)
 assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
 assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
@@ -105,7 +107,6 @@ def test_fit_finds_the_damper(own: dashpot.Campaign) -> None:
 def test_everything_is_a_dictionary_a_table_and_a_view(own: dashpot.Campaign) -> None:
     pandas = pytest.importorskip("pandas")
     model = dashpot.fit(own, family="fv")
-    assert model.fit is not None
     validation = model.validate(own)
     response = model.simulate([0, 0.1, 0.2], [0, 0.001, 0])
     for result in (own, own[0], model, model.fit, validation, response):
@@ -126,7 +127,7 @@ def leaves(said: Any) -> set[Any]:
 
 
 @pytest.fixture(scope="module")
-def worn(own: dashpot.Campaign, tmp_path_factory: pytest.TempPathFactory) -> tuple[dashpot.Model, dashpot.Campaign]:
+def worn(own: dashpot.Campaign, tmp_path_factory: pytest.TempPathFactory) -> tuple[dashpot.FittedModel, dashpot.Campaign]:
     """A model of the good damper, and the records of one with more friction and a file that is none."""
     folder = tmp_path_factory.mktemp("worn") / "campaign"
     measure(damper(friction=80), folder, seed=2)
@@ -134,7 +135,7 @@ def worn(own: dashpot.Campaign, tmp_path_factory: pytest.TempPathFactory) -> tup
     return dashpot.fit(own, elements=["series_compliance", "coulomb_friction", "gas_preload"]), dashpot.Campaign.read(folder)
 
 
-def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: dashpot.Campaign, worn: tuple[dashpot.Model, dashpot.Campaign]) -> None:
+def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: dashpot.Campaign, worn: tuple[dashpot.FittedModel, dashpot.Campaign]) -> None:
     pytest.importorskip("pandas")
     model, campaign = worn
     assert campaign.unusable
@@ -145,6 +146,7 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[arg-type]
     assert compared.changed and not compared.findings
     certificate = validation.limits
+    assert dashpot.JudgedValidation.from_dict(validation.to_dict()) == validation
     results = [campaign, campaign[0], model, model.fit, validation, validation.matrix, validation.tests[0], certificate, alone, compared]
     results += [*compared.changed, *compared.curve_moved, *alone.next_tests, *alone.regions, *alone.tree, campaign.sign]
     for result in results:
@@ -166,7 +168,7 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     assert set(found["parameter"]) >= {c.parameter for c in compared.changed}
     matrix = validation.matrix.to_pandas()
     assert len(matrix) >= len(campaign) and set(matrix["by"]) >= {"amplitude", "peak velocity", "both"}
-    assert certificate is not None and "a25_v260" in leaves(list(certificate.to_pandas()["measured_tests"]))
+    assert "a25_v260" in leaves(list(certificate.to_pandas()["measured_tests"]))
     assert "not kept" in validation._repr_html_()
 
 
@@ -184,6 +186,8 @@ def test_an_effect_without_numbers_is_in_the_table() -> None:
         "suspects": [{"effect": "another", "confidence": 0.3, "share": 0.1, "why": "because"}], "gap_closed": None, "unexplained_share": 0.1,
         "corrections": {}, "over_whole_records": whole,
     })  # fmt: skip
+    with pytest.raises(ValueError, match="kept by diagnose"):
+        _ = found.improved
     assert found.to_pandas()[["what", "effect"]].to_numpy().tolist() == [["effect", "word"], ["suspect", "another"]]
 
 

@@ -15,17 +15,16 @@ import dashpot
 from dashpot._arguments import as_arguments
 
 
-def test_fit(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+def test_fit(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     command("fit", "records", "-o", "damper.toml", "--json", "fit.json")
     assert model.text == (command.folder / "damper.toml").read_text()
     said = command.json("fit.json")
     del said["model"]
-    assert model.fit is not None
     assert model.fit.to_dict() == said
     assert len(model.fit.parameters) > 10
 
 
-def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     model.write(command.folder / "validated.toml")
     command("validate", "validated.toml", "records", "--json", "errors.json")
     validation = model.validate(campaign)
@@ -39,14 +38,13 @@ def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.M
     assert np.abs(fv_only - measured).mean() == pytest.approx(test.fv_only.mean_error_n, rel=1e-12)
 
 
-def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     few = ["free_play", "moving_mass"]
     model.write(command.folder / "diagnosed.toml")
     command("diagnose", "diagnosed.toml", "records", "--json", "diagnosis.json", "-o", "improved.toml",
             "--candidates", ",".join(few), "--max-effects", "1")  # fmt: skip
     found = dashpot.diagnose(model, campaign, candidates=few, max_effects=1)
     assert found.to_dict() == command.json("diagnosis.json")
-    assert found.improved is not None
     assert found.improved.text == (command.folder / "improved.toml").read_text()
     curves = found.curves(found.tests[0].test)
     assert np.sqrt(np.mean((curves["measured"] - curves["before"]) ** 2)) == pytest.approx(found.tests[0].before_rmse_n, rel=1e-9)
@@ -64,7 +62,7 @@ def test_diagnose_against_a_reference(command: Command) -> None:
 
 
 @pytest.mark.parametrize("known", ["displacement", "velocity", "both"])
-def test_simulate(command: Command, model: dashpot.Model, known: str) -> None:
+def test_simulate(command: Command, model: dashpot.FittedModel, known: str) -> None:
     t = np.linspace(0, 1, 501)
     motion = {"displacement": 0.02 * np.sin(9 * t), "velocity": 0.18 * np.cos(9 * t)}
     if known != "both":
@@ -81,7 +79,7 @@ def test_simulate(command: Command, model: dashpot.Model, known: str) -> None:
     assert np.array_equal(np.column_stack([response.time, response.displacement, response.velocity, response.force]), written)
 
 
-def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     (command.folder / "bad.csv").write_text("time_s,force_N\n0,1\nx,2\n")
     (command.folder / "bad.toml").write_text("format = 1\nelements = []\nseries_stifness = 1e6\n")
     bad_records, bad_model = command.folder / "bad.csv", command.folder / "bad.toml"
@@ -155,14 +153,13 @@ def test_records_in_subfolders_are_read_as_the_command_reads_them(command: Comma
     assert dashpot.fit(read, family="fv").text == (command.folder / "deep.toml").read_text()
 
 
-def test_results_survive_a_dictionary(campaign: dashpot.Campaign, model: dashpot.Model) -> None:
-    assert model.fit is not None
+def test_results_survive_a_dictionary(campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     assert dashpot.FitResult.from_dict(json.loads(json.dumps(model.fit.to_dict()))) == model.fit
     validation = model.validate(campaign)
     assert dashpot.Validation.from_dict(validation.to_dict()) == validation
 
 
-def test_a_fleet_judges_limits_as_the_command_does(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.Model) -> None:
+def test_a_fleet_judges_limits_as_the_command_does(command: Command, records: Path, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     pytest.importorskip("pyarrow")
     from dashpot.fleet import Job
     from dashpot.fleet.examine import Plan, examine

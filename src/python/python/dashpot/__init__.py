@@ -37,9 +37,9 @@ from .campaign import Campaign, Record
 from .damper import Damper
 from .identification import diagnose, fit
 from .limits import Limit, read_limits
-from .model import Model, Parameter, Response
+from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual
-from .results import Certificate, Diagnosis, FitResult, Validation
+from .results import Certificate, Diagnosis, FitResult, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -54,6 +54,8 @@ __all__ = [
     "ExportError",
     "FitError",
     "FitResult",
+    "FittedModel",
+    "JudgedValidation",
     "Limit",
     "Model",
     "ModelError",

@@ -237,11 +237,20 @@ class Diagnosis(Result):
     """What the model's own fit found its records to be off by, and whether it was taken out of these."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
-    improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
-    """The model with the named effects added; what is of the rig is not put into it."""
+    _improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
         default=None, metadata={"hidden": True}, compare=False, repr=False
     )
+
+    @property
+    def improved(self) -> Model:
+        """The model with the named effects added; what is of the rig is not put into it.
+
+        :raises ValueError: of a result that was made from a dictionary, which holds no model.
+        """
+        if self._improved is None:
+            raise ValueError("the improved model is kept by diagnose() alone, not by a result made from a dictionary")
+        return self._improved
 
     def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
         """Mean cycle of one test: displacement, velocity, measured force, force before and after."""

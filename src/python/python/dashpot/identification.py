@@ -10,7 +10,7 @@ from . import _native
 from ._numbers import words
 from ._work import watched
 from .campaign import Progress, Record, native_of
-from .model import Model
+from .model import FittedModel, Model
 from .diagnosis import Diagnosis
 from .fitted import FitResult
 
@@ -22,7 +22,7 @@ def fit(
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = (),
     progress: Progress | None = None,
-) -> Model:
+) -> FittedModel:
     """Identifies a damper from records; as ``dashpot fit``.
 
     FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
@@ -38,7 +38,7 @@ def fit(
     wanted = None if elements is None else words(elements)
     with watched(progress) as told:
         text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
-    return Model(text, "damper.toml", fit=FitResult.from_dict(json.loads(said)))
+    return FittedModel(text, "damper.toml", FitResult.from_dict(json.loads(said)))
 
 
 def diagnose(
@@ -71,4 +71,4 @@ def diagnose(
             model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
         )
     found = Diagnosis.from_dict(json.loads(said))
-    return replace(found, improved=Model(improved, "improved.toml"), _curves=tuple(curves))
+    return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves))

@@ -7,7 +7,7 @@ import json
 import os
 from collections.abc import Iterator, KeysView, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +19,7 @@ from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .limits import Limit, rows
 from .fitted import FitResult
-from .validation import Validation
+from .validation import JudgedValidation, Validation
 
 if TYPE_CHECKING:
     import pandas
@@ -101,15 +101,13 @@ class Model:
     SI units; extension (rebound) velocity and tension force are positive.
     """
 
-    def __init__(self, text: str, name: Path = "model", *, fit: FitResult | None = None) -> None:
+    def __init__(self, text: str, name: Path = "model") -> None:
         if not isinstance(text, str):
             raise TypeError(f"text is the text of a model file, not a {type(text).__name__}; dashpot.Model.read(path) reads one")
         if "\n" not in text and text.endswith(".toml"):
             raise _native.ModelError(f"{text!r} is no text of a model file; dashpot.Model.read({text!r}) reads one by its path")
         self._native = _native.Model.parse(text, os.fspath(name))
         self._name = os.fspath(name)
-        self.fit: FitResult | None = fit
-        """What the fit said, where this model comes from one in this process."""
 
     @classmethod
     def read(cls, path: Path) -> Model:
@@ -131,6 +129,11 @@ class Model:
     def text(self) -> str:
         """The model file: flat ``name = value`` text with units, intervals and sources as comments."""
         return self._native.text
+
+    @property
+    def fit(self) -> FitResult | None:
+        """What the fit said, where this model comes from one in this process: of a :class:`FittedModel` always."""
+        return None
 
     def _said(self) -> dict[str, Any]:
         said: dict[str, Any] = json.loads(self._native.json())
@@ -189,6 +192,10 @@ class Model:
         with watched() as told:
             return self._native.steady_force(velocities, told)
 
+    @overload
+    def validate(self, campaign: Sequence[Record], *, limits: None = None, progress: Progress | None = None) -> Validation: ...
+    @overload
+    def validate(self, campaign: Sequence[Record], *, limits: Sequence[Limit], progress: Progress | None = None) -> JudgedValidation: ...
     def validate(
         self, campaign: Sequence[Record], *, limits: Sequence[Limit] | None = None, progress: Progress | None = None
     ) -> Validation:
@@ -207,8 +214,9 @@ class Model:
         windows = None if limits is None else rows(limits)
         with watched(progress) as told:
             said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told, windows)
+        kind = Validation if limits is None else JudgedValidation
         return replace(
-            Validation.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
+            kind.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         )
 
     def simulate(
@@ -304,7 +312,7 @@ class Model:
         return frame(self._said()["parameters"])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (self.text, self._name, self.fit))
+        return (Model, (self.text, self._name))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and other.text == self.text
@@ -329,5 +337,17 @@ class Model:
         return f"<dashpot.Model of {', '.join(self.elements)}>"
 
 
-def _again(text: str, name: str, fit: FitResult | None) -> Model:
-    return Model(text, name, fit=fit)
+class FittedModel(Model):
+    """A model that comes from :func:`dashpot.fit`, with what the fit said of it."""
+
+    def __init__(self, text: str, name: Path, fit: FitResult) -> None:
+        super().__init__(text, name)
+        self._fit = fit
+
+    @property
+    def fit(self) -> FitResult:
+        """What the fit said: estimates with their 95 % intervals, choices, what the records are off by."""
+        return self._fit
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (FittedModel, (self.text, self._name, self._fit))

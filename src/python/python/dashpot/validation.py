@@ -203,3 +203,11 @@ class Validation(Result):
         if self.limits is not None:
             shown += self.limits._repr_html_()
         return shown + folded({name or "figures": rows for name, rows in self._tables().items() if not name.startswith("limits")})
+
+
+@dataclass(frozen=True, repr=False)
+class JudgedValidation(Validation):
+    """A validation against limits, with the verdict on them."""
+
+    limits: Certificate
+    """Which limits the damper keeps, and which the model does."""

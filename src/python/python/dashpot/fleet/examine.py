@@ -121,7 +121,6 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     campaign = Campaign.read(job.campaign, **plan.mapping)
     model = fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
     validation = model.validate(campaign)
-    assert model.fit is not None
     measured = None
     if plan.limits:
         # The records as they were compared, which are those that the command judges.
