@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any
 import pytest
 
 import dashpot
+from dashpot._arguments import loads
 
 #: The command of the same sources; tests that compare with it are skipped where it is not named.
 COMMAND = os.environ.get("DASHPOT_COMMAND")
@@ -33,7 +33,8 @@ class Command:
         return subprocess.run([COMMAND, *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
 
     def json(self, name: str) -> Any:
-        return json.loads((self.folder / name).read_text())
+        """What it wrote, with arguments where its sentences name options."""
+        return loads((self.folder / name).read_text())
 
 
 @pytest.fixture(scope="session")

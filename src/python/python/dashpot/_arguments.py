@@ -1,8 +1,13 @@
-"""Options of the command in the sentences of the compiled part, as the arguments of this package that do the same."""
+"""Options of the command in the sentences of the compiled part, as the arguments of this package that do the same.
+
+Exceptions come here from the compiled part, and everything that it says as JSON (notes, reasons, advice) through :func:`loads`.
+"""
 
 from __future__ import annotations
 
+import json
 import re
+from typing import Any
 
 #: Options without a value that a sentence need name, and the arguments in their place.
 _NAMES = {
@@ -26,6 +31,7 @@ _NAMES = {
     "force-scale": "force_scale",
     "position-offset": "position_offset",
     "from-source": "library",
+    "against": "against",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
 #: What an option of a few words may be given.
@@ -36,6 +42,8 @@ _WORDS = {
     "dates": "day-first|month-first",
     "model": "thesis|fv|piecewise|lag",
 }
+#: Options that take a number.
+_MEASURED = ("sample-rate", "delay", "rig-mass", "initial-position", "position-offset", "motion-scale", "force-scale")
 #: A channel with its unit or heading.
 _PAIR = r"(\w+)=(\"[^\"]*\"|[^\s,;()]*[^\s,;().]|\.\.\.)"
 #: A whole command stays one: it is what the sentence says to run.
@@ -43,7 +51,8 @@ _OPTION = re.compile(
     r"(?P<command>dashpot [a-z]+(?:-[a-z]+)*(?: [A-Z]+)? --[a-z-]+(?: [a-z_]+=\S+| [a-z]+)?)"
     rf"|(?<![\w-])--(?P<pair>unit|column) {_PAIR}(?: --(?P=pair) {_PAIR})*"
     + "".join(rf"|(?<![\w-])--{name} (?P<{name}>{words})\b" for name, words in _WORDS.items())
-    + r"|(?<![\w-])--sample-rate (?P<rate>[\d.]+)"
+    # A number is no part of an option that takes none.
+    + rf"|(?<![\w-])--(?P<measured>{'|'.join(_MEASURED)})[ =](?P<number>-?\d[\d.]*(?:e-?\d+)?(?<!\.))"
     + rf"|(?<![\w-])--(?P<bare>{'|'.join(sorted(_NAMES, key=len, reverse=True))})(?![\w-])"
 )
 
@@ -61,11 +70,32 @@ def as_arguments(sentence: str) -> str:
                 for channel, value in re.findall(_PAIR, found[0])
             )
             return f"{_NAMES[found['pair']]}={{{', '.join(entries)}}}"
-        if found["rate"]:
-            return f"sample_rate_hz={found['rate']}"
+        if found["measured"]:
+            return f"{_NAMES[found['measured']]}={found['number']}"
         for name in _WORDS:
             if found[name]:
                 return f'{_NAMES[name]}="{found[name]}"'
         return _NAMES[found["bare"]]
 
-    return _OPTION.sub(said, sentence)
+    out, end, follows = "", 0, False
+    for found in _OPTION.finditer(sentence):
+        between = sentence[end : found.start()]
+        # Options stand beside each other, arguments have a comma between them.
+        out += (", " if follows and between == " " else between) + said(found)
+        end, follows = found.end(), not found["command"]
+    return out + sentence[end:]
+
+
+def loads(said: str) -> Any:
+    """What the compiled part says as JSON, its sentences in the words of this package."""
+    return _spoken(json.loads(said)) if "--" in said else json.loads(said)
+
+
+def _spoken(value: Any) -> Any:
+    if isinstance(value, str):
+        return as_arguments(value) if "--" in value else value
+    if isinstance(value, list):
+        return [_spoken(v) for v in value]
+    if isinstance(value, dict):
+        return {k: _spoken(v) for k, v in value.items()}
+    return value

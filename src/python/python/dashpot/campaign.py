@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _native
+from ._arguments import loads
 from ._numbers import real, words
 from ._result import Result, Row, folded, frame, held, table
 from ._work import watched
@@ -125,7 +126,7 @@ class Campaign(Sequence[Record]):
         self._native = native
         self.paths: tuple[str, ...] = tuple(paths)
         """The paths that were read."""
-        said: dict[str, Any] = json.loads(native.json())
+        said: dict[str, Any] = loads(native.json())
         self.sign: SignFinding = SignFinding.from_dict(said["sign"])
         """Which direction the files count positive, and how sure that is."""
         self.delay: Delay | None = Delay.from_dict(said["delay"]) if said["delay"] else None
@@ -255,7 +256,7 @@ class Campaign(Sequence[Record]):
 
     def to_dict(self) -> dict[str, Any]:
         """What was found, without the channels."""
-        copied: dict[str, Any] = json.loads(self._native.json())
+        copied: dict[str, Any] = loads(self._native.json())
         return copied
 
     def _rows(self) -> list[Row]:

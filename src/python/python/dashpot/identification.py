@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import replace
 
 from . import _native
+from ._arguments import loads
 from ._numbers import words
 from ._work import watched
 from .campaign import Progress, Record, native_of
@@ -38,7 +38,7 @@ def fit(
     wanted = None if elements is None else words(elements)
     with watched(progress) as told:
         text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
-    return FittedModel(text, "damper.toml", FitResult.from_dict(json.loads(said)))
+    return FittedModel(text, "damper.toml", FitResult.from_dict(loads(said)))
 
 
 def diagnose(
@@ -70,5 +70,5 @@ def diagnose(
         said, improved, curves = _native.diagnose(
             model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
         )
-    found = Diagnosis.from_dict(json.loads(said))
+    found = Diagnosis.from_dict(loads(said))
     return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import json
 import os
 from collections.abc import Iterator, KeysView, Sequence
 from dataclasses import dataclass, field
@@ -13,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._arguments import loads
 from ._result import Result, Row, folded, frame, held, table
 from ._numbers import column, real, several
 from ._work import watched
@@ -136,7 +136,7 @@ class Model:
         return None
 
     def _said(self) -> dict[str, Any]:
-        said: dict[str, Any] = json.loads(self._native.json())
+        said: dict[str, Any] = loads(self._native.json())
         return said
 
     @property
@@ -216,7 +216,7 @@ class Model:
             said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told, windows)
         kind = Validation if limits is None else JudgedValidation
         return replace(
-            kind.from_dict(json.loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
+            kind.from_dict(loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         )
 
     def simulate(
