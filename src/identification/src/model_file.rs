@@ -7,7 +7,7 @@ use super::short::short;
 use crate::phrases;
 use crate::{Choice, Estimate, Fit, Measured, Standing, off};
 use dashpot_core::parameter::GROUPS;
-use dashpot_core::parameter::{self, Element, List, Row, Shape};
+use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_records::sentence::Sentence;
@@ -261,6 +261,48 @@ pub fn idle(given: &[usize], params: &Params) -> Vec<Sentence> {
             Sentence::from(phrases::IDLE).with("element", element).with_names("names", rows, phrases::COMMA)
         })
         .collect()
+}
+
+/// The parameters that say something of a damper: those where another value would make another damper. Numbers of elements that are off are none,
+/// nor are those of a form that was not chosen (the knees beside an FV table); settings count where they are not at their default, as a file gives them.
+pub fn in_use(params: &Params) -> Vec<Row> {
+    let now = made(params);
+    let says = |row: &Row| match row.element() {
+        None => params.get(row) != row.parameter.default,
+        Some(element) => {
+            params.is_on(element) && !params.get(row).is_empty() && others(row, params).any(|other| made(&other) != now)
+        }
+    };
+    parameter::table().filter(says).collect()
+}
+
+/// Everything that a damper was made of; nothing where it makes none, which is another damper too.
+fn made(params: &Params) -> Option<String> {
+    Model::new(params).ok().map(|model| format!("{model:?}"))
+}
+
+/// The same parameters with other values of one: each word of a choice; of a number a little more, a little less and both bounds, of a list a little
+/// more, so that one of them is another damper wherever the value counts and is not rounded away.
+fn others<'a>(row: &'a Row, params: &'a Params) -> impl Iterator<Item = Params> + 'a {
+    let p = row.parameter;
+    let list = |values: Vec<f64>| {
+        let mut other = *params;
+        List::try_from(*row).ok().and_then(|list| other.set_list(list, &values).ok()).map(|()| other)
+    };
+    let number = |value: f64| {
+        let mut other = *params;
+        Number::try_from(*row).ok().and_then(|number| other.set(number, value).ok()).map(|()| other)
+    };
+    let values = params.get(row);
+    let others: Vec<Option<Params>> = match p.shape {
+        Shape::List(_) => vec![list(values.iter().map(|value| 1.01 * value).collect())],
+        Shape::Choice(words) => (0..words.len()).map(|word| number(word as f64)).collect(),
+        Shape::Scalar => {
+            let near = [1.01 * values[0], 0.99 * values[0]].map(|value| value.clamp(p.low, p.high));
+            near.into_iter().chain([p.low, p.high]).map(number).collect()
+        }
+    };
+    others.into_iter().flatten()
 }
 
 /// Reads a model file and checks that it makes a model.
@@ -568,6 +610,28 @@ mod tests {
             of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
             Vec::<String>::new()
         );
+    }
+
+    #[test]
+    fn a_number_of_another_form_is_not_in_use() {
+        let names = |text: &str| -> Vec<&str> {
+            let file = of_text(&format!("format = 1\n{text}"), Path::new("m.toml")).unwrap();
+            in_use(&file.params).iter().map(|row| row.parameter.name).collect()
+        };
+        let table = names("elements = [\"fv_curve\", \"parallel_spring\"]\ngas_force = 150\n");
+        let spring = ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"];
+        assert_eq!(table, [&["fv_form", "fv_interpolation", "fv_velocity", "fv_force"][..], &spring[..]].concat());
+        let knees = names("elements = [\"fv_curve\"]\nfv_form = \"piecewise\"\nsubsteps = 4\n");
+        assert!(knees.contains(&"fv_rebound_v2") && knees.contains(&"substeps"), "{knees:?}");
+        assert!(!knees.contains(&"fv_force") && !knees.contains(&"method"), "{knees:?}");
+        // Whatever an element is, switched on by itself it has numbers that count.
+        for element in Element::all() {
+            let mut params = Params::new();
+            params.enable(element, true);
+            if Model::new(&params).is_ok() {
+                assert!(in_use(&params).iter().any(|row| row.element() == Some(element)), "{}", element.name());
+            }
+        }
     }
 
     #[test]

@@ -13,6 +13,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// A damper: the text of its model file, and what it says.
 #[pyclass(frozen, module = "dashpot._native")]
@@ -22,9 +23,11 @@ pub struct Model {
     /// The damper made ready to run.
     pub prepared: Box<dashpot_core::Model>,
     text: String,
+    /// The parameters in use, found when they are asked for first: that takes some thousands of times a step.
+    in_use: OnceLock<Vec<parameter::Row>>,
 }
 
-/// One parameter of an element that is on.
+/// One parameter that is in use.
 #[derive(Serialize)]
 struct ParameterJson<'a> {
     name: &'a str,
@@ -66,7 +69,7 @@ impl Model {
     pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
         let file = model_file::of_text(&text, name).map_err(raise::<ModelError>)?;
         let prepared = model_file::prepared(&file.params).map_err(raise::<ModelError>)?;
-        Ok(Model { file, prepared: Box::new(prepared), text })
+        Ok(Model { file, prepared: Box::new(prepared), text, in_use: OnceLock::new() })
     }
 }
 
@@ -118,8 +121,7 @@ impl Model {
             }
         };
         let is_on = |element: &Element| self.file.params.is_on(*element);
-        let rows: Vec<parameter::Row> =
-            parameter::table().filter(|r| r.element().as_ref().is_some_and(is_on)).collect();
+        let rows = self.in_use.get_or_init(|| model_file::in_use(&self.file.params));
         let said = ModelJson {
             elements: Element::all().filter(is_on).map(Element::name).collect(),
             parameters: rows.iter().map(row).collect(),

@@ -237,6 +237,24 @@ def test_a_model_file_is_written_as_it_was_read(own: dashpot.Campaign, tmp_path:
 def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
     """Another thread of Python goes on while a fit runs."""
     ticks, gaps, stop = 0, [0.0], threading.Event()
+def test_a_model_lists_the_numbers_that_are_in_use() -> None:
+    table = ["fv_form", "fv_interpolation", "fv_velocity", "fv_force"]
+    spring = ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"]
+    text = damper().text.replace('"gas_preload"', '"parallel_spring"') + "substeps = 4\n"
+    model = dashpot.Model(text)
+    listed = list(model)
+    assert [name for name in listed if name.startswith(("fv_", "spring_"))] == table + spring
+    assert "substeps" in model and model["substeps"] == 4 and "gas_force" not in model
+    # That the file gives a number of an element that is off is told.
+    assert any("gas_force" in note and "off" in note for note in model.notes)
+    with pytest.raises(KeyError, match="no parameter 'fv_rebound_c1' in use here"):
+        model["fv_rebound_c1"]
+    assert dict(model) == {name: parameter.value for name, parameter in model.parameters.items()}
+    assert set(model.to_pandas()["name"]) == set(listed)
+    knees = dashpot.Model('format = 1\nelements = ["fv_curve"]\nfv_form = "piecewise"\n')
+    assert {"fv_rebound_c1", "fv_compression_v1"} < set(knees) and "fv_force" not in knees
+
+
 
     def tick() -> None:
         nonlocal ticks

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Parameter(Result):
-    """One parameter of an element that is on, with its 95 % interval where a fit left one."""
+    """One parameter that is in use, with its 95 % interval where a fit left one."""
 
     name: str
     element: str
@@ -146,7 +146,11 @@ class Model:
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """Parameters of the elements that are on, by name."""
+        """Parameters that are in use, by name: where another value would be another damper.
+
+        Of elements that are off there are none, nor numbers of a form that was not chosen, such as the knees beside an FV table. Settings
+        such as ``substeps`` are among them where they are not at their default, as in the model file.
+        """
         return {p["name"]: Parameter.from_dict(p) for p in self._said()["parameters"]}
 
     @property
@@ -165,7 +169,7 @@ class Model:
         return self._native.velocity_range()
 
     def keys(self) -> KeysView[str]:
-        """Names of the parameters of the elements that are on; with it ``dict(model)`` is their values by name."""
+        """Names of the :attr:`parameters` that are in use; with it ``dict(model)`` is their values by name."""
         return self.parameters.keys()
 
     def __iter__(self) -> Iterator[str]:
@@ -178,13 +182,13 @@ class Model:
         return name in self.keys()
 
     def __getitem__(self, name: str) -> Any:
-        """The value of a parameter of an element that is on."""
+        """The value of a parameter that is in use."""
         parameters = self.parameters
         if name in parameters:
             return parameters[name].value
         near = difflib.get_close_matches(str(name), parameters, 1)
         hint = f"did you mean {near[0]!r}?" if near else f"there are {several(list(parameters))}"
-        raise KeyError(f"there is no parameter {name!r} of an element that is on; {hint}")
+        raise KeyError(f"there is no parameter {name!r} in use here; {hint}")
 
     def steady_force(self, velocity: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
