@@ -7,6 +7,7 @@ use crate::model::Model;
 use crate::work;
 use dashpot_identification::limits::judge;
 use dashpot_records::Record;
+use dashpot_simulation::against::{self as rivals, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison::compare;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -16,16 +17,19 @@ type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// Compares a model with records, beside the plain FV curve; returns what `dashpot validate --json` writes, the simulated forces of every test,
 /// and the records as they were compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged
-/// as `dashpot validate --limits` does.
+/// as `dashpot validate --limits` does; models of the literature, where some are named, stand beside it as `dashpot validate --against` puts them.
+/// What is to be told of these comes last.
 #[pyfunction]
-#[pyo3(signature = (model, campaign, progress=None, limits=None))]
+#[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(
     py: Python<'py>,
     model: &Model,
     campaign: &Campaign,
     progress: Option<Py<PyAny>>,
     limits: Option<Vec<limits::Row>>,
-) -> PyResult<(String, Vec<Forces<'py>>, Campaign)> {
+    against: Vec<String>,
+) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Option<&'static str>)> {
+    rivals::named(&against).map_err(raise::<ValidationError>)?;
     let windows = limits.map(limits::of_rows).transpose()?;
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
@@ -42,11 +46,17 @@ pub fn validate<'py>(
             let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
             judge(&windows, &records, Some(&forces))
         });
+        let mut told = None;
+        if !against.is_empty() {
+            let found = Rivals::of(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
+            found.put_into(&mut validation, &compared);
+            told = found.fitted_to_all.then_some(FITTED_TO_ALL);
+        }
         let json = serde_json::to_string(&validation)?;
         let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
-        Ok((json, forces, read))
+        Ok((json, forces, read, told))
     })?;
-    let (json, forces, read) = done.map_err(raise::<ValidationError>)?;
+    let (json, forces, read, told) = done.map_err(raise::<ValidationError>)?;
     let arrays = |(model, fv_only)| (PyArray1::from_vec(py, model), PyArray1::from_vec(py, fv_only));
-    Ok((json, forces.into_iter().map(arrays).collect(), Campaign { read }))
+    Ok((json, forces.into_iter().map(arrays).collect(), Campaign { read }, told))
 }

@@ -71,6 +71,7 @@ assert_type(judged.passed, bool)
 assert_type(judged.limits[0].verdict, str)
 assert_type(dashpot.diagnose(model, campaign).improved.validate(campaign).overall.error_percent, float)
 assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
+assert_type(model.validate(campaign, against=["fv", Path("dahl.toml")]).against[0].model, str)
 assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
 assert_type(dashpot.Damper(model).step(0.1, 1e-3), float)
@@ -141,13 +142,14 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     assert campaign.unusable
     limits = [dashpot.Limit("force", 0.26, -math.inf, 1.0), dashpot.Limit("friction", None, 0.0, 500.0)]
     validation = model.validate(campaign, limits=limits)
+    rivalled = model.validate(own, against=["fv", "dahl"])
     few = {"candidates": ["free_play", "moving_mass", "gas_spring"]}
     alone = dashpot.diagnose(model, campaign, **few)  # type: ignore[arg-type]
     compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[arg-type]
     assert compared.changed and not compared.findings
     certificate = validation.limits
     assert dashpot.JudgedValidation.from_dict(validation.to_dict()) == validation
-    results = [campaign, campaign[0], model, model.fit, validation, validation.matrix, validation.tests[0], certificate, alone, compared]
+    results = [campaign, campaign[0], model, model.fit, validation, rivalled, validation.matrix, validation.tests[0], certificate, alone, compared]
     results += [*compared.changed, *compared.curve_moved, *alone.next_tests, *alone.regions, *alone.tree, campaign.sign]
     for result in results:
         assert result is not None
@@ -169,7 +171,8 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     matrix = validation.matrix.to_pandas()
     assert len(matrix) >= len(campaign) and set(matrix["by"]) >= {"amplitude", "peak velocity", "both"}
     assert "a25_v260" in leaves(list(certificate.to_pandas()["measured_tests"]))
-    assert "not kept" in validation._repr_html_()
+    assert "not kept" in validation._repr_html_() and "Beside models of the literature" in rivalled._repr_html_()
+    assert list(rivalled.tables()["against"]["model"])[1:] == ["fv", "dahl"] and "of" in rivalled.tables()["against.tests"]
 
 
 def test_an_effect_without_numbers_is_in_the_table() -> None:
@@ -234,9 +237,6 @@ def test_a_model_file_is_written_as_it_was_read(own: dashpot.Campaign, tmp_path:
         model.write(tmp_path / "nowhere" / "a.toml")
 
 
-def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
-    """Another thread of Python goes on while a fit runs."""
-    ticks, gaps, stop = 0, [0.0], threading.Event()
 def test_a_model_lists_the_numbers_that_are_in_use() -> None:
     table = ["fv_form", "fv_interpolation", "fv_velocity", "fv_force"]
     spring = ["spring_linear", "spring_quadratic", "spring_cubic", "spring_quartic"]
@@ -255,6 +255,9 @@ def test_a_model_lists_the_numbers_that_are_in_use() -> None:
     assert {"fv_rebound_c1", "fv_compression_v1"} < set(knees) and "fv_force" not in knees
 
 
+def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
+    """Another thread of Python goes on while a fit runs."""
+    ticks, gaps, stop = 0, [0.0], threading.Event()
 
     def tick() -> None:
         nonlocal ticks

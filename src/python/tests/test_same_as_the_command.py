@@ -38,6 +38,29 @@ def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.F
     assert np.abs(fv_only - measured).mean() == pytest.approx(test.fv_only.mean_error_n, rel=1e-12)
 
 
+def test_validate_against_the_literature(command: Command, campaign: dashpot.Campaign, records: Path) -> None:
+    model = dashpot.fit(campaign, hold_out="a15*")
+    model.write(command.folder / "rivalled.toml")
+    command("validate", "rivalled.toml", "records", "--against", "all", "--json", "rivals.json")
+    validation = model.validate(campaign, against="all")
+    assert validation.to_dict() == command.json("rivals.json")
+    assert [one.model for one in validation.against[1:]] == ["fv", "piecewise", "lag", "surface", "dahl", "bouc-wen", "spencer", "kwok", "network"]
+    own, curve = validation.against[:2]
+    assert own.numbers is None and curve.numbers is not None and curve.left_out is not None and own.left_out is not None
+    assert 0 < own.left_out.error_percent < curve.left_out.error_percent
+    assert dashpot.Validation.from_dict(validation.to_dict()) == validation
+    few = model.validate(campaign, against=["kwok", "fv", "kwok"])
+    assert [one.model for one in few.against] == [own.model, "kwok", "fv"] and few.against[2] == curve
+    assert few.tests == validation.tests and "against" not in model.validate(campaign).to_dict()
+    for wrong in ("dahlia", ["fv", "dahlia"]):
+        with pytest.raises(dashpot.ValidationError, match='no model called "dahlia" to compare with; there are fv, piecewise'):
+            model.validate(campaign, against=wrong)
+    with pytest.raises(dashpot.ValidationError, match="^against identifies its models from the tests that the model was fitted to"):
+        model.validate([r for r in campaign if r.name.startswith("a15")], against="fv")
+    with pytest.warns(UserWarning, match="the model file names no tests"):
+        damper().validate(campaign, against="fv")
+
+
 def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     few = ["free_play", "moving_mass"]
     model.write(command.folder / "diagnosed.toml")

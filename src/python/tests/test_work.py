@@ -41,7 +41,8 @@ def at_first_word(act: Callable[[], object]) -> tuple[Callable[[float, str], obj
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signals to send")
-@pytest.mark.parametrize("work", ["fit", "diagnose", "validate", "read"])
+@pytest.mark.parametrize("work", ["fit", "diagnose", "validate", "against", "read"])
+@pytest.mark.filterwarnings("ignore:the model file names no tests")
 def test_ctrl_c_stops_it(own: dashpot.Campaign, work: str) -> None:
     """The signal comes while it runs; what was asked for is not made, and the same runs again afterwards."""
     model = damper()
@@ -51,6 +52,8 @@ def test_ctrl_c_stops_it(own: dashpot.Campaign, work: str) -> None:
         "fit": lambda: dashpot.fit(own, progress=progress),
         "diagnose": lambda: dashpot.diagnose(model, own, progress=progress),
         "validate": lambda: model.validate(own, progress=lambda d, t: (progress(d, t), stopped.wait(1.0))),
+        # At the first model to compare with, and not before.
+        "against": lambda: model.validate(own, against=["spencer", "network"], progress=lambda d, t: progress(d, t) if t == "spencer" or told else None),
         "read": lambda: dashpot.Campaign.read(own.paths[0], progress=lambda d, t: (progress(d, t), stopped.wait(1.0))),
     }
     stopped = threading.Event()

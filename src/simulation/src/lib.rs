@@ -5,6 +5,7 @@
 //! | [`prediction`] | the forces a model gives for a record |
 //! | [`warm_starts`] | how warm the damper is when each record begins |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
+//! | [`against`] | models of the literature beside them |
 //! | [`whole_records`] | how far a model is off over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
@@ -13,6 +14,7 @@
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
 pub mod accuracy;
+pub mod against;
 pub mod chatter;
 pub mod comparison;
 pub mod imposed_motion;

@@ -9,17 +9,16 @@ use anyhow::bail;
 use dashpot_core::Model;
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::limits;
-use dashpot_identification::literature::{Literature, LiteratureError, MODELS, file, observation};
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
 use dashpot_report::ReportInput;
-use dashpot_report::against::{self, Rival};
+use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
+use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
-use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Compare a model with records, beside the plain FV curve fitted to the same data
 ///
@@ -78,7 +77,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     ])?;
     let windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
-    names_of_rivals(&args.against)?;
+    against::named(&args.against)?;
     let model = model::read(&args.model)?;
     let campaign = args.data.load_for(&model)?;
     let compared = compare(&model, &campaign)?;
@@ -87,18 +86,17 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     validation.unusable.clone_from(&campaign.unusable);
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&validation))?;
-    let mut rivals = Vec::new();
+    let mut rivals: Vec<Rival> = Vec::new();
     if !args.against.is_empty() {
-        let found = identify_rivals(&args.against, &model, &campaign, json)?;
-        validation.against.push(validation.as_against());
-        for (literature, forces) in found {
-            let name = literature.name();
-            let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
-            let mut against = Against::of(name, meaning, &compared, &forces);
-            against.numbers = Some(literature);
-            validation.against.push(against);
-            rivals.push(Rival { name, forces });
+        let progress = Progress::new("comparing");
+        let found = Rivals::of(&args.against, &model, &campaign, &|done, name| progress.say(done, name))?;
+        drop(progress);
+        if found.fitted_to_all {
+            dashpot_output::say(json, &format!("note: {FITTED_TO_ALL}"))?;
         }
+        found.put_into(&mut validation, &compared);
+        let drawn = |one: against::Rival| Rival { name: one.literature.name(), forces: one.forces };
+        rivals = found.all.into_iter().map(drawn).collect();
         dashpot_output::say(json, &against_table(&validation.against))?;
     }
     if let Some(windows) = &windows {
@@ -134,7 +132,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             data: args.data.named(),
             ..ReportInput::of(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
-        input.extra.extend(against::section(&validation, &compared, &rivals, input.words));
+        input.extra.extend(section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
             let records: Vec<&Record> = campaign.records.iter().collect();
             let page = certificate::render(&CertificateInput {
@@ -166,59 +164,6 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         Some(found) if !found.passed => Verdict::Failed,
         _ => Verdict::Passed,
     })
-}
-
-/// The models asked for, each once; a mistake is told before minutes of fitting, and before anything is said.
-fn names_of_rivals(wanted: &[String]) -> anyhow::Result<Vec<String>> {
-    let mut names: Vec<String> = Vec::new();
-    for name in wanted {
-        let more = if name == "all" { MODELS.map(|m| m.0.to_owned()).to_vec() } else { vec![name.clone()] };
-        names.extend(more.into_iter().filter(|n| !names.contains(n)).collect::<Vec<_>>());
-    }
-    let is_known = |name: &&String| MODELS.iter().any(|m| m.0 == *name) || Path::new(name.as_str()).exists();
-    match names.iter().find(|n| !is_known(n)) {
-        Some(name) => Err(LiteratureError::Unknown { name: name.clone() }.into()),
-        None => Ok(names),
-    }
-}
-
-/// Identifies the models asked for, or reads them, and simulates every record with each.
-fn identify_rivals(
-    wanted: &[String],
-    file: &ModelFile,
-    campaign: &Campaign,
-    json: Option<&Path>,
-) -> anyhow::Result<Vec<(Literature, Vec<Vec<f64>>)>> {
-    let names = names_of_rivals(wanted)?;
-    let is_name = |name: &str| MODELS.iter().any(|m| m.0 == name);
-    let identification = &file.identification;
-    let mut used: Vec<&Record> = campaign.records.iter().filter(|r| identification.used(r)).collect();
-    if used.is_empty() && names.iter().any(|n| is_name(n)) {
-        if !identification.tests.is_empty() {
-            bail!(
-                "--against identifies its models from the tests that the model was fitted to, and none of those {} is in the data \
-                 given, such as {:?}: give them beside the others",
-                identification.tests.len(),
-                identification.tests[0]
-            );
-        }
-        used = campaign.records.iter().collect();
-        dashpot_output::say(
-            json,
-            "note: the model file names no tests; the models compared with are fitted to all tests given",
-        )?;
-    }
-    let tests = observation::of_records(&used);
-    let progress = Progress::new("comparing");
-    let motions: Vec<observation::Motion> = campaign.records.par_iter().map(observation::Motion::of).collect();
-    let mut found = Vec::new();
-    for (k, name) in names.iter().enumerate() {
-        progress.say(k as f64 / names.len() as f64, name);
-        let literature = if is_name(name) { Literature::fit(name, &tests)? } else { file::read(Path::new(name))? };
-        let forces = motions.par_iter().map(|motion| literature.forces(motion)).collect();
-        found.push((literature, forces));
-    }
-    Ok(found)
 }
 
 /// The model beside those of the literature as text.

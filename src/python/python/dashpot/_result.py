@@ -71,6 +71,11 @@ def _plain(value: Any) -> Any:
     return value
 
 
+def _is_left_out(field: dataclasses.Field[Any], value: Any) -> bool:
+    """Whether the command's JSON has no such key: what is not part of it, and what it leaves out where there is none."""
+    return bool(field.metadata.get("hidden") or (field.metadata.get("omitted") and (value is None or value == ())))
+
+
 @dataclasses.dataclass(frozen=True, repr=False)
 class Result:
     """A result: a frozen dataclass. SI units; extension (rebound) velocity and tension force are positive."""
@@ -91,7 +96,7 @@ class Result:
         out = {}
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
-            if field.metadata.get("hidden") or (value is None and field.metadata.get("omitted")):
+            if _is_left_out(field, value):
                 continue
             out[field.metadata.get("key", field.name)] = _plain(value)
         return out
@@ -180,7 +185,7 @@ def _entries(thing: Result | Mapping[str, Any]) -> Iterable[tuple[str, Any]]:
     return [
         (field.metadata.get("key", field.name), value)
         for field, value in fields
-        if not (field.metadata.get("hidden") or (value is None and field.metadata.get("omitted")))
+        if not _is_left_out(field, value)
     ]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import warnings
 from collections.abc import Iterator, KeysView, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union, overload
@@ -197,11 +198,20 @@ class Model:
             return self._native.steady_force(velocities, told)
 
     @overload
-    def validate(self, campaign: Sequence[Record], *, limits: None = None, progress: Progress | None = None) -> Validation: ...
-    @overload
-    def validate(self, campaign: Sequence[Record], *, limits: Sequence[Limit], progress: Progress | None = None) -> JudgedValidation: ...
     def validate(
-        self, campaign: Sequence[Record], *, limits: Sequence[Limit] | None = None, progress: Progress | None = None
+        self, campaign: Sequence[Record], *, limits: None = None, against: Path | Sequence[Path] = (), progress: Progress | None = None
+    ) -> Validation: ...
+    @overload
+    def validate(
+        self, campaign: Sequence[Record], *, limits: Sequence[Limit], against: Path | Sequence[Path] = (), progress: Progress | None = None
+    ) -> JudgedValidation: ...
+    def validate(
+        self,
+        campaign: Sequence[Record],
+        *,
+        limits: Sequence[Limit] | None = None,
+        against: Path | Sequence[Path] = (),
+        progress: Progress | None = None,
     ) -> Validation:
         """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
 
@@ -211,13 +221,19 @@ class Model:
         :param campaign: a :class:`Campaign`, or some of its records.
         :param limits: windows that the damper has to keep, of :func:`dashpot.read_limits`; :attr:`Validation.limits` says which it does,
             and which the model does.
-        :raises ValidationError: where they cannot be compared, or a limit cannot be kept.
+        :param against: models of the literature that are identified from the tests that this model was fitted to, and compared with:
+            ``"fv"``, ``"piecewise"``, ``"lag"``, ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"``, ``"network"``, or
+            several of them; ``"all"``; or files that ``dashpot fit --model`` wrote. :attr:`Validation.against` has their errors and numbers.
+        :raises ValidationError: where they cannot be compared, a limit cannot be kept, or a model to compare with is not known.
         """
         from dataclasses import replace
 
         windows = None if limits is None else rows(limits)
+        rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
         with watched(progress) as told:
-            said, forces, as_compared = _native.validate(self._native, native_of(campaign, "campaign"), told, windows)
+            said, forces, as_compared, note = _native.validate(self._native, native_of(campaign, "campaign"), told, windows, rivals)
+        if note is not None:
+            warnings.warn(note, stacklevel=2)
         kind = Validation if limits is None else JudgedValidation
         return replace(
             kind.from_dict(loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())

@@ -10,7 +10,7 @@ from .reading import Delay, Noise, Note, SignFinding, Unusable
 from .fitted import Choice, Estimate, FitResult, Measured, Score
 from .certificate import Certificate, Checked, LimitValue, PeakPoint
 from .validation import (
-    Deviation, ErrorMatrix, Errors, GapBin, Hysteresis, JudgedValidation, MatrixCell, MatrixRow, OfEach,
+    Against, AgainstSummary, AgainstTest, Deviation, ErrorMatrix, Errors, GapBin, Hysteresis, JudgedValidation, MatrixCell, MatrixRow, OfEach,
     PeakForce, Summary, TestValidation, Validation,
 )
 from .diagnosis import (
@@ -19,7 +19,7 @@ from .diagnosis import (
 )
 
 __all__ = [
-    "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
+    "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
     "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ._result import Result, Row, folded, held, table
 from .certificate import Certificate
@@ -133,6 +133,42 @@ class ErrorMatrix(Result):
         return _in_groups(self)
 
 
+@dataclass(frozen=True, repr=False)
+class AgainstTest(Deviation):
+    """Errors of a model to compare with on one test."""
+
+    name: str
+    used_in_fit: bool
+    """Whether the model was identified from it."""
+
+
+@dataclass(frozen=True, repr=False)
+class AgainstSummary(Deviation):
+    """Mean errors of a model to compare with over a set of tests."""
+
+    tests: int
+
+
+@dataclass(frozen=True, repr=False)
+class Against(Result):
+    """A model of the literature on the same tests; the first one of a validation is the model that is validated."""
+
+    model: str
+    meaning: str
+    tests: tuple[AgainstTest, ...]
+    used_in_fit: AgainstSummary | None
+    left_out: AgainstSummary | None
+    numbers: dict[str, Any] | None = field(default=None, metadata={"omitted": True})
+    """The model with its numbers; none of the model that is validated."""
+
+    def _short(self) -> Row:
+        row: Row = {"model": self.model, "meaning": self.meaning}
+        for name, summary in (("fitted", self.used_in_fit), ("left out", self.left_out)):
+            if summary is not None:
+                row |= {f"{name} tests": summary.tests, f"{name} mean error N": summary.mean_error_n, f"{name} error %": summary.error_percent}
+        return row
+
+
 def _in_groups(matrix: ErrorMatrix) -> list[Row]:
     """The rows and cells of a matrix, with what they are grouped by."""
     rows = [("amplitude", row) for row in matrix.by_amplitude] + [("peak velocity", row) for row in matrix.by_peak_velocity]
@@ -156,6 +192,8 @@ class Validation(Result):
     region_boundary_m_s: float
     limits: Certificate | None = field(default=None, metadata={"omitted": True})
     """Which limits the damper keeps, where some were given."""
+    against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
+    """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
     """What the model's own fit found its records to be off by, and whether it was taken out of these."""
     unusable: tuple[Unusable, ...] = ()
@@ -202,6 +240,8 @@ class Validation(Result):
         shown = table("Validation", [row], [*said, *(u.why for u in self.unusable)]) + table("Tests", short)
         if self.limits is not None:
             shown += self.limits._repr_html_()
+        if self.against:
+            shown += table("Beside models of the literature", [one._short() for one in self.against])
         return shown + folded({name or "figures": rows for name, rows in self._tables().items() if not name.startswith("limits")})
 
 
