@@ -374,38 +374,59 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
         let plain: Vec<&Candidate> = of_it.iter().filter(|c| c.plain).copied().collect();
         let [only] = plain[..] else {
             let what = PeakColumn { force: true, stroke };
-            let first = of_it[0].index;
-            return Err(format!(
-                "the columns {} may all be the {}; say which by --column {what}=\"{}\" or --column {what}={}",
-                listed(of_it.iter().map(|c| &cells[c.index])),
-                said(what),
-                cells[first].trim(),
-                first + 1
-            ));
+            let columns = listed(of_it.iter().map(|c| &cells[c.index]));
+            return Err(format!("the columns {columns} may all be the {}; {}", said(what), asked(what, &of_it, cells)));
         };
         chosen.retain(|c| c.2 != stroke || c.1.index == only.index);
     }
     Ok(chosen)
 }
 
+/// How to say which of several columns is meant. What is of no stroke may be one of each, and is asked for so; a column that is named for both
+/// strokes would take the place of the other one.
+fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
+    let given = |what: PeakColumn, column: &Candidate| format!("--column {what}={}", by_name(column.index, cells));
+    match (what.stroke, of) {
+        (None, [first, second, ..]) => {
+            let of_stroke = |stroke| PeakColumn { stroke: Some(stroke), ..what };
+            format!(
+                "where each is of one stroke, say which by {} {}, the other way round if so it is; where one is of both, by {}",
+                given(of_stroke(Stroke::Rebound), first),
+                given(of_stroke(Stroke::Compression), second),
+                given(what, first)
+            )
+        }
+        (_, [first, ..]) => format!("say which by {} or --column {what}={}", given(what, first), first.index + 1),
+        (_, []) => String::new(),
+    }
+}
+
+/// A column by its heading; by its number where another one has the same, or where there is none.
+fn by_name(index: usize, cells: &[String]) -> String {
+    let name = cells.get(index).map_or("", |cell| cell.trim());
+    let alike = cells.iter().filter(|cell| without_unit(cell) == without_unit(name)).count();
+    if name.is_empty() || alike > 1 { (index + 1).to_string() } else { format!("\"{name}\"") }
+}
+
 /// The one velocity that a force goes with.
-fn one<'a>(velocities: &[&'a Candidate], cells: &[String], force: &Candidate) -> Result<&'a Candidate, String> {
+fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Result<&'a Candidate, String> {
     let plain: Vec<&Candidate> = velocities.iter().filter(|c| c.plain).copied().collect();
-    let force = || cells.get(force.index).map_or("", |c| c.trim());
+    let force = cells.get(of.index).map_or("", |c| c.trim());
     match (velocities, &plain[..]) {
         ([only], _) | (_, [only]) => Ok(only),
         ([], _) => {
-            Err(format!("no velocity goes with the force '{}'; name its column, such as --column velocity=1", force()))
+            let what = PeakColumn { force: false, stroke: of.what.stroke };
+            Err(format!("no velocity goes with the force '{force}'; name its column, such as --column {what}=1"))
         }
-        ([first, ..], _) => Err(format!(
-            "the columns {} may all be the velocity of '{}'; say which by --column {}=\"{}\" or --column {}={}",
-            listed(velocities.iter().map(|c| &cells[c.index])),
-            force(),
-            first.what,
-            cells[first.index].trim(),
-            first.what,
-            first.index + 1
-        )),
+        ([first, ..], _) => {
+            let columns = listed(velocities.iter().map(|c| &cells[c.index]));
+            // Of a force of both strokes there is one velocity alone.
+            let how = match of.what.stroke {
+                Some(_) => asked(first.what, velocities, cells),
+                None => asked(first.what, &velocities[..1], cells),
+            };
+            Err(format!("the columns {columns} may all be the velocity of '{force}'; {how}"))
+        }
     }
 }
 

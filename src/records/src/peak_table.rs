@@ -268,6 +268,34 @@ mod tests {
     }
 
     #[test]
+    fn what_may_be_of_either_stroke_is_asked_for_by_stroke() {
+        // What the sentence says is done, and the table is read.
+        let follow = |text: &str, columns: &[(&str, &str)]| {
+            let message = said(text, &[], &[]).unwrap_err();
+            for (what, heading) in columns {
+                let given = format!("--column {what}={heading}");
+                assert!(message.contains(&given), "{given}: {message}");
+            }
+            let bare: Vec<(&str, &str)> = columns.iter().map(|(what, text)| (*what, text.trim_matches('"'))).collect();
+            points(&said(text, &bare, &[]).unwrap())
+        };
+        let wanted = [[-0.5, -600.0], [0.5, 1100.0]];
+        let forces = [("rebound_force", "\"Force A [N]\""), ("compression_force", "\"Force B [N]\"")];
+        assert_eq!(follow("v [m/s],Force A [N],Force B [N]\n0.5,1100,600\n", &forces), wanted);
+        // Two of one heading are told apart by their numbers.
+        let numbers = [("rebound_force", "2"), ("compression_force", "3")];
+        assert_eq!(follow("v [m/s],Force peak [N],Force peak [N]\n0.5,1100,600\n", &numbers), wanted);
+        let velocities = [("rebound_velocity", "\"Speed one [m/s]\""), ("compression_velocity", "\"Speed two [m/s]\"")];
+        let text = "Speed one [m/s],Speed two [m/s],Rebound [N],Compression [N]\n0.5,0.5,1100,600\n";
+        assert_eq!(follow(text, &velocities), wanted);
+        // One column for both strokes is a way out, too.
+        let both = said("v [m/s],Force A [N],Force B [N]\n0.5,1100,7\n-0.5,-600,8\n", &[("force", "Force A")], &[]);
+        assert_eq!(points(&both.unwrap()), wanted);
+        let message = said("Reb Vel [m/s],Reb Force [N],Comp Force [N]\n1,2,3\n", &[], &[]).unwrap_err();
+        assert!(message.contains("--column compression_velocity=1"), "{message}");
+    }
+
+    #[test]
     fn a_force_against_its_stroke_keeps_its_sign() {
         // Gas pushes the rod out: at a crawl the rebound side pushes still.
         for text in [
