@@ -609,14 +609,14 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fv_compression_v1            compression knee, as a speed [m/s, 1e-4 to 10, default 0.13]
 //
 // series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
-//   series_stiffness             stiffness of the series spring, k_s [N/m, 10000 to 1e8, default 3e6]
-//   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e5, default 200]
-//   internal_mass                moving mass of rod, oil and gas, m [kg, 0.05 to 20, default 0.5]
+//   series_stiffness             stiffness of the series spring, k_s [N/m, 1 to 1e10, default 3e6]
+//   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e7, default 200]
+//   internal_mass                moving mass of rod, oil and gas, m [kg, 1e-4 to 1000, default 0.5]
 //   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
 //
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
 //   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
-//   free_play_force              force at which the gap is half closed, F_0: softness of the contact [N, 0.1 to 10000, default 20]
+//   free_play_force              force at which the gap is half closed, F_0: softness of the contact [N, 1e-4 to 1e6, default 20]
 //
 // bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
 //   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]
@@ -629,18 +629,18 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
-//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 20000 to 1e9, default 3e6]
+//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1 to 1e11, default 3e6]
 //   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
 //   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
 //   oil_compression              stiffness of the column in compression, as a share of that in rebound, r_o [-, 0.01 to 100, default 1]
 //
 // aeration (element, off by default): air in the oil: the oil column is soft while the force is small
 //   aeration_stroke              stroke that the air takes up in rebound, d_a [m, 0 to 0.005, default 3e-4]
-//   aeration_force               force at which half of that stroke is taken, F_a [N, 1 to 10000, default 150]
+//   aeration_force               force at which half of that stroke is taken, F_a [N, 0.001 to 1e6, default 150]
 //   aeration_compression         stroke that the air takes up in compression, as a share of that in rebound, r_a [-, 0 to 20, default 1]
 //
 // cavitation (element, off by default): cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed
-//   cavitation_force             largest hydraulic force of that stroke, C [N, 10 to 1e6, default 1500]
+//   cavitation_force             largest hydraulic force of that stroke, C [N, 0.001 to 1e7, default 1500]
 //   cavitation_side              stroke whose force is capped [0 compression, 1 rebound]
 //   cavitation_return            share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke [-, 0 to 1, default 0]
 //   cavitation_form              void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it [0 cap, 1 foot_valve]
@@ -656,15 +656,15 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bypass_blend                 length over which the zone fades out, b [m, 5e-4 to 0.5, default 0.005]
 //   bypass_strokes               strokes on which it acts [0 both, 1 rebound, 2 compression]
 //   bypass_form                  factor on the FV force, or flow beside the valves [0 factor, 1 groove]
-//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 10, default 0.2]
+//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 100, default 0.2]
 //
 // temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
 //   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
 //   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
 //   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
-//   heat_capacity                heat capacity of oil and body, C_h [J/K, 50 to 1e5, default 1500]
-//   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1000, default 6]
-//   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 10 to 1e9, default 1e9]
+//   heat_capacity                heat capacity of oil and body, C_h [J/K, 0.1 to 1e7, default 1500]
+//   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1e5, default 6]
+//   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 0.01 to 1e9, default 1e9]
 //   fade_slackening              how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law [1/K, 0 to 0.03, default 0]
 //
 // frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
@@ -672,36 +672,36 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fsd_share                    share of the force that fast strokes lose, a [-, 0 to 0.9, default 0.3]
 //   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
 //   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
-//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 10, default 0.2]
-//   fsd_force                    bypass form: hydraulic force above which the control chamber fills at its full rate, F_0 [N, 1 to 10000, default 50]
-//   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 1 to 1e5, default 20]
+//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 100, default 0.2]
+//   fsd_force                    bypass form: hydraulic force above which the control chamber fills at its full rate, F_0 [N, 0.001 to 1e6, default 50]
+//   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 0.001 to 1e7, default 20]
 //
 // valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises
 //   valve_hysteresis_share       opening form: share of the force that lateness adds, eta [-, 0 to 1, default 0.15]
-//   valve_opening_force          force at which the valve opens [N, 1 to 1e5, default 600]
+//   valve_opening_force          force at which the valve opens [N, 0.001 to 1e7, default 600]
 //   valve_closing_ratio          opening form: force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
 //   valve_time                   time in which it moves, tau; spool: over 2 pi that of its swing [s, 1e-4 to 1, default 0.002]
-//   valve_width                  force over which it opens, b [N, 10 to 1e5, default 100]
+//   valve_width                  force over which it opens, b [N, 0.01 to 1e7, default 100]
 //   valve_form                   one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass [0 opening, 1 play, 2 spool]
-//   valve_play                   play form: force that the valve does not follow, P [N, 0 to 10000, default 0]
+//   valve_play                   play form: force that the valve does not follow, P [N, 0 to 1e6, default 0]
 //   valve_damping                spool form: damping ratio, zeta [-, 0.05 to 10, default 0.7]
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
-//   spring_linear                k_p of k_p x [N/m, 0 to 1e7, default 0]
-//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e6, default 10000]
-//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e7, default 0]
-//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e8, default 0]
+//   spring_linear                k_p of k_p x [N/m, 0 to 1e9, default 0]
+//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e10, default 10000]
+//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e12, default 0]
+//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e14, default 0]
 //   spring_displacement          displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
 //   spring_force                 forces of the lookup spring, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
 //
 // coulomb_friction (element, off by default): dry friction of constant level, F_s tanh(K v)
-//   coulomb_force                friction level, F_s [N, 0 to 10000, default 40]
+//   coulomb_force                friction level, F_s [N, 0 to 1e6, default 40]
 //   coulomb_steepness            steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
 //
 // stribeck_friction (element, on by default): dry friction with a break-away peak
 //   stribeck_form                which of the two Stribeck forms [0 simplified, 1 full]
-//   stribeck_breakaway_force     peak (transition) force, F_brk or F_t [N, 0 to 10000, default 50]
-//   stribeck_coulomb_force       level after the peak, F_c or F_s [N, 0 to 10000, default 40]
+//   stribeck_breakaway_force     peak (transition) force, F_brk or F_t [N, 0 to 1e6, default 50]
+//   stribeck_coulomb_force       level after the peak, F_c or F_s [N, 0 to 1e6, default 40]
 //   stribeck_breakaway_velocity  velocity of the peak, v_brk or V_fs [m/s, 1e-5 to 1, default 0.005]
 //   stribeck_velocity            full form: velocity scale of the fall, V_s [m/s, 1e-5 to 5, default 0.01]
 //   stribeck_fall                full form: exponent of the fall, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
@@ -709,17 +709,17 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   stribeck_rise_power          full form: exponent of the rise, d [-, 1 to 4, default 1]
 //
 // viscous_friction (element, on by default): viscous friction, F_v v|v|
-//   viscous_coefficient          F_v of F_v v|v| [N s^2/m^2, 0 to 1e5, default 10]
+//   viscous_coefficient          F_v of F_v v|v| [N s^2/m^2, 0 to 1e7, default 10]
 //
 // side_force_friction (element, off by default): dry friction proportional to side force
 //   side_force_coefficient       friction per side force, k_avg [-, 0 to 2, default 0.05]
 //   side_force_steepness         steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
 //
 // gas_preload (element, on by default): constant gas force
-//   gas_force                    gas force, positive where it pushes the rod out [N, -10000 to 10000, default 80]
+//   gas_force                    gas force, positive where it pushes the rod out [N, -1e6 to 1e6, default 80]
 //
 // gas_warming (element, off by default): gas force that grows with the temperature of the damper
-//   gas_warming_rate             growth of the gas force per kelvin, c [N/K, 0 to 50, default 0.8]
+//   gas_warming_rate             growth of the gas force per kelvin, c [N/K, 0 to 5000, default 0.8]
 //   gas_warming_reference        temperature at which the gas force is that of the other elements, T_0 [degC, -60 to 200, default 20]
 //
 // lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag whose time constant ramps with speed
@@ -730,37 +730,37 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   lag_v2                       speed at which it has changed [m/s, 1e-4 to 20, default 0.5]
 //
 // presliding_friction (element, off by default): friction that turns over within a short travel after each reversal (Dahl)
-//   presliding_force             friction level after long travel, F_c [N, 0 to 10000, default 40]
+//   presliding_force             friction level after long travel, F_c [N, 0 to 1e6, default 40]
 //   presliding_length            travel in which the force approaches its level by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
 //   presliding_power             1: slips from the first (Dahl); larger: bends elastically before it slips, n [-, 1 to 10, default 1]
 //   presliding_return            after a reversal a bent contact slips at once, or first springs back [0 slips, 1 elastic]
 //   presliding_creep             speed below which the contact creeps, v_c [m/s, 1e-9 to 0.1, default 1e-9]
 //
 // gas_spring (element, off by default): growth of the gas force with the displacement of the rod, slow to fast
-//   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e6, default 500]
+//   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e8, default 500]
 //   gas_length                   gas volume at x = 0 over the area of the rod, L: how soon it stiffens [m, 0.05 to 10, default 0.4]
 //   gas_adiabatic_index          ratio of fast to slow stiffness, gamma [-, 1 to 1.67, default 1.4]
 //   gas_thermal_time             time in which the gas takes the temperature of its wall, tau [s, 0.01 to 1000, default 3]
 //
 // moving_mass (element, off by default): mass moved by the driven end, between load cell and damper, or by the piston
-//   moving_mass                  mass, M [kg, 0 to 100, default 2]
+//   moving_mass                  mass, M [kg, 0 to 10000, default 2]
 //   moving_mass_time             time by which its force lags, tau; short beside the motion [s, 1e-4 to 0.01, default 2e-4]
 //   moving_mass_place            what moves it: the driven end, or the piston behind the series stiffness [0 driven end, 1 inside]
 //
 // bump_stop (element, off by default): stop at the end of the compression stroke, rubber or hydraulic
 //   bump_stop_clearance          compression from x = 0 at which the stop is met, as a positive length [m, 0 to 1, default 0.05]
-//   bump_stop_stiffness          stiffness at first contact [N/m, 0 to 1e7, default 50000]
+//   bump_stop_stiffness          stiffness at first contact [N/m, 0 to 1e9, default 50000]
 //   bump_stop_progression        depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
 //   bump_stop_loss               share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
-//   bump_stop_damping            hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
+//   bump_stop_damping            hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e8, default 0]
 //   bump_stop_flow               hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
 //
 // rebound_stop (element, off by default): stop at the end of the rebound stroke, rubber or hydraulic
 //   rebound_stop_clearance       extension from x = 0 at which the stop is met [m, 0 to 1, default 0.05]
-//   rebound_stop_stiffness       stiffness at first contact [N/m, 0 to 1e7, default 1e5]
+//   rebound_stop_stiffness       stiffness at first contact [N/m, 0 to 1e9, default 1e5]
 //   rebound_stop_progression     depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
 //   rebound_stop_loss            share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
-//   rebound_stop_damping         hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e6, default 0]
+//   rebound_stop_damping         hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e8, default 0]
 //   rebound_stop_flow            hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
 //
 // integration: settings of the fixed-step integration

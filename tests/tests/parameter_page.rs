@@ -4,12 +4,13 @@ use dashpot_core::Params;
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::priors::{self, PRIORS, Usual};
+use dashpot_estimation::scale::Scale;
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// What is usual of a parameter, in words; empty where nothing is known.
 fn usual(row: Row) -> String {
-    match Number::try_from(row).ok().and_then(priors::of).map(|p| p.usual) {
+    match Number::try_from(row).ok().and_then(|number| priors::of(number, Scale::CAR)) {
         Some(Usual::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
         Some(Usual::Strength(median, factor)) => format!("strength {median} × {factor}"),
         Some(Usual::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
@@ -27,7 +28,9 @@ fn page() -> String {
          not name keep their defaults.\n\n\
          Usual is what dampers show before any record is seen: a size (median, and the factor by which one damper in three lies\n\
          off it), a strength (median of those that have the effect, and the factor by which one in six lies above it) or a place\n\
-         (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. Sources stand below.\n",
+         (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. All of it was learned of the dampers of passenger\n\
+         cars; with a largest force below 300 N or above 8 kN, what has a force in its unit (N, kg, J or W) is taken in proportion to\n\
+         that force. A search goes no further than it would with a damper of a car, in proportion. Sources stand below.\n",
     );
     for (g, group) in GROUPS.iter().enumerate() {
         let on = match Element::of_group(g) {

@@ -25,13 +25,13 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Side force span, N, from which friction under side force can be told from friction.
+/// Side force span, N, with the damper of a car, from which friction under side force can be told from friction.
 const SIDE_FORCE: f64 = 50.0;
 /// Span of the places that tests pass at speed, m, and ratio of the frequencies, from which a place and a frequency can be told from
 /// anything else: of two tests at one speed one must go to where the other does not.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
-/// Span of the heat that tests bring in, J, below which nothing warms.
+/// Span of the heat that tests of such a damper bring in, J, below which nothing warms.
 const HEAT: f64 = 500.0;
 /// Displacement within which a stop of a car may lie, m.
 const STOPS: f64 = 0.04;
@@ -96,7 +96,7 @@ pub const CARDS: &[Card] = &[
         path: "friction",
         family: "friction under load",
         remedy: phrases::SHOW_SIDE_FORCE,
-        missing: |s| (s.side_force_span < SIDE_FORCE).then(|| phrases::NEEDS_SIDE_FORCE.into()),
+        missing: |s| (s.side_force_span < SIDE_FORCE * s.scale.force()).then(|| phrases::NEEDS_SIDE_FORCE.into()),
     },
     Card {
         name: element!("series_compliance").name(),
@@ -145,7 +145,9 @@ pub const CARDS: &[Card] = &[
         path: "hydraulic",
         family: "oil temperature",
         remedy: phrases::SHOW_FADE,
-        missing: |s| (!s.temperature_measured && s.heat_span < HEAT).then(|| phrases::NEEDS_TEMPERATURE.into()),
+        missing: |s| {
+            (!s.temperature_measured && s.heat_span < HEAT * s.scale.force()).then(|| phrases::NEEDS_TEMPERATURE.into())
+        },
     },
     Card {
         name: element!("position_dependent_damping").name(),

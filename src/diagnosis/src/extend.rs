@@ -5,6 +5,7 @@ use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Number, number};
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::spring_end::straighten;
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
 
@@ -63,10 +64,13 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
             number
         }
         Free::Rig(artefact) => {
-            Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds: artefact.bounds(), prior: None }
+            let ((low, high), factor) = (artefact.bounds(), Scale::of(base).of_artefact(*artefact));
+            let bounds = (factor * low, factor * high);
+            Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds, prior: None }
         }
         Free::Cooling | Free::HeatCapacity => {
-            let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0, 1e5) };
+            let heat = Scale::of(base).force();
+            let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0 * heat, 1e5 * heat) };
             let start = value.ln();
             let prior = fresh.deviation.map(|d| (start, d));
             Number { free: fresh.free.clone(), start, step: 0.3, bounds: (low.ln(), high.ln()), prior }

@@ -8,6 +8,7 @@ use dashpot_core::Input;
 use dashpot_core::element;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::samples::Test;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_records::sentence::Sentence;
@@ -45,7 +46,7 @@ const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.0
 const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
 /// Samples per cycle, and cycles that run ahead.
 const PER_CYCLE: usize = 120;
-/// Noise expected: a share of the force and a rest, N.
+/// Noise expected: a share of the force and a rest, N, with the damper of a car.
 const NOISE: (f64, f64) = (0.02, 1.0);
 /// Tests told.
 const TOLD: usize = 3;
@@ -103,6 +104,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
     }
     let zero = [0.0];
+    let scale = Scale::of(&rivals[0].hypothesis.base);
     let side_matters = rivals.iter().any(|r| r.effect == element!("side_force_friction").name());
     let sides = if side_matters && !rig.side_forces.is_empty() { &rig.side_forces[..] } else { &zero };
     let mut designs = Vec::new();
@@ -141,7 +143,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
                 return None;
             }
             let size = rms(&mut forces[0].iter().copied());
-            let noise = NOISE.0 * size + NOISE.1;
+            let noise = NOISE.0 * size + NOISE.1 * scale.force();
             let mut best = (0.0, 0.0, [0, 1]);
             for i in 0..rivals.len() {
                 for j in i + 1..rivals.len() {

@@ -4,6 +4,7 @@ use dashpot_core::Params;
 use dashpot_core::{element, list, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::samples::Test;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
 
@@ -12,6 +13,8 @@ use dashpot_records::Record;
 pub struct Situation {
     /// The base model.
     pub base: Params,
+    /// How strong it is beside the damper of a car.
+    pub scale: Scale,
     /// Friction level, N.
     pub friction: f64,
     /// Friction that may stand as a step at standstill in an FV curve without friction beside it, N.
@@ -93,6 +96,7 @@ impl Situation {
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let fastest = span(&mut inputs().map(|i| i.velocity));
+        let scale = Scale::of(base);
         let mut friction = 0.0;
         if base.is_on(element!("coulomb_friction")) {
             friction += base.number(number!("coulomb_force"));
@@ -124,21 +128,39 @@ impl Situation {
         let in_curve = if friction > 0.0 { 0.0 } else { step_at_standstill(v, f) };
         Situation {
             base: *base,
+            scale,
             friction_in_curve: in_curve,
             places_span: places_span(tests),
             heat_span: Heating::new(records, tests).span(),
             frequency_ratio: if frequencies.0 > 0.0 { frequencies.1 / frequencies.0 } else { f64::INFINITY },
             friction,
             // Friction and gas act beside the valves.
-            top_rebound: at(v, f, fastest.1).max(1.0),
-            top_compression: (-at(v, f, fastest.0)).max(1.0),
-            knee_force: knee.unwrap_or(0.3 * forces.1).max(1.0),
+            top_rebound: at(v, f, fastest.1).max(scale.force()),
+            top_compression: (-at(v, f, fastest.0)).max(scale.force()),
+            knee_force: knee.unwrap_or(0.3 * forces.1).max(scale.force()),
             reach,
             temperature_measured: temperatures.is_some(),
             temperature: temperatures.map_or(20.0, |(low, high)| 0.5 * (low + high)),
             clock_span: clock.1 - clock.0,
             pauses,
             side_force_span: side.1 - side.0,
+        }
+    }
+
+    /// The same of a damper of a car, of which the searches' starts and the sizes that a damper shows were learned.
+    pub fn as_car(&self) -> Situation {
+        let of_car = |force: f64| force / self.scale.force();
+        Situation {
+            base: self.scale.as_car(&self.base),
+            scale: Scale::CAR,
+            friction: of_car(self.friction),
+            friction_in_curve: of_car(self.friction_in_curve),
+            top_rebound: of_car(self.top_rebound),
+            top_compression: of_car(self.top_compression),
+            knee_force: of_car(self.knee_force),
+            heat_span: of_car(self.heat_span),
+            side_force_span: of_car(self.side_force_span),
+            ..self.clone()
         }
     }
 

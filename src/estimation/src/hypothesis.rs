@@ -5,6 +5,7 @@ use super::heating::Heating;
 use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
 use crate::priors::in_search;
+use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::sensitivity::{Accuracy, Run, forces};
 use crate::unknowns::{Unknown, Unknowns};
@@ -295,18 +296,19 @@ pub fn number(base: &Params, unknown: Unknown) -> Number {
     let one = Unknowns { base: *base, list: vec![unknown], rig: Vec::new() };
     let start = one.start()[0];
     let (low, high) = one.bounds();
-    let by_default = |parameter: &Parameter| {
-        let typical = parameter.default.first().map_or(1.0, |d| d.abs());
-        (0.3 * start.abs()).max(0.1 * typical).max(1e-3)
+    let scale = Scale::of(base);
+    let by_default = |parameter: &Parameter, factor: f64| {
+        let typical = factor * parameter.default.first().map_or(1.0, |d| d.abs());
+        (0.3 * start.abs()).max(0.1 * typical).max(1e-3 * factor)
     };
     let step = match &unknown {
         Unknown::Log(_) | Unknown::Above(..) => 0.3,
-        Unknown::Rise { .. } => start.abs().max(10.0),
-        Unknown::Linear(number) => by_default(number.parameter()),
-        Unknown::Entry(list, _) => by_default(list.parameter()),
+        Unknown::Rise { .. } => start.abs().max(10.0 * scale.force()),
+        Unknown::Linear(number) => by_default(number.parameter(), scale.of_number(*number)),
+        Unknown::Entry(list, _) => by_default(list.parameter(), 1.0),
     };
     let bounds = (low[0], high[0]);
     let start = start.clamp(bounds.0, bounds.1);
-    let prior = in_search(&unknown);
+    let prior = in_search(&unknown, scale);
     Number { free: Free::Model(unknown), start, step, bounds, prior }
 }

@@ -2,6 +2,7 @@
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::priors::{of, price};
+use crate::scale::Scale;
 use crate::unknowns::Unknown;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
@@ -9,6 +10,7 @@ use dashpot_core::parameter::Number;
 /// How far off each number of an explanation is from what is usual; those without a prior are not in it.
 pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     let params = hypothesis.params(theta);
+    let scale = Scale::of(&hypothesis.base);
     let mut all = Vec::new();
     for (number, value) in hypothesis.numbers.iter().zip(theta) {
         let (number, value) = match number.free {
@@ -17,8 +19,8 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             Free::HeatCapacity => (number!("heat_capacity"), value.exp()),
             Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
-        if let Some(prior) = of(number) {
-            all.push((number, prior.usual.off(value)));
+        if let Some(usual) = of(number, scale) {
+            all.push((number, usual.off(value)));
         }
     }
     all

@@ -1,6 +1,7 @@
 //! A model identified from segments: what is weighed in a fit, and what is known of the solution.
 
 use super::priors::in_search;
+use super::scale::Scale;
 use super::segment::Segment;
 use super::sensitivity::{Accuracy, Run};
 use super::smooth_curve::SmoothCurve;
@@ -117,8 +118,10 @@ const SETTLED: f64 = 1.5;
 pub fn solve(segments: &[&Segment], unknowns: &Unknowns, start: &[f64], effort: Effort) -> Solution {
     let (low, high) = unknowns.bounds();
     let bounds = Bounds { low, high };
+    let scale = Scale::of(&unknowns.base);
     let of_the_rig = unknowns.rig.iter().map(|number| Some(number.usual));
-    let usual: Vec<Option<(f64, f64)>> = unknowns.list.iter().map(in_search).chain(of_the_rig).collect();
+    let usual: Vec<Option<(f64, f64)>> =
+        unknowns.list.iter().map(|unknown| in_search(unknown, scale)).chain(of_the_rig).collect();
     let mut problem =
         Problem { segments, unknowns, accuracy: effort.accuracy, shape: SmoothCurve::new(unknowns), held: 1.0 };
     let at_start = |problem: &Problem| -> Option<Vec<Vec<f64>>> {

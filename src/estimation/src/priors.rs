@@ -4,21 +4,11 @@
 //! bound. A number that many dampers would have to be strange to show costs its explanation something: little at first and never
 //! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
 
+use crate::scale::Scale;
 use crate::unknowns::{Unknown, Unknowns};
+pub use crate::usual::Usual;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
-
-/// What is known of one number.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Usual {
-    /// A size: its median, and the factor by which one damper in three lies off it.
-    Size(f64, f64),
-    /// A strength, which may be as small as it likes: where half of the dampers that have the effect at all lie, and the factor by which
-    /// one in six lies above it.
-    Strength(f64, f64),
-    /// A place, or anything of either sign: its mean and standard deviation.
-    Place(f64, f64),
-}
 
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]
@@ -129,36 +119,9 @@ pub const PRIORS: &[Prior] = &[
     row(number!("lag_fast"), Size(1e-3, 3.0), THESIS),
 ];
 
-/// The row of a parameter.
-pub fn of(number: Number) -> Option<&'static Prior> {
-    PRIORS.iter().find(|p| p.number == number)
-}
-
-/// How many strengths a strength may lie above its median before a search is drawn back: far enough to bias nothing.
-const FREE: f64 = 3.0;
-
-impl Usual {
-    /// Mean and standard deviation in the coordinate in which a search moves: the logarithm, or the number itself.
-    pub fn in_search(self, logarithm: bool) -> (f64, f64) {
-        match (self, logarithm) {
-            (Usual::Size(median, factor) | Usual::Strength(median, factor), true) => (median.ln(), factor.ln()),
-            (Usual::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
-            (Usual::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            (Usual::Place(mean, deviation), false) => (mean, deviation),
-            (Usual::Place(mean, deviation), true) => {
-                (mean.abs().max(1e-12).ln(), (1.0 + deviation / mean.abs().max(1e-12)).ln())
-            }
-        }
-    }
-
-    /// How many standard deviations a value is from what is usual; 0 for a strength below its median.
-    pub fn off(self, value: f64) -> f64 {
-        match self {
-            Usual::Size(median, factor) => (value.abs().max(1e-300) / median).ln() / factor.ln(),
-            Usual::Strength(median, factor) => ((value.abs() / median).max(1.0)).ln() / factor.ln(),
-            Usual::Place(mean, deviation) => (value - mean) / deviation,
-        }
-    }
+/// What is usual of a parameter of a damper of this size.
+pub fn of(number: Number, scale: Scale) -> Option<Usual> {
+    PRIORS.iter().find(|p| p.number == number).map(|p| scale.usual(number, p.usual))
 }
 
 /// Degrees of freedom of Student's distribution: with four, five standard deviations cost five units of the logarithm of the odds where
@@ -173,18 +136,19 @@ pub fn price(off: f64) -> f64 {
 /// What the model's numbers in a fit cost it, in units of the logarithm of the odds.
 pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
     let params = unknowns.params(theta);
+    let scale = Scale::of(&unknowns.base);
     let off = |unknown: &Unknown| {
         let (Unknown::Log(number) | Unknown::Linear(number)) = *unknown else { return None };
-        of(number).map(|prior| prior.usual.off(params.number(number)))
+        of(number, scale).map(|usual| usual.off(params.number(number)))
     };
     unknowns.list.iter().filter_map(off).map(price).sum()
 }
 
 /// Mean and standard deviation of a free number of the model where a search moves it.
-pub fn in_search(unknown: &Unknown) -> Option<(f64, f64)> {
+pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
-        Unknown::Log(number) => of(*number).map(|p| p.usual.in_search(true)),
-        Unknown::Linear(number) => of(*number).map(|p| p.usual.in_search(false)),
+        Unknown::Log(number) => of(*number, scale).map(|usual| usual.in_search(true)),
+        Unknown::Linear(number) => of(*number, scale).map(|usual| usual.in_search(false)),
         // A share above the level: seals show 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,

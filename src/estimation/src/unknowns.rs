@@ -1,6 +1,7 @@
 //! What a fit may change, and how a vector of unknowns becomes a parameter set.
 
 use crate::rig_number::RigNumber;
+use crate::scale::Scale;
 use dashpot_core::Params;
 use dashpot_core::parameter::{List, Number};
 use dashpot_core::{list, number};
@@ -109,22 +110,23 @@ impl Unknowns {
             .collect()
     }
 
-    /// Bounds of the vector, from the parameter table.
+    /// Bounds of the vector: how far a search may go with a damper of this size.
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
+        let scale = Scale::of(&self.base);
         self.list
             .iter()
             .map(|unknown| match unknown {
                 Unknown::Log(number) => {
-                    let (low, high) = number.bounds();
+                    let (low, high) = scale.reach(*number);
                     // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
                     let high = if WIDTHS.contains(number) { high.min(STRIBECK_WIDEST) } else { high };
-                    (low.max(1e-6).ln(), high.ln())
+                    (low.max(1e-6 * scale.of_number(*number)).ln(), high.ln())
                 }
                 Unknown::Above(..) => (0.0, HIGHEST_PEAK),
-                Unknown::Linear(number) => number.bounds(),
+                Unknown::Linear(number) => scale.reach(*number),
                 Unknown::Entry(list, _) => list.bounds(),
                 // A curve of as many rises as the table allows points stays inside the bounds of its forces.
-                Unknown::Rise { .. } => (0.0, 3e4),
+                Unknown::Rise { .. } => (0.0, 3e4 * scale.force()),
             })
             .chain(self.rig.iter().map(RigNumber::bounds))
             .unzip()

@@ -3,6 +3,7 @@
 use dashpot_core::Params;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::unknowns::anchor;
 use serde::{Deserialize, Serialize};
@@ -13,6 +14,8 @@ pub const SLOW: f64 = 0.006;
 const RATIO: f64 = 1.65;
 /// Smallest velocity of an FV point: below, friction and damper cannot be told apart.
 const SMALLEST: f64 = 0.010;
+/// Friction, N, from which a fit begins with a damper of a passenger car that shows less: from nothing, no step would lead to it.
+const LEAST_FRICTION: f64 = 1.0;
 /// Samples that an FV point needs on its side of its neighbours.
 const ENOUGH: usize = 12;
 
@@ -53,6 +56,11 @@ pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
 
+/// How strong the damper is by the largest force of its tests, before there is a curve.
+pub fn size(segments: &[Segment]) -> Scale {
+    Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
+}
+
 /// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
 pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
@@ -60,9 +68,10 @@ pub fn dry(segments: &[Segment]) -> Dry {
     let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
     // At full speed where the test is slow; near reversal where even the slowest test is fast.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
+    let least = LEAST_FRICTION * size(segments).force();
     match strokes(slow, low, high) {
-        Some(dry) => Dry { friction: dry.friction.max(1.0), ..dry },
-        None => Dry { friction: 1.0, gas: 0.0 },
+        Some(dry) => Dry { friction: dry.friction.max(least), ..dry },
+        None => Dry { friction: least, gas: 0.0 },
     }
 }
 
@@ -132,7 +141,7 @@ pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
         })
         .collect();
     f[zero] = 0.0;
-    let least = 1e-3 * f.iter().fold(1.0f64, |m, f| m.max(f.abs()));
+    let least = 1e-3 * f.iter().fold(size(segments).force(), |m, f| m.max(f.abs()));
     for k in zero + 1..f.len() {
         f[k] = f[k].max(f[k - 1] + least);
     }

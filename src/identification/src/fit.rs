@@ -18,6 +18,7 @@ use dashpot_core::{element, list, number};
 use dashpot_estimation::campaign_clock::{clock_from, clock_runs_on};
 use dashpot_estimation::least_squares::{Effort, solve};
 use dashpot_estimation::samples::segments;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy, Run};
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
@@ -172,7 +173,9 @@ fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
     }
 }
 
-/// Starting values of the series stiffness, N/m: soft mount, oil column, stiff oil column.
+/// Span of side forces, N, from which friction under them is looked for in a damper of a car.
+const VARIED_SIDE_FORCE: f64 = 20.0;
+/// Starting values of the series stiffness of a car's damper, N/m: soft mount, oil column, stiff oil column.
 const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
 
 /// Fits a model to records.
@@ -294,9 +297,10 @@ fn fit_thesis(
     };
     let (frictions, springs, physical) = (variants(FRICTION), variants(SPRING), variants(PHYSICAL_SPRING));
     let refs: Vec<&Segment> = segments.iter().collect();
+    let size = first_guess::size(segments);
     let varied_side_force = {
         let side = || segments.iter().flat_map(|s| s.input.iter().map(|i| i.side_force.abs()));
-        side().fold(0.0, f64::max) - side().fold(f64::INFINITY, f64::min) > 20.0
+        side().fold(0.0, f64::max) - side().fold(f64::INFINITY, f64::min) > VARIED_SIDE_FORCE * size.force()
     };
     let find_variant = |list: &[Variant], name: &str| list.iter().copied().find(|v| v.name == name).unwrap_or(list[0]);
     let start = Structure {
@@ -315,7 +319,7 @@ fn fit_thesis(
         .par_iter()
         .map(|stiffness| {
             let mut from = *guess;
-            let _ = from.set(number!("series_stiffness"), *stiffness);
+            let _ = from.set(number!("series_stiffness"), *stiffness * size.force());
             let unknowns = start.unknowns(&from, segments);
             let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
             (found.cost, unknowns.params(&found.theta))
@@ -333,7 +337,7 @@ fn fit_thesis(
         let variants = (&frictions[..], &springs[..], &physical[..]);
         (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
         let before = structure;
-        let ways = OfTheRig::ways(segments, options.late, about.clock_runs_on);
+        let ways = OfTheRig::ways(segments, options.late, about.clock_runs_on, Scale::of(&from));
         let warms = about.temperature.filter(|_| structure.gas && allowed(element!("gas_warming")));
         (structure, from) = look_at_the_measurement(structure, from, segments, ways, warms, &mut choices, progress);
         if structure.rig != before.rig || structure.warming.is_some() {
@@ -596,7 +600,7 @@ fn with_the_rest_of_the_measurement(
     given: &Off,
 ) -> Vec<Estimate> {
     let mut freed = unknowns.clone().starting_at(theta);
-    let open = OfTheRig::left_open(&freed.rig, given);
+    let open = OfTheRig::left_open(&freed.rig, given, Scale::of(&freed.base));
     if open.is_empty() {
         return Vec::new();
     }

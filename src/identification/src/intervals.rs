@@ -5,6 +5,7 @@ use super::phrases;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 use dashpot_estimation::least_squares::covariance;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{Accuracy, Run};
 use dashpot_estimation::unknowns::{Unknown, Unknowns, anchor};
@@ -70,6 +71,7 @@ pub fn estimates(
     let speed = segments.iter().fold(0.0f64, |m, s| m.max(s.peak_velocity));
     let sources = sources(segments, unknowns, theta);
     let (low, high) = unknowns.bounds();
+    let scale = Scale::of(&unknowns.base);
     let mut loose = Vec::new();
     let mut list = Vec::new();
     for (i, unknown) in unknowns.list.iter().enumerate() {
@@ -100,7 +102,7 @@ pub fn estimates(
                 if !identified {
                     loose.push(i);
                 }
-                let (bound_low, bound_high) = number.bounds();
+                let (bound_low, bound_high) = scale.reach(*number);
                 list.push(Estimate {
                     name: number.name(),
                     index: None,

@@ -10,6 +10,7 @@ use super::phrases;
 use dashpot_estimation::least_squares::covariance;
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::rig_number::RigNumber;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::unknowns::Unknowns;
@@ -60,14 +61,19 @@ impl OfTheRig {
     pub const NONE: OfTheRig = OfTheRig { delay: None, mass: None, gain_drift: None, force_drift: None };
 
     /// Each of them that these tests can show, alone, and all together, with names for the report. `late` is the delay that a first look at
-    /// the records found, `clock_runs_on` whether their clocks run through the campaign: what drifts is not looked for by clocks that start anew.
-    pub fn ways(segments: &[Segment], late: Option<f64>, clock_runs_on: bool) -> Vec<(&'static str, OfTheRig)> {
+    /// the records found, `scale` how strong the damper is, `clock_runs_on` whether their clocks run through the campaign: what drifts is not looked for by clocks that start anew.
+    pub fn ways(
+        segments: &[Segment],
+        late: Option<f64>,
+        clock_runs_on: bool,
+        scale: Scale,
+    ) -> Vec<(&'static str, OfTheRig)> {
         let around = |mean: f64, spread: f64| Some(Sought { usual: (mean, spread), start: mean });
         let mut all = OfTheRig::NONE;
         let mut ways = Vec::new();
         if tells_delay(segments) {
             all.delay = around(late.unwrap_or(0.0), DELAY);
-            all.mass = around(0.0, MASS);
+            all.mass = around(0.0, MASS * scale.force());
             ways.push((LATE, OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
             ways.push((WITH_MASS, OfTheRig { mass: all.mass, ..OfTheRig::NONE }));
         }
@@ -75,7 +81,7 @@ impl OfTheRig {
         let last = clocks.clone().fold(0.0, f64::max);
         let span = last - clocks.fold(f64::INFINITY, f64::min);
         if clock_runs_on && segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
-            (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO / last));
+            (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO * scale.force() / last));
             ways.push((GAIN_DRIFTS, OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
             ways.push((ZERO_DRIFTS, OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
         }
@@ -87,8 +93,8 @@ impl OfTheRig {
 
     /// What the measurement may still be off by where it was not looked for, or not believed, and nobody gave it: how late the force channel of
     /// a rig usually is, and what usually hangs on its load cell. A soft series path looks like either.
-    pub fn left_open(looked_for: &[RigNumber], given: &Off) -> Vec<RigNumber> {
-        let open = [(Artefact::Delay, DELAY, given.delay_s), (Artefact::Mass, MASS, given.mass_kg)];
+    pub fn left_open(looked_for: &[RigNumber], given: &Off, scale: Scale) -> Vec<RigNumber> {
+        let open = [(Artefact::Delay, DELAY, given.delay_s), (Artefact::Mass, MASS * scale.force(), given.mass_kg)];
         let is_open = |artefact: Artefact| looked_for.iter().all(|number| number.artefact != artefact);
         let open = open.into_iter().filter(|(artefact, _, given)| *given == 0.0 && is_open(*artefact));
         open.map(|(artefact, spread, _)| RigNumber { artefact, start: 0.0, usual: (0.0, spread) }).collect()

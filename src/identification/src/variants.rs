@@ -8,6 +8,7 @@ use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::least_squares::{Effort, left_out_errors, solve};
 use dashpot_estimation::priors::unusual;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::spring_end::excess;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
@@ -234,7 +235,7 @@ pub const PHYSICAL_SPRING: &[Variant] = &[
 const CLEARANCES: [f64; 3] = [0.5, 0.7, 0.85];
 /// Lengths, m, of a gas column that is looked for: a short one stiffens within the stroke.
 const COLUMNS: [f64; 2] = [0.1, 0.3];
-/// First stiffness of a stop, N/m, that no table has drawn.
+/// First stiffness of a stop of a car, N/m, that no table has drawn.
 const STOP: f64 = 1e4;
 /// The stops, with the side on which each lies, and their numbers that a fit starts from.
 const STOPS: [(Element, f64, Number, Number); 2] = [
@@ -268,7 +269,8 @@ impl Variant {
         let set = |share: &f64| {
             let mut start = *from;
             let clearance = share * reach;
-            let stiffness = if drawn > 0.0 { 0.5 * drawn / (reach - clearance) } else { STOP };
+            let stiffness =
+                if drawn > 0.0 { 0.5 * drawn / (reach - clearance) } else { STOP * Scale::of(from).force() };
             start.set(*clearance_of, clearance).ok()?;
             start.set(*stiffness_of, stiffness).ok()?;
             Some(start)
@@ -470,8 +472,9 @@ pub struct Candidate {
 /// The same with the series path of a usual damper; `None` where it has none.
 fn as_usual(from: &Params) -> Option<Params> {
     let mut usual = *from;
+    let scale = Scale::of(from);
     for number in [number!("series_stiffness"), number!("series_damping"), number!("internal_mass")] {
-        usual.set(number, number.default()).ok()?;
+        usual.set(number, number.inside(scale.of_number(number) * number.default())).ok()?;
     }
     (usual != *from).then_some(usual)
 }

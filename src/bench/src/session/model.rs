@@ -4,6 +4,7 @@ use crate::session::history::History;
 use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
+use dashpot_estimation::scale::Scale;
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
 use dashpot_records::sentence::Sentence;
 use std::path::{Path, PathBuf};
@@ -251,9 +252,9 @@ const SPREADS: f64 = 3.0;
 impl Reach {
     /// Of a number: what dampers show of it, the interval of the fit, the identified value and the present one all lie within, and the
     /// bounds of the table around.
-    pub fn of(row: &Row, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
+    pub fn of(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
-        let usual = Number::try_from(*row).ok().and_then(priors::of).map(|prior| prior.usual);
+        let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));
         let (mut low, mut high, factors) = match usual {
             Some(Usual::Size(median, factor)) => (median / factor.powf(SPREADS), median * factor.powf(SPREADS), true),
             Some(Usual::Strength(median, factor)) => {
@@ -287,8 +288,8 @@ impl Reach {
 }
 
 /// What dampers show of a number: the middle two thirds.
-pub fn usual_band(row: &Row) -> Option<[f64; 2]> {
-    Some(match priors::of(Number::try_from(*row).ok()?)?.usual {
+pub fn usual_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
+    Some(match priors::of(Number::try_from(*row).ok()?, scale)? {
         Usual::Size(median, factor) => [median / factor, median * factor],
         Usual::Strength(median, factor) => [0.0, median * factor],
         Usual::Place(mean, deviation) => [mean - deviation, mean + deviation],
@@ -299,9 +300,10 @@ pub fn usual_band(row: &Row) -> Option<[f64; 2]> {
 pub fn with_usual(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
+    let scale = Scale::of(params);
     let rows = parameter::table().filter(|row| row.element() == Some(element));
     for number in rows.filter_map(|row| Number::try_from(row).ok()) {
-        let value = match priors::of(number).map(|p| p.usual) {
+        let value = match priors::of(number, scale) {
             Some(Usual::Size(median, _)) => median,
             Some(Usual::Strength(median, _)) => strength * median,
             Some(Usual::Place(mean, deviation)) => {
@@ -380,7 +382,7 @@ mod tests {
     fn sliders_reach_from_the_usual_to_the_value() {
         for row in parameter::table().filter(|r| matches!(r.parameter.shape, Shape::Scalar)) {
             let default = row.parameter.default[0];
-            let reach = Reach::of(&row, default, default, None);
+            let reach = Reach::of(&row, Scale::CAR, default, default, None);
             assert!(reach.low <= default && default <= reach.high, "{} {reach:?}", row.parameter.name);
             assert!(reach.low.is_finite() && reach.high.is_finite() && reach.low <= reach.high);
             assert!((0.0..=1.0).contains(&reach.place(default)));

@@ -10,6 +10,7 @@ use crate::views::{Corner, View, hue, named_list};
 use crate::words::Words;
 use dashpot_core::number;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
+use dashpot_estimation::scale::Scale;
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
 use egui_plot::{Line, Plot, PlotPoints};
 
@@ -59,7 +60,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     named_list(list, w.study);
     if let Some(number) = form.number {
         let value = params.number(number);
-        let reach = Reach::of(number.row(), value, value, model.interval(number.name(), 0));
+        let reach = Reach::of(number.row(), Scale::of(&params), value, value, model.interval(number.name(), 0));
         let [low, high] = form.range.unwrap_or(around(value, &reach));
         let unit = shown(number.parameter().unit);
         let (mut from, mut to) = (low, high);

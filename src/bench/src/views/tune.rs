@@ -7,6 +7,7 @@ use crate::views::{View, named_list};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Row, Shape};
 use dashpot_core::{list, number};
+use dashpot_estimation::scale::Scale;
 use dashpot_identification::literature::piecewise_linear::SLOPES_AND_KNEES;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
@@ -123,7 +124,8 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         return;
     };
     let interval = model.interval(p.name, entry);
-    let reach = Reach::of(row, identified, now, interval);
+    let scale = Scale::of(&model.identified);
+    let reach = Reach::of(row, scale, identified, now, interval);
     let unit = shown(p.unit);
     let name = match p.shape {
         Shape::List(_) => format!("{}[{entry}]", p.name),
@@ -148,7 +150,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         let slider = slider.logarithmic(reach.factors).smallest_positive(reach.low.max(1e-300)).show_value(false);
         let slider = ui.add(slider.clamping(SliderClamping::Never));
         slider.widget_info(|| WidgetInfo::slider(true, unit.factor * value, format!("{name} {}", unit.symbol)));
-        marks(ui, slider.rect, &reach, usual_band(row), interval, identified);
+        marks(ui, slider.rect, &reach, usual_band(row, scale), interval, identified);
         let mut in_unit = unit.factor * value;
         let speed = (in_unit.abs() * 0.005).max(1e-9);
         let field =

@@ -5,20 +5,22 @@ use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::hypothesis::{Number as FreeNumber, number};
 use dashpot_estimation::priors::{self, Usual};
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::unknowns::Unknown;
 
 /// Factor by which the internal mass may leave that of the model: two standard deviations of what dampers show. A rod does not get heavier, so
 /// that records which ask for more than that disagree with the model, and the mass has a name; free, it would take up any mass of the rig. Held
 /// to what the rods of one laboratory have, whatever the model says, it would make a mass of the rig of every heavier rod.
 const NEAR: f64 = 1.8 * 1.8;
-/// Least mass, kg, that it may go to and from: below it no record tells one from another.
+/// Least mass, kg, that it may go to and from in a damper of a car: below it no record tells one from another.
 const LEAST: f64 = 0.05;
 
 fn internal_mass(base: &Params) -> FreeNumber {
-    let own = base.number(number!("internal_mass")).max(LEAST);
+    let least = LEAST * Scale::of(base).force();
+    let own = base.number(number!("internal_mass")).max(least);
     let mut from = *base;
     let _ = from.set(number!("internal_mass"), own);
-    let bounds = ((own / NEAR).max(LEAST).ln(), (own * NEAR).ln());
+    let bounds = ((own / NEAR).max(least).ln(), (own * NEAR).ln());
     FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 
@@ -40,17 +42,18 @@ const SWITCHED_OFF: f64 = 5.0;
 /// Numbers of the elements beyond those: of what a fit or an earlier diagnosis has put into the model, as presliding friction. Held, they
 /// would leave it to another effect to give way in their place.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
+    let scale = Scale::of(base);
     let mut all = Vec::new();
     let own = |row: &Row| row.element().is_some_and(|e| base.is_on(e) && !LISTED.contains(&e));
     for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
         let Ok(number) = Number::try_from(row) else { continue };
-        let (value, Some(prior)) = (base.number(number), priors::of(number)) else { continue };
+        let (value, Some(usual)) = (base.number(number), priors::of(number, scale)) else { continue };
         // What a temperature does to a test is counted beside the model.
         let is_heat = number == number!("heat_capacity");
-        if value == 0.0 || prior.usual.off(value).abs() > SWITCHED_OFF || is_heat {
+        if value == 0.0 || usual.off(value).abs() > SWITCHED_OFF || is_heat {
             continue;
         }
-        all.push(if matches!(prior.usual, Usual::Size(..)) { Unknown::Log(number) } else { Unknown::Linear(number) });
+        all.push(if matches!(usual, Usual::Size(..)) { Unknown::Log(number) } else { Unknown::Linear(number) });
     }
     all
 }

@@ -19,6 +19,7 @@ use super::situation::Situation;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::measurement::Artefact;
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::sentence::Template;
 
@@ -97,7 +98,42 @@ pub struct Candidate {
     pub unnamed: Option<Template>,
 }
 
+impl Fresh {
+    /// Factor by which its number grows with the damper.
+    fn factor(&self, scale: Scale) -> f64 {
+        match &self.free {
+            Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => scale.of_number(*number),
+            Free::Model(Unknown::Rise { .. }) | Free::HeatCapacity => scale.force(),
+            Free::Rig(artefact) => scale.of_artefact(*artefact),
+            Free::Model(Unknown::Above(..) | Unknown::Entry(..)) | Free::Cooling => 1.0,
+        }
+    }
+
+    fn grow(&mut self, scale: Scale) {
+        let (factor, (low, high)) = (self.factor(scale), self.plausible);
+        self.plausible = (factor * low, factor * high);
+        if let Free::Rig(Artefact::Loop(width)) = &mut self.free {
+            *width = ((f64::from(*width) * scale.force()).round() as u32).max(1);
+        }
+    }
+}
+
 impl Candidate {
+    /// From what it is for a damper of a car to what it is for one of this size.
+    fn grow(&mut self, scale: Scale) {
+        for start in &mut self.starts {
+            for (value, fresh) in start.values.iter_mut().zip(&self.fresh) {
+                *value *= fresh.factor(scale);
+            }
+            if let Some(drawn) = &mut start.unbend {
+                drawn.from *= scale.force();
+            }
+            start.level *= scale.force();
+        }
+        self.fixed.iter_mut().for_each(|(number, value)| *value *= scale.of_number(*number));
+        self.fresh.iter_mut().for_each(|fresh| fresh.grow(scale));
+    }
+
     /// How many numbers it adds; those that stay near what is usual count half.
     pub fn numbers(&self) -> f64 {
         self.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum()
@@ -147,6 +183,12 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
 
 /// All effects that could be added in a situation: those of elements that are not on, and those of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
+    // All sizes and starts are those of cars: for another damper they are put up for it as if it were one, and then grow to its size.
+    if !s.scale.is_car() {
+        let mut all = candidates(&s.as_car());
+        all.iter_mut().for_each(|candidate| candidate.grow(s.scale));
+        return all;
+    }
     let mut all = Vec::new();
     springs::springs(&mut all, s);
     friction::friction(s, &mut all);

@@ -1,0 +1,226 @@
+//! How strong a damper is beside that of a passenger car.
+//!
+//! What is usual, where a search begins and how far it may go was learned of passenger cars: a mount of 2.5 MN/m, friction of 40 N, a rod of
+//! 0.4 kg. A damper of an instrument with 10 N and one of a train with 20 kN have none of these, but they have them in proportion: at the same
+//! pressures and strokes force, stiffness, mass and heat all grow with the area of the piston. So a number with a force in its unit is
+//! compared with that of cars after both are divided by what the damper is stronger. Lengths, speeds and times stay as they are: clearances,
+//! films of oil and valves do not grow so.
+
+use crate::measurement::Artefact;
+use crate::usual::Usual;
+use dashpot_core::parameter::Number;
+use dashpot_core::{Params, element, list, number};
+
+/// Largest force, N, of the dampers that what is usual was learned of: between these nothing is changed, so that a soft and a firm damper of a
+/// car are judged alike. From the virtual rigs and the measured dampers of the book, 0.4 to 6 kN; a narrower range would change what is said of
+/// cars.
+const CARS: (f64, f64) = (300.0, 8000.0);
+/// The one, N, that stands for them all, for which the medians hold: a damper far beyond the range is compared with it. The middle of the range
+/// by its logarithm; compared with the nearer end instead, a weak damper would have the series stiffness of a soft damper of a car, and be taken
+/// for a stiff one.
+const TYPICAL: f64 = 1500.0;
+/// Factor beyond the range within which one goes over into the other, so that no damper is judged otherwise than another that is hardly weaker.
+const PASSAGE: f64 = 3.0;
+
+/// What a fit or a diagnosis of a passenger car's damper goes to at most, where the parameter table allows more for the sake of others.
+const REACH: &[(Number, (f64, f64))] = &[
+    (number!("series_stiffness"), (1e4, 1e8)),
+    (number!("series_damping"), (0.0, 1e5)),
+    (number!("internal_mass"), (0.05, 20.0)),
+    (number!("free_play_force"), (0.1, 1e4)),
+    (number!("oil_stiffness"), (2e4, 1e9)),
+    (number!("valve_opening_force"), (1.0, 1e5)),
+    (number!("valve_width"), (10.0, 1e5)),
+    (number!("valve_play"), (0.0, 1e4)),
+    (number!("fsd_force"), (1.0, 1e4)),
+    (number!("fsd_laminar_force"), (1.0, 1e5)),
+    (number!("fsd_flow"), (0.0, 10.0)),
+    (number!("bypass_flow"), (0.0, 10.0)),
+    (number!("aeration_force"), (1.0, 1e4)),
+    (number!("cavitation_force"), (10.0, 1e6)),
+    (number!("fade_laminar_force"), (10.0, 1e9)),
+    (number!("gas_stiffness"), (0.0, 1e6)),
+    (number!("spring_linear"), (0.0, 1e7)),
+    (number!("spring_quadratic"), (0.0, 1e6)),
+    (number!("spring_cubic"), (0.0, 1e7)),
+    (number!("spring_quartic"), (0.0, 1e8)),
+    (number!("gas_force"), (-1e4, 1e4)),
+    (number!("coulomb_force"), (0.0, 1e4)),
+    (number!("stribeck_coulomb_force"), (0.0, 1e4)),
+    (number!("stribeck_breakaway_force"), (0.0, 1e4)),
+    (number!("presliding_force"), (0.0, 1e4)),
+    (number!("bump_stop_stiffness"), (0.0, 1e7)),
+    (number!("rebound_stop_stiffness"), (0.0, 1e7)),
+    (number!("bump_stop_damping"), (0.0, 1e6)),
+    (number!("rebound_stop_damping"), (0.0, 1e6)),
+    (number!("viscous_coefficient"), (0.0, 1e5)),
+    (number!("gas_warming_rate"), (0.0, 50.0)),
+    (number!("moving_mass"), (0.0, 100.0)),
+];
+
+/// How many times as strong a damper is as one of a passenger car; 1 for those.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale(f64);
+
+impl Scale {
+    /// That of passenger cars.
+    pub const CAR: Scale = Scale(1.0);
+
+    /// Of a damper with this largest force, N.
+    pub fn of_force(largest: f64) -> Scale {
+        let (low, high) = CARS;
+        // A model without a force says nothing of its size.
+        if !(largest > 0.0 && largest.is_finite()) || (low..=high).contains(&largest) {
+            return Scale::CAR;
+        }
+        let beyond = largest / largest.clamp(low, high);
+        let share = (beyond.ln().abs() / PASSAGE.ln()).min(1.0);
+        Scale((largest / TYPICAL).powf(share))
+    }
+
+    /// Of the damper that a model is of: from its curve, its friction and its gas force, which are there before anything else is known.
+    pub fn of(params: &Params) -> Scale {
+        let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
+        let beside = [
+            (element!("coulomb_friction"), number!("coulomb_force")),
+            (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
+            (element!("presliding_friction"), number!("presliding_force")),
+            (element!("gas_preload"), number!("gas_force")),
+        ];
+        let beside = beside.into_iter().filter(|(element, _)| params.is_on(*element));
+        Scale::of_force(curve + beside.map(|(_, force)| params.number(force).abs()).sum::<f64>())
+    }
+
+    /// Whether it is that of cars.
+    pub fn is_car(self) -> bool {
+        self == Scale::CAR
+    }
+
+    /// Factor on forces, and on whatever has a force in its unit: stiffness, damping, mass, heat.
+    pub fn force(self) -> f64 {
+        self.0
+    }
+
+    /// Factor on a number of the model.
+    pub fn of_number(self, number: Number) -> f64 {
+        if self.is_car() {
+            return 1.0;
+        }
+        if number == number!("fsd_flow") || number == number!("bypass_flow") {
+            // Stated at a force of 1 kN, through an orifice: the same passage lets a force of a hundredth drive a tenth.
+            self.0.powf(-0.5)
+        } else {
+            self.of_unit(number.parameter().unit)
+        }
+    }
+
+    fn of_unit(self, unit: &str) -> f64 {
+        if ["N", "kg", "J", "W"].iter().any(|force| unit.starts_with(force)) { self.0 } else { 1.0 }
+    }
+
+    /// Factor on a number of the rig: the load cell is chosen for the damper, and what hangs on it built for it.
+    pub fn of_artefact(self, artefact: Artefact) -> f64 {
+        self.of_unit(artefact.unit())
+    }
+
+    /// How far a search may go, of a number that lies between these in the parameter table.
+    pub fn reach(self, number: Number) -> (f64, f64) {
+        let (low, high) = number.bounds();
+        let Some((_, (from, to))) = REACH.iter().find(|(of, _)| *of == number) else { return (low, high) };
+        let factor = self.of_number(number);
+        (low.max(from * factor), high.min(to * factor))
+    }
+
+    /// What is usual of a number, of one that is usual of cars.
+    pub fn usual(self, number: Number, of_cars: Usual) -> Usual {
+        let factor = self.of_number(number);
+        match of_cars {
+            Usual::Size(median, spread) => Usual::Size(factor * median, spread),
+            Usual::Strength(median, spread) => Usual::Strength(factor * median, spread),
+            Usual::Place(mean, deviation) => Usual::Place(factor * mean, factor * deviation),
+        }
+    }
+
+    /// A model of this damper as it would be of a car's.
+    pub fn as_car(self, params: &Params) -> Params {
+        let mut as_car = *params;
+        if self.is_car() {
+            return as_car;
+        }
+        for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
+            let _ = as_car.set(number, number.inside(params.number(number) / self.of_number(number)));
+        }
+        for forces in [list!("fv_force"), list!("spring_force")] {
+            let forces_of_cars: Vec<f64> = params.list(forces).iter().map(|force| force / self.0).collect();
+            let _ = as_car.set_list(forces, &forces_of_cars);
+        }
+        as_car
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with_forces(factor: f64) -> Params {
+        let mut params = Params::new();
+        let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| factor * force).collect();
+        params.set_list(list!("fv_force"), &forces).unwrap();
+        params.disable_all();
+        params.enable(element!("fv_curve"), true);
+        params
+    }
+
+    #[test]
+    fn what_is_said_of_cars_is_not_changed() {
+        for factor in [0.1, 1.0, 2.0] {
+            let scale = Scale::of(&with_forces(factor));
+            assert!(scale.is_car(), "{factor}: {scale:?}");
+            assert_eq!(scale.reach(number!("internal_mass")), (0.05, 20.0));
+        }
+    }
+
+    #[test]
+    fn what_has_a_force_in_its_unit_grows_with_the_damper_and_nothing_else() {
+        let (small, large) = (Scale::of_force(15.0), Scale::of_force(30_000.0));
+        for (scale, factor) in [(small, 0.01), (large, 20.0)] {
+            for number in ["series_stiffness", "internal_mass", "coulomb_force", "gas_warming_rate", "heat_capacity"] {
+                let of = scale.of_number(Number::find(number).unwrap());
+                assert!((of / factor - 1.0).abs() < 1e-12, "{number}: {of}");
+            }
+            for number in ["coulomb_steepness", "presliding_length", "gas_thermal_time", "oil_shortening"] {
+                assert_eq!(scale.of_number(Number::find(number).unwrap()), 1.0, "{number}");
+            }
+        }
+        assert_eq!(Scale::of_force(0.0), Scale::CAR);
+    }
+
+    #[test]
+    fn a_model_as_of_a_car_has_the_forces_of_a_car() {
+        for factor in [1e-3, 0.01, 0.08, 3.0, 30.0] {
+            let model = with_forces(factor);
+            let scale = Scale::of(&model);
+            assert!(!scale.is_car(), "{factor}");
+            assert!(Scale::of(&scale.as_car(&model)).is_car(), "{factor}: {scale:?}");
+        }
+    }
+
+    #[test]
+    fn a_damper_that_is_hardly_weaker_is_hardly_judged_otherwise() {
+        let mut force = 1.0;
+        while force < 1e5 {
+            let (here, next) = (Scale::of_force(force).force(), Scale::of_force(1.01 * force).force());
+            assert!((next / here).ln().abs() < 0.1, "{force}: {here}, {next}");
+            force *= 1.01;
+        }
+    }
+
+    #[test]
+    fn every_reach_lies_inside_the_bounds_of_its_parameter_and_stands_once() {
+        for (k, (number, (low, high))) in REACH.iter().enumerate() {
+            let bounds = number.bounds();
+            assert!(bounds.0 <= *low && *high <= bounds.1, "{number}: {bounds:?}");
+            assert!(REACH[..k].iter().all(|(other, _)| other != number), "{number} stands twice");
+        }
+    }
+}

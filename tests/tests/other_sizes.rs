@@ -1,0 +1,122 @@
+//! Dampers of other sizes than those of passenger cars: the same records with all forces a hundredth or twenty times of what they are give the same
+//! model with its forces a hundredth or twenty times, the same choices, the same error and the same names.
+
+use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{Params, element, list};
+use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_estimation::scale::Scale;
+use dashpot_identification::{Fit, FitOptions, Standing, fit};
+use dashpot_records::Record;
+use dashpot_records::record::Noise;
+use dashpot_tests::kernel_campaign::{Sine, base, campaign};
+use std::f64::consts::TAU;
+
+/// An instrument's damper and one of an aircraft.
+const FACTORS: [f64; 2] = [0.01, 20.0];
+
+fn tests() -> Vec<Sine> {
+    let mut tests = Vec::new();
+    for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
+        for peak in [0.052, 0.13, 0.26, 0.52, 1.05, 1.57] {
+            let frequency = peak / (TAU * amplitude);
+            if frequency <= 25.1 {
+                tests.push(Sine::new(amplitude, frequency));
+            }
+        }
+    }
+    tests.extend([0.008, 0.03, 0.1].map(|frequency| Sine::new(0.01, frequency)));
+    tests
+}
+
+/// The same records, their forces so many times as large.
+fn times(records: &[Record], factor: f64) -> Vec<Record> {
+    let of = |record: &Record| Record {
+        force: record.force.iter().map(|force| factor * force).collect(),
+        noise: Noise { force_rms: factor * record.noise.force_rms, ..record.noise },
+        ..record.clone()
+    };
+    records.iter().map(of).collect()
+}
+
+/// The same model, its forces so many times as large.
+fn model_times(model: &Params, factor: f64) -> Params {
+    // One beyond the size of a car by the same factor, the other way round.
+    Scale::of_force(1500.0 / factor).as_car(model)
+}
+
+fn fitted(records: &[Record]) -> Fit {
+    fit(&records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
+}
+
+#[test]
+fn a_fit_of_scaled_forces_is_the_scaled_fit() {
+    let mut truth = base();
+    truth.enable(element!("coulomb_friction"), false);
+    truth.enable(element!("presliding_friction"), true);
+    let records = campaign(&truth, &tests(), 5, 0.01);
+    let of_a_car = fitted(&records);
+    for factor in FACTORS {
+        let found = fitted(&times(&records, factor));
+        let chosen = |fit: &Fit| fit.choices.iter().map(|c| (c.of, c.chosen)).collect::<Vec<_>>();
+        assert_eq!(chosen(&found), chosen(&of_a_car), "{factor}");
+        assert!((found.misfit / of_a_car.misfit - 1.0).abs() < 0.02, "{factor}: {} {}", found.misfit, of_a_car.misfit);
+        let told = |fit: &Fit| fit.measured.iter().map(|m| m.name).collect::<Vec<_>>();
+        assert_eq!(told(&found), told(&of_a_car), "{factor}");
+        for was in of_a_car.estimates.iter().filter(|e| e.standing == Standing::Identified) {
+            let is = found.estimates.iter().find(|e| e.name == was.name && e.index == was.index).unwrap();
+            let grown = if was.unit.starts_with('N') || was.unit == "kg" { factor } else { 1.0 };
+            let width = (was.high.unwrap() - was.low.unwrap()).max(0.01 * was.value.abs());
+            assert!((is.value / grown - was.value).abs() < width, "{factor}: {} {was:?}\n{is:?}", is.value / grown);
+        }
+    }
+}
+
+fn diagnosed(records: &[Record], model: &Params) -> Diagnosis {
+    let refs: Vec<&Record> = records.iter().collect();
+    diagnose(&refs, &choose_held_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
+}
+
+#[test]
+fn what_is_hidden_in_a_damper_of_another_size_has_the_same_name() {
+    let hidden: [(&str, &[(&str, f64)]); 3] = [
+        ("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]),
+        ("moving_mass", &[("moving_mass", 2.0)]),
+        ("free_play", &[("free_play_gap", 4e-4), ("free_play_force", 8.0)]),
+    ];
+    for (effect, numbers) in hidden {
+        let mut truth = base();
+        truth.enable(Element::find(effect).unwrap(), true);
+        for (name, value) in numbers {
+            truth.set(Number::find(name).unwrap(), *value).unwrap();
+        }
+        let records = campaign(&truth, &tests(), 11, 0.02);
+        for factor in FACTORS {
+            let model = model_times(&base(), factor);
+            assert!(
+                model
+                    .list(list!("fv_force"))
+                    .iter()
+                    .zip(base().list(list!("fv_force")))
+                    .all(|(is, was)| { (is - factor * was).abs() <= 1e-9 * (factor * was).abs() })
+            );
+            let found = diagnosed(&times(&records, factor), &model);
+            assert_eq!(found.verdict, Verdict::Named, "{effect} {factor}: {}", found.summary);
+            assert_eq!(found.findings[0].effect, effect, "{factor}: {}", found.summary);
+            for (name, value) in numbers.iter().take(1) {
+                let unit = Number::find(name).unwrap().parameter().unit;
+                let grown = if unit == "m" { *value } else { factor * value };
+                let is = found.findings[0].parameters[*name].value;
+                assert!((is / grown - 1.0).abs() < 0.3, "{name} {is} for {grown}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_is_missing_in_a_damper_of_another_size_where_nothing_is() {
+    let records = campaign(&base(), &tests(), 1, 0.02);
+    for factor in FACTORS {
+        let found = diagnosed(&times(&records, factor), &model_times(&base(), factor));
+        assert_eq!(found.verdict, Verdict::NothingMissing, "{factor}: {}", found.summary);
+    }
+}
