@@ -44,7 +44,7 @@ fn page() -> String {
             let p = row.parameter;
             let (default, bounds) = match p.shape {
                 Shape::Choice(words) => (words[0].to_owned(), words.join(", ")),
-                Shape::Scalar => (format!("{}", p.default[0]), format!("{} … {}", p.low, p.high)),
+                Shape::Scalar => (format!("{}", p.default[0]), format!("{} … {}", p.of_a_car.0, p.of_a_car.1)),
                 Shape::List(n) => (
                     if p.default.is_empty() { "none".to_owned() } else { format!("{} points", p.default.len()) },
                     format!("up to {n}, each {} … {}", p.low, p.high),

@@ -92,12 +92,16 @@ pub const DASHPOT_NOT_COMPUTABLE: i32 = -34;
 pub const DASHPOT_NO_SUCH_STATE: i32 = -35;
 /// Model file: it was cut off; it ends before the [...] that its first comment announces.
 pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
+/// A parameter is far larger or smaller than goes with the others. What has a force in its unit may be a thousandth to a hundred
+/// times what it may be in a car's damper, if all such numbers are of one size: a rod of 1 g goes with a damper of 10 N, not with
+/// one of 1 kN.
+pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 40] = [
+static TEXTS: [(i32, [u8; LENGTH]); 41] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -137,6 +141,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 40] = [
     (DASHPOT_CURVE_LENGTHS, padded(Reason::CurveLengths.text())),
     (DASHPOT_NOT_INCREASING, padded(Reason::NotIncreasing.text())),
     (DASHPOT_FALLS, padded(Reason::Falls.text())),
+    (DASHPOT_OUT_OF_PROPORTION, padded(Reason::OutOfProportion.text())),
     (DASHPOT_ORDER, padded(Reason::Order.text())),
     (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
     (DASHPOT_TOO_MANY_STATES, padded(Reason::TooManyStates.text())),
@@ -193,6 +198,7 @@ impl From<Reason> for Refused {
             Reason::CurveLengths => DASHPOT_CURVE_LENGTHS,
             Reason::NotIncreasing => DASHPOT_NOT_INCREASING,
             Reason::Falls => DASHPOT_FALLS,
+            Reason::OutOfProportion => DASHPOT_OUT_OF_PROPORTION,
             Reason::Order => DASHPOT_ORDER,
             Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,
             Reason::TooManyStates => DASHPOT_TOO_MANY_STATES,

@@ -37,6 +37,8 @@ pub enum Reason {
     TooClose,
     /// A curve rises by more than 1e8 from point to point.
     TooSteep,
+    /// Far larger or smaller than goes with the other numbers.
+    OutOfProportion,
     /// A limit that must lie above another does not.
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives it.
@@ -63,6 +65,9 @@ impl Reason {
             Reason::TooClose => "has two points nearer than 1e-6 (m/s or m); leave one of them out",
             Reason::TooSteep => {
                 "rises from one point to the next by more than 1e8 N s/m (or N/m); draw the jump over a longer part"
+            }
+            Reason::OutOfProportion => {
+                "is far larger or smaller than goes with the others: no damper has numbers of such different sizes"
             }
             Reason::Order => "must be larger than the limit below it",
             Reason::SofterThanInner => {

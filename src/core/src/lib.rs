@@ -44,6 +44,7 @@ pub mod number;
 pub mod parameter;
 pub mod paths;
 mod preparing;
+mod proportion;
 pub mod schema;
 pub mod settings;
 pub mod settle;

@@ -48,6 +48,7 @@ impl Model {
     pub fn check(params: &Params) -> Result<(), Fault> {
         params.check()?;
         Elements::check(params)?;
+        crate::proportion::check(params)?;
         // A step takes the tangent of the springs on the mass where it expects the mass; that is only stable where the series
         // spring decides where the mass can be.
         let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));

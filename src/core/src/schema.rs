@@ -18,6 +18,11 @@ pub enum Shape {
     List(usize),
 }
 
+/// How many times as strong as a passenger car's the smallest and the largest damper are, whose numbers are allowed: from one of an instrument,
+/// of some newtons, to the strut of an aeroplane or a lock, of some hundred kilonewtons. Wider bounds allow no damper that is not the same in
+/// proportion, so they only shift where a slip of units is refused.
+pub const SIZES: (f64, f64) = (1e-3, 100.0);
+
 /// One row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
@@ -33,6 +38,11 @@ pub struct Parameter {
     pub low: f64,
     /// Largest allowed value.
     pub high: f64,
+    /// Smallest and largest value in a damper of the size of a passenger car's. With a force in its unit a number may be smaller and
+    /// larger ([`SIZES`]), if all others of the set go with it ([`crate::proportion`]).
+    pub of_a_car: (f64, f64),
+    /// Whether it has to go with the size of the damper: it has a force in its unit.
+    pub grows: bool,
     /// One sentence for the reader of a report.
     pub meaning: &'static str,
 }
@@ -46,16 +56,35 @@ impl Parameter {
         bounds: (f64, f64),
         meaning: &'static str,
     ) -> Parameter {
-        Parameter { name, unit, shape: Shape::Scalar, default, low: bounds.0, high: bounds.1, meaning }
+        let grows = has_force(unit);
+        let (low, high) = if grows { of_any_size(bounds) } else { bounds };
+        Parameter { name, unit, shape: Shape::Scalar, default, low, high, of_a_car: bounds, grows, meaning }
+    }
+
+    /// The same row of a number whose largest value stands for none, in a damper of any size: it need not go with the others.
+    pub const fn none_at_most(mut self) -> Parameter {
+        self.high = self.of_a_car.1;
+        self.grows = false;
+        self
     }
 
     /// A row with one of several words; the first is the default.
     pub const fn choice(name: &'static str, words: &'static [&'static str], meaning: &'static str) -> Parameter {
         let high = words.len() as f64 - 1.0;
-        Parameter { name, unit: "-", shape: Shape::Choice(words), default: &[0.0], low: 0.0, high, meaning }
+        Parameter {
+            name,
+            unit: "-",
+            shape: Shape::Choice(words),
+            default: &[0.0],
+            low: 0.0,
+            high,
+            of_a_car: (0.0, high),
+            grows: false,
+            meaning,
+        }
     }
 
-    /// A row with a list of numbers.
+    /// A row with a list of numbers. Its bounds are wide enough for a damper of any size.
     pub const fn list(
         name: &'static str,
         unit: &'static str,
@@ -64,7 +93,17 @@ impl Parameter {
         bounds: (f64, f64),
         meaning: &'static str,
     ) -> Parameter {
-        Parameter { name, unit, shape: Shape::List(capacity), default, low: bounds.0, high: bounds.1, meaning }
+        Parameter {
+            name,
+            unit,
+            shape: Shape::List(capacity),
+            default,
+            low: bounds.0,
+            high: bounds.1,
+            of_a_car: bounds,
+            grows: has_force(unit),
+            meaning,
+        }
     }
 
     /// Room for its values.
@@ -78,6 +117,16 @@ impl Parameter {
     pub(crate) const fn holds_list(&self) -> bool {
         matches!(self.shape, Shape::List(_))
     }
+}
+
+/// Whether a unit is one of force, or holds one: stiffness, damping, mass (kg is N s²/m), heat.
+const fn has_force(unit: &str) -> bool {
+    matches!(unit.as_bytes(), [b'N' | b'J' | b'W', ..] | [b'k', b'g', ..])
+}
+
+/// Bounds of a number that grows with the damper, of those in a car.
+const fn of_any_size((low, high): (f64, f64)) -> (f64, f64) {
+    (if low > 0.0 { low * SIZES.0 } else { low * SIZES.1 }, high * SIZES.1)
 }
 
 /// The rows that belong together: an element of the model, or a set of settings.

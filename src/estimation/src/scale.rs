@@ -22,42 +22,6 @@ const TYPICAL: f64 = 1500.0;
 /// Factor beyond the range within which one goes over into the other, so that no damper is judged otherwise than another that is hardly weaker.
 const PASSAGE: f64 = 3.0;
 
-/// What a fit or a diagnosis of a passenger car's damper goes to at most, where the parameter table allows more for the sake of others.
-const REACH: &[(Number, (f64, f64))] = &[
-    (number!("series_stiffness"), (1e4, 1e8)),
-    (number!("series_damping"), (0.0, 1e5)),
-    (number!("internal_mass"), (0.05, 20.0)),
-    (number!("free_play_force"), (0.1, 1e4)),
-    (number!("oil_stiffness"), (2e4, 1e9)),
-    (number!("valve_opening_force"), (1.0, 1e5)),
-    (number!("valve_width"), (10.0, 1e5)),
-    (number!("valve_play"), (0.0, 1e4)),
-    (number!("fsd_force"), (1.0, 1e4)),
-    (number!("fsd_laminar_force"), (1.0, 1e5)),
-    (number!("fsd_flow"), (0.0, 10.0)),
-    (number!("bypass_flow"), (0.0, 10.0)),
-    (number!("aeration_force"), (1.0, 1e4)),
-    (number!("cavitation_force"), (10.0, 1e6)),
-    (number!("fade_laminar_force"), (10.0, 1e9)),
-    (number!("gas_stiffness"), (0.0, 1e6)),
-    (number!("spring_linear"), (0.0, 1e7)),
-    (number!("spring_quadratic"), (0.0, 1e6)),
-    (number!("spring_cubic"), (0.0, 1e7)),
-    (number!("spring_quartic"), (0.0, 1e8)),
-    (number!("gas_force"), (-1e4, 1e4)),
-    (number!("coulomb_force"), (0.0, 1e4)),
-    (number!("stribeck_coulomb_force"), (0.0, 1e4)),
-    (number!("stribeck_breakaway_force"), (0.0, 1e4)),
-    (number!("presliding_force"), (0.0, 1e4)),
-    (number!("bump_stop_stiffness"), (0.0, 1e7)),
-    (number!("rebound_stop_stiffness"), (0.0, 1e7)),
-    (number!("bump_stop_damping"), (0.0, 1e6)),
-    (number!("rebound_stop_damping"), (0.0, 1e6)),
-    (number!("viscous_coefficient"), (0.0, 1e5)),
-    (number!("gas_warming_rate"), (0.0, 50.0)),
-    (number!("moving_mass"), (0.0, 100.0)),
-];
-
 /// How many times as strong a damper is as one of a passenger car; 1 for those.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
@@ -123,10 +87,9 @@ impl Scale {
         self.of_unit(artefact.unit())
     }
 
-    /// How far a search may go, of a number that lies between these in the parameter table.
+    /// How far a search may go: as far as with a damper of a car, in proportion.
     pub fn reach(self, number: Number) -> (f64, f64) {
-        let (low, high) = number.bounds();
-        let Some((_, (from, to))) = REACH.iter().find(|(of, _)| *of == number) else { return (low, high) };
+        let ((low, high), (from, to)) = (number.bounds(), number.parameter().of_a_car);
         let factor = self.of_number(number);
         (low.max(from * factor), high.min(to * factor))
     }
@@ -212,15 +175,6 @@ mod tests {
             let (here, next) = (Scale::of_force(force).force(), Scale::of_force(1.01 * force).force());
             assert!((next / here).ln().abs() < 0.1, "{force}: {here}, {next}");
             force *= 1.01;
-        }
-    }
-
-    #[test]
-    fn every_reach_lies_inside_the_bounds_of_its_parameter_and_stands_once() {
-        for (k, (number, (low, high))) in REACH.iter().enumerate() {
-            let bounds = number.bounds();
-            assert!(bounds.0 <= *low && *high <= bounds.1, "{number}: {bounds:?}");
-            assert!(REACH[..k].iter().all(|(other, _)| other != number), "{number} stands twice");
         }
     }
 }

@@ -14,6 +14,7 @@ use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use dashpot_core::parameter::Element;
 use dashpot_core::parameter::{GROUPS, names};
 use dashpot_core::parameter::{Shape, table};
+use dashpot_core::schema::SIZES;
 use dashpot_test_support::Random;
 use std::ffi::CString;
 use std::fmt::Write as _;
@@ -238,6 +239,18 @@ fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     (x.iter().map(|x| (x - x0) / span * width).collect(), f.iter().map(|f| (f - f0) / top * height).collect())
 }
 
+/// All that grows with the damper, defaults too, `size` times as large; held inside the bounds.
+fn grow(values: &mut Vec<(&'static str, Vec<f64>)>, on: &[&'static str], size: f64) {
+    for row in table().filter(|row| row.parameter.grows && on.contains(&GROUPS[row.group].name)) {
+        let p = row.parameter;
+        let grown = |values: &[f64]| values.iter().map(|v| (size * v).clamp(p.low, p.high)).collect();
+        match values.iter_mut().find(|(name, _)| *name == p.name) {
+            Some((_, drawn)) => *drawn = grown(drawn),
+            None => values.push((p.name, grown(p.default))),
+        }
+    }
+}
+
 impl Case {
     /// A parameter set with these elements on.
     pub fn set(r: &mut Random, on: Vec<&'static str>) -> Case {
@@ -255,7 +268,7 @@ impl Case {
                     let n = if r.chance(0.7) { 0.0 } else { r.one_of(9) as f64 };
                     values.push((p.name, vec![n]));
                 }
-                Shape::Scalar => values.push((p.name, vec![scalar(r, p.low, p.high, p.default[0])])),
+                Shape::Scalar => values.push((p.name, vec![scalar(r, p.of_a_car.0, p.of_a_car.1, p.default[0])])),
                 Shape::List(n) if p.name == "polynomial" => {
                     let count = 1 + r.one_of(n);
                     values.push((p.name, (0..count).map(|_| r.between(-1e4, 1e4)).collect()));
@@ -274,6 +287,11 @@ impl Case {
             let (x, f) = rising(r, width, height);
             values.push(("spring_displacement", x));
             values.push(("spring_force", f));
+        }
+        // Drawn beside all else, so that a seed gives the cases that it gave before there were dampers of other sizes.
+        let mut sizes = Random(r.0 ^ 0x73_69_7a_65);
+        if sizes.chance(0.3) {
+            grow(&mut values, &on, sizes.decade(SIZES.0, SIZES.1));
         }
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }

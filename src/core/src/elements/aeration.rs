@@ -23,7 +23,7 @@ impl Describe for Aeration {
             "aeration_force",
             "N",
             &[150.0],
-            (1e-3, 1e6),
+            (1.0, 1e4),
             "force at which half of that stroke is taken, F_a",
         ),
         Parameter::scalar(

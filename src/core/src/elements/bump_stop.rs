@@ -20,7 +20,7 @@ impl Describe for BumpStop {
             (0.0, 1.0),
             "compression from x = 0 at which the stop is met, as a positive length",
         ),
-        Parameter::scalar("bump_stop_stiffness", "N/m", &[50000.0], (0.0, 1e9), "stiffness at first contact"),
+        Parameter::scalar("bump_stop_stiffness", "N/m", &[50000.0], (0.0, 1e7), "stiffness at first contact"),
         Parameter::scalar(
             "bump_stop_progression",
             "m",
@@ -39,7 +39,7 @@ impl Describe for BumpStop {
             "bump_stop_damping",
             "N s/m",
             &[0.0],
-            (0.0, 1e8),
+            (0.0, 1e6),
             "hydraulic damping on the way in, at the depth of the progression",
         ),
         Parameter::choice(

@@ -70,7 +70,7 @@ impl Describe for Cavitation {
     const MEANING: &'static str =
         "cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("cavitation_force", "N", &[1500.0], (1e-3, 1e7), "largest hydraulic force of that stroke, C"),
+        Parameter::scalar("cavitation_force", "N", &[1500.0], (10.0, 1e6), "largest hydraulic force of that stroke, C"),
         Parameter::choice("cavitation_side", &["compression", "rebound"], "stroke whose force is capped"),
         Parameter::scalar(
             "cavitation_return",

@@ -19,7 +19,7 @@ impl Describe for FreePlay {
             "free_play_force",
             "N",
             &[20.0],
-            (1e-4, 1e6),
+            (0.1, 1e4),
             "force at which the gap is half closed, F_0: softness of the contact",
         ),
     ];

@@ -30,7 +30,7 @@ const SMALLEST: f64 = 0.05;
 impl Describe for GasSpring {
     const MEANING: &'static str = "growth of the gas force with the displacement of the rod, slow to fast";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("gas_stiffness", "N/m", &[500.0], (0.0, 1e8), "slow (isothermal) stiffness at x = 0, k"),
+        Parameter::scalar("gas_stiffness", "N/m", &[500.0], (0.0, 1e6), "slow (isothermal) stiffness at x = 0, k"),
         Parameter::scalar(
             "gas_length",
             "m",

@@ -18,7 +18,7 @@ pub struct GasWarming {
 impl Describe for GasWarming {
     const MEANING: &'static str = "gas force that grows with the temperature of the damper";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("gas_warming_rate", "N/K", &[0.8], (0.0, 5e3), "growth of the gas force per kelvin, c"),
+        Parameter::scalar("gas_warming_rate", "N/K", &[0.8], (0.0, 50.0), "growth of the gas force per kelvin, c"),
         Parameter::scalar(
             "gas_warming_reference",
             "degC",

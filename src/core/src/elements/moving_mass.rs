@@ -28,7 +28,7 @@ pub struct MovingMass {
 impl Describe for MovingMass {
     const MEANING: &'static str = "mass moved by the driven end, between load cell and damper, or by the piston";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("moving_mass", "kg", &[2.0], (0.0, 1e4), "mass, M"),
+        Parameter::scalar("moving_mass", "kg", &[2.0], (0.0, 100.0), "mass, M"),
         Parameter::scalar(
             "moving_mass_time",
             "s",

@@ -48,7 +48,7 @@ impl Describe for OilCompressibility {
             "oil_stiffness",
             "N/m",
             &[3e6],
-            (1.0, 1e11),
+            (2e4, 1e9),
             "stiffness of the oil column at x = 0, cylinder expansion included, k_o",
         ),
         Parameter::scalar(

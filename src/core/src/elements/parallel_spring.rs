@@ -31,10 +31,10 @@ const FORCE: Own<ParallelSpring, Many> = Own::named("spring_force");
 impl Describe for ParallelSpring {
     const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e9), "k_p of k_p x"),
-        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e10), "k_p of k_p x|x|"),
-        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e12), "k_p of k_p x^3"),
-        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e14), "k_p of k_p x^3|x|"),
+        Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "k_p of k_p x"),
+        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e6), "k_p of k_p x|x|"),
+        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e7), "k_p of k_p x^3"),
+        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e8), "k_p of k_p x^3|x|"),
         Parameter::list(
             "spring_displacement",
             "m",

@@ -44,7 +44,7 @@ impl Describe for PositionDependentDamping {
             "bypass_flow",
             "m/s",
             &[0.2],
-            (0.0, 100.0),
+            (0.0, 10.0),
             "groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b",
         ),
     ];

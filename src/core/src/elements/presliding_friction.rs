@@ -30,7 +30,7 @@ pub struct PreslidingFriction {
 impl Describe for PreslidingFriction {
     const MEANING: &'static str = "friction that turns over within a short travel after each reversal (Dahl)";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("presliding_force", "N", &[40.0], (0.0, 1e6), "friction level after long travel, F_c"),
+        Parameter::scalar("presliding_force", "N", &[40.0], (0.0, 1e4), "friction level after long travel, F_c"),
         Parameter::scalar(
             "presliding_length",
             "m",

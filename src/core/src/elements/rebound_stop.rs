@@ -20,7 +20,7 @@ impl Describe for ReboundStop {
             (0.0, 1.0),
             "extension from x = 0 at which the stop is met",
         ),
-        Parameter::scalar("rebound_stop_stiffness", "N/m", &[100000.0], (0.0, 1e9), "stiffness at first contact"),
+        Parameter::scalar("rebound_stop_stiffness", "N/m", &[100000.0], (0.0, 1e7), "stiffness at first contact"),
         Parameter::scalar(
             "rebound_stop_progression",
             "m",
@@ -39,7 +39,7 @@ impl Describe for ReboundStop {
             "rebound_stop_damping",
             "N s/m",
             &[0.0],
-            (0.0, 1e8),
+            (0.0, 1e6),
             "hydraulic damping on the way in, at the depth of the progression",
         ),
         Parameter::choice(

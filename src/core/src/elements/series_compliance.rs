@@ -25,9 +25,9 @@ impl Describe for SeriesCompliance {
     const MEANING: &'static str =
         "series spring and damper with the internal mass (compressibility of gas, oil and mount)";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1.0, 1e10), "stiffness of the series spring, k_s"),
-        Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e7), "damping beside the series spring, c_s"),
-        Parameter::scalar("internal_mass", "kg", &[0.5], (1e-4, 1e3), "moving mass of rod, oil and gas, m"),
+        Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
+        Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),
+        Parameter::scalar("internal_mass", "kg", &[0.5], (0.05, 20.0), "moving mass of rod, oil and gas, m"),
         Parameter::choice(
             "series_load",
             &["hydraulic", "whole"],

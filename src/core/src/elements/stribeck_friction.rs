@@ -56,10 +56,10 @@ impl Describe for StribeckFriction {
             "stribeck_breakaway_force",
             "N",
             &[50.0],
-            (0.0, 1e6),
+            (0.0, 1e4),
             "peak (transition) force, F_brk or F_t",
         ),
-        Parameter::scalar("stribeck_coulomb_force", "N", &[40.0], (0.0, 1e6), "level after the peak, F_c or F_s"),
+        Parameter::scalar("stribeck_coulomb_force", "N", &[40.0], (0.0, 1e4), "level after the peak, F_c or F_s"),
         Parameter::scalar(
             "stribeck_breakaway_velocity",
             "m/s",

@@ -43,15 +43,16 @@ impl Describe for TemperatureFade {
         ),
         Parameter::scalar("fade_coefficient", "1/K", &[0.003], (-0.02, 0.2), "fall of the damping per kelvin, alpha"),
         Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
-        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (0.1, 1e7), "heat capacity of oil and body, C_h"),
-        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e5), "heat given to the surroundings per kelvin, h"),
+        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C_h"),
+        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h"),
         Parameter::scalar(
             "fade_laminar_force",
             "N",
             &[ALL],
-            (1e-2, ALL),
+            (10.0, ALL),
             "force at which half of it still is laminar and fades, F_l; large: all of it fades",
-        ),
+        )
+        .none_at_most(),
         Parameter::scalar(
             "fade_slackening",
             "1/K",

@@ -290,10 +290,12 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                         params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
                     }
                     Shape::Scalar => {
-                        let low = if p.low > 0.0 { p.low } else { 1e-9 * p.high };
-                        let by_decade = low * (p.high / low).powf(*share);
-                        let ends = if *share < 0.05 { p.low } else { by_decade };
-                        params.set(Number::find(p.name).unwrap(), ends.clamp(p.low, p.high)).ok()?;
+                        // Other sizes are the same in proportion (`sizes`).
+                        let (least, most) = p.of_a_car;
+                        let low = if least > 0.0 { least } else { 1e-9 * most };
+                        let by_decade = low * (most / low).powf(*share);
+                        let ends = if *share < 0.05 { least } else { by_decade };
+                        params.set(Number::find(p.name).unwrap(), ends.clamp(least, most)).ok()?;
                     }
                     Shape::List(_) => {}
                 }

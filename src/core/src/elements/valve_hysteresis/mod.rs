@@ -100,7 +100,7 @@ impl Describe for ValveHysteresis {
             (0.0, 1.0),
             "opening form: share of the force that lateness adds, eta",
         ),
-        Parameter::scalar("valve_opening_force", "N", &[600.0], (1e-3, 1e7), "force at which the valve opens"),
+        Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
         Parameter::scalar(
             "valve_closing_ratio",
             "-",
@@ -115,13 +115,13 @@ impl Describe for ValveHysteresis {
             (1e-4, 1.0),
             "time in which it moves, tau; spool: over 2 pi that of its swing",
         ),
-        Parameter::scalar("valve_width", "N", &[100.0], (1e-2, 1e7), "force over which it opens, b"),
+        Parameter::scalar("valve_width", "N", &[100.0], (10.0, 1e5), "force over which it opens, b"),
         Parameter::choice(
             "valve_form",
             &["opening", "play", "spool"],
             "one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass",
         ),
-        Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e6), "play form: force that the valve does not follow, P"),
+        Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e4), "play form: force that the valve does not follow, P"),
         Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio, zeta"),
     ];
 }

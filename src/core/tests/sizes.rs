@@ -1,0 +1,71 @@
+//! A damper of another size, the same in proportion, gives forces of that size: what the other tests find of dampers in the bounds of a passenger
+//! car's holds for all that are allowed. Oil, voids and valves have small forces of their own (a leakage, a laminar flow, a contact) that do not
+//! grow; with those the search of the C interface draws dampers of all sizes.
+
+mod common;
+
+use common::{any_params, told};
+use dashpot_core::parameter::{List, Number, table};
+use dashpot_core::step::step;
+use dashpot_core::{Input, Model, Params, element};
+use proptest::prelude::*;
+
+/// The set with all that grows with the damper `size` times as large; `None` where the table has no such numbers.
+fn of_size(params: &Params, size: f64) -> Option<Params> {
+    let mut other = *params;
+    for row in table() {
+        // Its largest value is no force.
+        let laminar = row.parameter.name == "fade_laminar_force" && params.get(&row)[0] < row.parameter.high;
+        if !row.parameter.grows && !laminar {
+            continue;
+        }
+        let values: Vec<f64> = params.get(&row).iter().map(|value| size * value).collect();
+        match Number::try_from(row) {
+            Ok(number) => other.set(number, values[0]).ok()?,
+            Err(_) => other.set_list(List::find(row.parameter.name).unwrap(), &values).ok()?,
+        }
+    }
+    Some(other)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_damper_of_another_size_moves_alike(
+        params in any_params(),
+        // Powers of four, so that rounding is the same in both and the smallest difference is one of the model.
+        size in prop::sample::select(vec![1.0 / 256.0, 1.0 / 16.0, 4.0, 64.0]),
+        amplitude in 0.0005..0.05f64,
+        frequency in 0.5..20.0f64,
+        dt in prop::sample::select(vec![1e-4, 1e-3, 5e-3]),
+    ) {
+        let mut params = params;
+        for own in [
+            element!("oil_compressibility"),
+            element!("aeration"),
+            element!("cavitation"),
+            element!("position_dependent_damping"),
+            element!("frequency_selective_damping"),
+            element!("valve_hysteresis"),
+        ] {
+            params.enable(own, false);
+        }
+        let Some(other) = of_size(&params, size) else { return Ok(()) };
+        let (Ok(a), Ok(b)) = (Model::new(&params), Model::new(&other)) else { return Ok(()) };
+        let x = |t: f64| amplitude * (std::f64::consts::TAU * frequency * t).sin();
+        let start = Input::motion(0.0, 0.0);
+        let (mut one, mut two) = (a.settled(&start), b.settled(&start));
+        let mut largest = 1e-3f64;
+        for i in 1..=200 {
+            let (t, before) = (i as f64 * dt, (i - 1) as f64 * dt);
+            let input = Input::motion(x(t), (x(t) - x(before)) / dt);
+            let (first, second);
+            (one, first) = step(&a, &one, &input, dt);
+            (two, second) = step(&b, &two, &input, dt);
+            largest = largest.max(first.force.abs());
+            let off = second.force / size - first.force;
+            prop_assert!(off.abs() <= 1e-6 * largest, "{i}: {} N, {size} times the size {} N: {}", first.force, second.force, told(&params));
+        }
+    }
+}
