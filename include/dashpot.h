@@ -223,6 +223,11 @@ const char *dashpot_version(void);
 // Model file: it was cut off; it ends before the [...] that its first comment announces.
 #define DASHPOT_FILE_CUT_OFF -36
 
+// A parameter is far larger or smaller than goes with the others. What has a force in its unit may be a thousandth to a hundred
+// times what it may be in a car's damper, if all such numbers are of one size: a rod of 1 g goes with a damper of 10 N, not with
+// one of 1 kN.
+#define DASHPOT_OUT_OF_PROPORTION -37
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);
@@ -599,19 +604,19 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fv_interpolation             how the FV table runs between its points [0 monotone_cubic, 1 linear]
 //   fv_velocity                  velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
 //   fv_force                     forces of the FV table, tension positive, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
-//   fv_rebound_c1                Cr1: rebound slope below the first knee [N s/m, 0 to 1e6, default 6000]
-//   fv_rebound_c2                Cr2: rebound slope between the knees [N s/m, 0 to 1e6, default 2500]
-//   fv_rebound_c3                Cr3: rebound slope above the second knee [N s/m, 0 to 1e6, default 1600]
+//   fv_rebound_c1                Cr1: rebound slope below the first knee [N s/m, 0 to 1e8, default 6000]
+//   fv_rebound_c2                Cr2: rebound slope between the knees [N s/m, 0 to 1e8, default 2500]
+//   fv_rebound_c3                Cr3: rebound slope above the second knee [N s/m, 0 to 1e8, default 1600]
 //   fv_rebound_v1                first rebound knee [m/s, 1e-4 to 10, default 0.13]
 //   fv_rebound_v2                second rebound knee [m/s, 1e-4 to 10, default 0.4]
-//   fv_compression_c1            Cc1: compression slope below the knee [N s/m, 0 to 1e6, default 3500]
-//   fv_compression_c2            Cc2: compression slope above the knee [N s/m, 0 to 1e6, default 950]
+//   fv_compression_c1            Cc1: compression slope below the knee [N s/m, 0 to 1e8, default 3500]
+//   fv_compression_c2            Cc2: compression slope above the knee [N s/m, 0 to 1e8, default 950]
 //   fv_compression_v1            compression knee, as a speed [m/s, 1e-4 to 10, default 0.13]
 //
 // series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
-//   series_stiffness             stiffness of the series spring, k_s [N/m, 1 to 1e10, default 3e6]
+//   series_stiffness             stiffness of the series spring, k_s [N/m, 10 to 1e10, default 3e6]
 //   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e7, default 200]
-//   internal_mass                moving mass of rod, oil and gas, m [kg, 1e-4 to 1000, default 0.5]
+//   internal_mass                moving mass of rod, oil and gas, m [kg, 5e-5 to 2000, default 0.5]
 //   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
 //
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
@@ -629,7 +634,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
 //
 // oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
-//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 1 to 1e11, default 3e6]
+//   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 20 to 1e11, default 3e6]
 //   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
 //   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
 //   oil_compression              stiffness of the column in compression, as a share of that in rebound, r_o [-, 0.01 to 100, default 1]
@@ -640,7 +645,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   aeration_compression         stroke that the air takes up in compression, as a share of that in rebound, r_a [-, 0 to 20, default 1]
 //
 // cavitation (element, off by default): cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed
-//   cavitation_force             largest hydraulic force of that stroke, C [N, 0.001 to 1e7, default 1500]
+//   cavitation_force             largest hydraulic force of that stroke, C [N, 0.01 to 1e8, default 1500]
 //   cavitation_side              stroke whose force is capped [0 compression, 1 rebound]
 //   cavitation_return            share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke [-, 0 to 1, default 0]
 //   cavitation_form              void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it [0 cap, 1 foot_valve]
@@ -656,13 +661,13 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   bypass_blend                 length over which the zone fades out, b [m, 5e-4 to 0.5, default 0.005]
 //   bypass_strokes               strokes on which it acts [0 both, 1 rebound, 2 compression]
 //   bypass_form                  factor on the FV force, or flow beside the valves [0 factor, 1 groove]
-//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 100, default 0.2]
+//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 10, default 0.2]
 //
 // temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
 //   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
 //   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
 //   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
-//   heat_capacity                heat capacity of oil and body, C_h [J/K, 0.1 to 1e7, default 1500]
+//   heat_capacity                heat capacity of oil and body, C_h [J/K, 0.05 to 1e7, default 1500]
 //   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1e5, default 6]
 //   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 0.01 to 1e9, default 1e9]
 //   fade_slackening              how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law [1/K, 0 to 0.03, default 0]
@@ -672,7 +677,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //   fsd_share                    share of the force that fast strokes lose, a [-, 0 to 0.9, default 0.3]
 //   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
 //   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
-//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 100, default 0.2]
+//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 10, default 0.2]
 //   fsd_force                    bypass form: hydraulic force above which the control chamber fills at its full rate, F_0 [N, 0.001 to 1e6, default 50]
 //   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 0.001 to 1e7, default 20]
 //
@@ -688,9 +693,9 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //
 // parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
 //   spring_linear                k_p of k_p x [N/m, 0 to 1e9, default 0]
-//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e10, default 10000]
-//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e12, default 0]
-//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e14, default 0]
+//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e8, default 10000]
+//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e9, default 0]
+//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e10, default 0]
 //   spring_displacement          displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
 //   spring_force                 forces of the lookup spring, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
 //
