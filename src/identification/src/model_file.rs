@@ -425,20 +425,29 @@ fn value(row: &Row, params: &Params) -> String {
 
 /// The flat part alone: what a kernel reads.
 pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
+    flat_keeping(params, &[], comment)
+}
+
+/// As [`flat`], with those parameters of elements that are off whose places are `kept`: what a file gave is not lost by changing another number, as
+/// the element may be switched on by whoever reads it.
+pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     let on: Vec<String> = Element::all().filter(|e| params.is_on(*e)).map(|e| text(e.name())).collect();
     let mut out = format!("format = 1\nelements = [{}]\n", on.join(", "));
     for (g, group) in GROUPS.iter().enumerate() {
         let element = Element::of_group(g);
+        let is_off = element.is_some_and(|element| !params.is_on(element));
         let rows: Vec<Row> = parameter::table()
             .filter(|row| row.group == g)
+            .filter(|row| !is_off || kept.contains(&row.index))
             // Settings at their default and empty lists say nothing.
             .filter(|row| element.is_some() || params.get(row) != row.parameter.default)
             .filter(|row| !params.get(row).is_empty())
             .collect();
-        if rows.is_empty() || element.is_some_and(|element| !params.is_on(element)) {
+        if rows.is_empty() {
             continue;
         }
-        let _ = write!(out, "\n# {}: {}\n", group.name, group.meaning);
+        let off = if is_off { " (off; the numbers are kept)" } else { "" };
+        let _ = write!(out, "\n# {}: {}{off}\n", group.name, group.meaning);
         for row in rows {
             let _ = writeln!(out, "{} = {}  # {}", row.parameter.name, value(&row, params), comment(&row));
         }

@@ -195,7 +195,8 @@ impl Tuned {
     }
 
     fn tuned_text(&self) -> String {
-        let flat = model_file::flat(self.params(), |row| {
+        // What the file opened gave of elements that are off stays in it: whoever reads it may switch them on.
+        let flat = model_file::flat_keeping(self.params(), &self.given, |row| {
             let p = row.parameter;
             let unit = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
             let before = self.identified.get(row);
@@ -376,6 +377,40 @@ mod tests {
         let back = Tuned::read(&path).unwrap();
         assert_eq!(back.params().number(number!("gas_force")), -210.0);
         assert!(!back.is_unsaved() && tuned.is_unsaved());
+    }
+
+    #[test]
+    fn numbers_of_elements_that_are_off_stay_in_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.toml");
+        let text = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\ngas_force = 173.25\nspring_displacement = [-0.1, 0.1]\n\
+                    spring_force = [-50.0, 60.0]\ncoulomb_force = 41.5\n";
+        std::fs::write(&path, text).unwrap();
+        let mut tuned = Tuned::read(&path).unwrap();
+        let told: Vec<String> = tuned.idle().iter().map(ToString::to_string).collect();
+        assert!(tuned.set(&find("fv_compression_c1").unwrap(), 0, 3000.0));
+        // An element that is switched off while the file is open is one of them.
+        assert!(tuned.switch(find("coulomb_force").unwrap().element().unwrap(), false));
+        let saved = folder.path().join("saved.toml");
+        std::fs::write(&saved, tuned.text()).unwrap();
+        let back = Tuned::read(&saved).unwrap();
+        assert_eq!(back.params(), tuned.params());
+        for line in [
+            "gas_force = 173.25 ",
+            "spring_displacement = [-0.1, 0.1] ",
+            "spring_force = [-50.0, 60.0] ",
+            "coulomb_force = 41.5 ",
+        ] {
+            assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
+        }
+        // What the file did not give is not added, and the notes are those of the file and of the element switched off.
+        assert!(
+            !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),
+            "{}",
+            tuned.text()
+        );
+        let after: Vec<String> = back.idle().iter().map(ToString::to_string).collect();
+        assert!(told.iter().all(|note| after.contains(note)) && after.len() == told.len() + 1, "{told:?} {after:?}");
     }
 
     #[test]
