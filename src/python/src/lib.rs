@@ -8,6 +8,7 @@
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
+//! | `check` | chatter in a host |
 //! | `limits` | tables of limits, and what records say of them |
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
@@ -17,6 +18,7 @@
 //! | `progress` | calls back into Python meanwhile |
 
 mod campaign;
+mod check;
 mod compare;
 mod damper;
 mod errors;
@@ -36,6 +38,8 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use crate::campaign::Campaign;
+    #[pymodule_export]
+    use crate::check::check;
     #[pymodule_export]
     use crate::compare::validate;
     #[pymodule_export]

@@ -61,6 +61,27 @@ def test_validate_against_the_literature(command: Command, campaign: dashpot.Cam
         damper().validate(campaign, against="fv")
 
 
+def test_check(command: Command) -> None:
+    steep = dashpot.Model(damper().text.replace("coulomb_force = 30.0", "coulomb_force = 90.0\ncoulomb_steepness = 1e5"))
+    steep.write(command.folder / "steep.toml")
+    told = command("check", "steep.toml", "--host-step", "0.002", "--wheel-mass", "35", "--json", "check.json")
+    found = steep.check(host_step=0.002, wheel_mass=35)
+    assert found.to_dict() == command.json("check.json")
+    assert found.chatters and found.element == "coulomb_friction"
+    assert list(found.told) == [as_arguments(line) for line in told.splitlines() if not line.startswith("note: ")]
+    assert any("for_step=0.002" in line for line in found.told) and found.ready == steep
+    command("check", "steep.toml", "--for-step", "0.002", "--wheel-mass", "35", "-o", "ready.toml", "--json", "ready.json")
+    ready = steep.check(for_step=0.002, wheel_mass=35)
+    assert ready.to_dict() == command.json("ready.json") and ready.softened == ("coulomb_friction",)
+    assert ready.ready.text == (command.folder / "ready.toml").read_text()
+    assert "presliding_friction" in ready.ready.elements and not ready.ready.check(host_step=0.002, wheel_mass=35).chatters
+    assert dashpot.HostCheck.from_dict(ready.to_dict()) == ready
+    assert ready.told[0] in ready._repr_html_()
+    for wrong, words in [({"host_step": 1.0}, "^host_step is in s and lies"), ({"for_step": 0.0}, "^for_step is in s"), ({"wheel_mass": -1.0}, "^wheel_mass is in kg")]:
+        with pytest.raises(dashpot.ModelError, match=words):
+            steep.check(**wrong)
+
+
 def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     few = ["free_play", "moving_mass"]
     model.write(command.folder / "diagnosed.toml")

@@ -48,7 +48,8 @@ def test_every_sentence_with_an_option_speaks_of_arguments() -> None:
 
 def test_arguments_that_are_named_are_there() -> None:
     functions = (
-        dashpot.Campaign.read, dashpot.fit, dashpot.diagnose, dashpot.Model.validate, dashpot.Model.simulate, dashpot.Model.export_fmu,
+        dashpot.Campaign.read, dashpot.fit, dashpot.diagnose, dashpot.Model.validate, dashpot.Model.simulate, dashpot.Model.check,
+        dashpot.Model.export_fmu,
     )  # fmt: skip
     there = {name for function in functions for name in inspect.signature(function).parameters}
     assert {name.split("=")[0] for name in _arguments._NAMES.values()} <= there

@@ -6,8 +6,6 @@ use super::model;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
-use dashpot_simulation::stiffness;
-use serde_json::json;
 use std::path::PathBuf;
 
 /// See whether a damper chatters in a host that holds its force over a step
@@ -48,8 +46,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
     let file = model::read(&args.model)?;
     let ready = args.host.ready(&file.params)?;
-    let model = model_file::prepared(&ready.params)?;
-    for line in ready.told().into_iter().chain(stiffness::remark(&model)) {
+    for line in ready.told().into_iter().chain(ready.stiffness()?) {
         dashpot_output::say(on_stdout, &line)?;
     }
     if let Some(path) = out {
@@ -59,33 +56,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         dashpot_output::write(path, model_file::plain(&ready.params, &ready.told()))?;
     }
     if let Some(path) = json {
-        let (chatter, rate) = (&ready.chatter, stiffness::fastest_rate(&model));
-        let value = json!({
-            "host_step_s": ready.host.step,
-            "wheel_mass_kg": ready.host.mass,
-            "gain": chatter.gain,
-            "chatters": chatter.rings(),
-            "swings": chatter.swings(),
-            "velocity_m_s": chatter.velocity,
-            "damping_n_s_m": chatter.by_velocity,
-            "stiffness_n_m": chatter.by_displacement,
-            "place_m": chatter.situation.place,
-            "side_force_n": chatter.situation.side_force,
-            "temperature_c": chatter.situation.temperature,
-            "quiet_step_s": chatter.quiet_step,
-            "element": chatter.element.map(|e| e.0.name()),
-            "turning_force_n": chatter.turning.filter(|t| !t.grows()).map(|t| t.force),
-            "turning_steps": chatter.turning.map(|t| t.steps),
-            "grows": chatter.turning.is_some_and(|t| t.grows()),
-            "calming_series_damping_n_s_m": chatter.calming,
-            "gain_without_it": chatter.element.map(|e| e.1),
-            "softened": ready.softened.iter().flat_map(|s| &s.softer).map(|s| s.element().name()).collect::<Vec<_>>(),
-            "rms_error_n": ready.softened.as_ref().map(|s| s.rms_error),
-            "fastest_rate_1_s": rate,
-            "explicit_step_s": stiffness::explicit_step(rate),
-            "largest_error_n": ready.softened.as_ref().map(|s| s.largest_error),
-        });
-        dashpot_output::json(path, &value)?;
+        dashpot_output::json(path, &ready.figures()?)?;
     }
     Ok(if args.strict && ready.chatter.rings() { Verdict::Failed } else { Verdict::Passed })
 }

@@ -39,7 +39,7 @@ from .identification import diagnose, fit
 from .limits import Limit, read_limits
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual
-from .results import Certificate, Diagnosis, FitResult, JudgedValidation, Validation
+from .results import Certificate, Diagnosis, FitResult, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -55,6 +55,7 @@ __all__ = [
     "FitError",
     "FitResult",
     "FittedModel",
+    "HostCheck",
     "JudgedValidation",
     "Limit",
     "Model",

@@ -32,6 +32,9 @@ _NAMES = {
     "position-offset": "position_offset",
     "from-source": "library",
     "against": "against",
+    "host-step": "host_step",
+    "wheel-mass": "wheel_mass",
+    "for-step": "for_step",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
 #: What an option of a few words may be given.
@@ -43,7 +46,7 @@ _WORDS = {
     "model": "thesis|fv|piecewise|lag",
 }
 #: Options that take a number.
-_MEASURED = ("sample-rate", "delay", "rig-mass", "initial-position", "position-offset", "motion-scale", "force-scale")
+_MEASURED = ("sample-rate", "delay", "rig-mass", "initial-position", "position-offset", "motion-scale", "force-scale", "for-step")
 #: A channel with its unit or heading.
 _PAIR = r"(\w+)=(\"[^\"]*\"|[^\s,;()]*[^\s,;().]|\.\.\.)"
 #: A whole command stays one: it is what the sentence says to run.

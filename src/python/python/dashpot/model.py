@@ -6,18 +6,19 @@ import difflib
 import os
 import warnings
 from collections.abc import Iterator, KeysView, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._arguments import loads
+from ._arguments import as_arguments, loads
 from ._result import Result, Row, folded, frame, held, table
 from ._numbers import column, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
+from .host import HostCheck
 from .limits import Limit, rows
 from .fitted import FitResult
 from .validation import JudgedValidation, Validation
@@ -226,8 +227,6 @@ class Model:
             several of them; ``"all"``; or files that ``dashpot fit --model`` wrote. :attr:`Validation.against` has their errors and numbers.
         :raises ValidationError: where they cannot be compared, a limit cannot be kept, or a model to compare with is not known.
         """
-        from dataclasses import replace
-
         windows = None if limits is None else rows(limits)
         rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
         with watched(progress) as told:
@@ -275,6 +274,23 @@ class Model:
             real(name, value)
         with watched(progress) as told:
             return Response(*self._native.simulate(*channels, initial_position, step, told))
+
+    def check(self, *, host_step: float = 1e-3, wheel_mass: float = 40.0, for_step: float | None = None) -> HostCheck:
+        """Whether the damper chatters in a host that holds its force over a step; as ``dashpot check``.
+
+        :param host_step: step of the host, s.
+        :param wheel_mass: the lightest mass that the damper moves, kg.
+        :param for_step: step of a host, s, in place of ``host_step``: friction that chatters there is replaced by presliding friction, and
+            :attr:`HostCheck.ready` is the damper for that host, to be written or exported.
+        :raises ModelError: where step or mass cannot be.
+        """
+        for name, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+            real(name, value)
+        with watched():
+            said, told, text = _native.check(self._native, host_step, wheel_mass, for_step)
+        found = HostCheck.from_dict(loads(said))
+        ready = self if for_step is None else Model(text, self._name)
+        return replace(found, told=tuple(as_arguments(line) for line in told), _ready=ready)
 
     def export_fmu(
         self,

@@ -9,6 +9,7 @@ from ._result import Result
 from .reading import Delay, Noise, Note, SignFinding, Unusable
 from .fitted import Choice, Estimate, FitResult, Measured, Score
 from .certificate import Certificate, Checked, LimitValue, PeakPoint
+from .host import HostCheck
 from .validation import (
     Against, AgainstSummary, AgainstTest, Deviation, ErrorMatrix, Errors, GapBin, Hysteresis, JudgedValidation, MatrixCell, MatrixRow, OfEach,
     PeakForce, Summary, TestValidation, Validation,
@@ -20,7 +21,7 @@ from .diagnosis import (
 
 __all__ = [
     "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "FitResult", "GapBin", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Evidence", "Figures", "Finding", "FitResult", "GapBin", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

@@ -18,12 +18,14 @@
 //! | [`Turning`] | the loop of the host, run |
 //! | [`chatter`] | all of it for one damper, and which element makes it |
 //! | [`softened`] | a damper that does not |
+//! | [`Ready`] | a damper judged in a host, and made ready for it |
 //! | `told` | all of it in words |
 
 mod gain;
 mod host;
 mod host_loop;
 mod in_host;
+mod ready;
 mod situation;
 mod softened;
 #[cfg(test)]
@@ -33,6 +35,7 @@ mod told;
 pub use host::Host;
 pub use host_loop::Turning;
 pub use in_host::{Chatter, GROWS, RINGS, chatter};
+pub use ready::{Figures, HostError, Ready};
 pub use situation::Situation;
 pub use softened::{Softened, Softer, softened};
 

@@ -53,7 +53,7 @@ impl Chatter {
             element == element!("side_force_friction") || FRICTION.iter().any(|f| f.0 == element)
         });
         let softer =
-            if is_friction && !softened { format!(", or export with --for-step {step}") } else { String::new() };
+            if is_friction && !softened { format!(", or make it ready with --for-step {step}") } else { String::new() };
         let steps = match self.quiet_step {
             Some(quiet) => format!("Take steps of {} ms or less", plain(1e3 * quiet)),
             None => format!("No step down to {} ms was quiet", plain(1e3 * step * 0.5f64.powi(HALVINGS))),

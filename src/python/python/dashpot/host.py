@@ -1,0 +1,67 @@
+"""A damper in a host that holds its force over a step. SI units; extension (rebound) velocity and tension force are positive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from ._result import Result, Row, held, table
+
+if TYPE_CHECKING:
+    from .model import Model
+
+
+@dataclass(frozen=True, repr=False)
+class HostCheck(Result):
+    """Whether a damper chatters in a host; the JSON of ``dashpot check``."""
+
+    host_step_s: float
+    wheel_mass_kg: float
+    gain: float
+    """c·h/m at most: from 1 on the velocity changes sign at every step, beyond 2 that grows."""
+    chatters: bool
+    """Whether the gain is 1 or more, or the force turns at every step in a loop like the host's."""
+    swings: bool
+    velocity_m_s: float
+    """Velocity at which the gain is largest, and the slopes of the force there."""
+    damping_n_s_m: float
+    stiffness_n_m: float
+    place_m: float
+    side_force_n: float
+    temperature_c: float
+    quiet_step_s: float | None
+    """The longest step without chatter; none where none was found."""
+    element: str | None
+    """The element that makes most of it."""
+    turning_force_n: float | None
+    turning_steps: int | None
+    grows: bool
+    calming_series_damping_n_s_m: float | None
+    gain_without_it: float | None
+    softened: tuple[str, ...]
+    """Elements that were replaced or made less steep for ``for_step``."""
+    rms_error_n: float | None
+    """By how much the force of the damper that was made ready differs, over the motions looked at."""
+    fastest_rate_1_s: float
+    """How fast the states move by themselves, for a host that integrates them itself."""
+    explicit_step_s: float
+    largest_error_n: float | None
+    told: tuple[str, ...] = field(default=(), metadata={"hidden": True}, compare=False)
+    """What the command says of it, in sentences."""
+    _ready: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+
+    @property
+    def ready(self) -> Model:
+        """The damper as the host gets it: with ``for_step`` without the friction that would chatter, else as it was.
+
+        :raises ValueError: of a result that was made from a dictionary, which holds no model.
+        """
+        if self._ready is None:
+            raise ValueError("the damper is kept by Model.check alone, not by a result made from a dictionary")
+        return self._ready
+
+    def _rows(self) -> list[Row]:
+        return [held(self)[0]]
+
+    def _repr_html_(self) -> str:
+        return table("Chatters in this host" if self.chatters else "Does not chatter in this host", self._rows(), self.told)
