@@ -11,6 +11,7 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_records::newtons::newtons;
 use dashpot_records::sentence::Sentence;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -178,7 +179,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
                 .with_any("under", under)
                 .with("a", a)
                 .with("b", b)
-                .with("difference", format!("{difference:.1}")),
+                .with("difference", newtons(difference, 1)),
             amplitude_m: Some(d.amplitude),
             frequency_hz: Some(d.frequency),
             mean_displacement_m: Some(d.mean),

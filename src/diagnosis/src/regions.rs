@@ -4,6 +4,7 @@
 use super::outcome::Region;
 use super::phrases;
 use dashpot_estimation::samples::Test;
+use dashpot_records::newtons::newtons;
 use dashpot_records::sentence::Sentence;
 
 /// Bounds of the speed bands, m/s.
@@ -127,10 +128,10 @@ fn words(r: &Region, error: f64) -> Sentence {
     } else {
         Sentence::from(phrases::IN_TEST).with("test", &r.test)
     };
-    let tenths = |newton: f64| format!("{newton:.1}");
+    let tenths = |newton: f64| newtons(newton, 1);
     let missing = if r.mean_n.abs() > 0.5 * r.rmse_n {
         let sense = if r.mean_n > 0.0 { phrases::MORE_TENSILE } else { phrases::MORE_COMPRESSIVE };
-        Sentence::from(sense).with("mean", tenths(r.mean_n.abs())).with("error", tenths(error.max(0.05)))
+        Sentence::from(sense).with("mean", tenths(r.mean_n.abs())).with("error", tenths(error))
     } else {
         Sentence::from(phrases::OFF_BOTH_WAYS).with("rms", tenths(r.rmse_n))
     };

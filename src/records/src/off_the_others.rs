@@ -6,6 +6,7 @@
 //! the damper is fast: at the ends of a long one a stop may push the other way. Both flanks of a stroke are in it, so that hysteresis cancels.
 
 use super::at_speed::{Levels, is_in_the_middle, levels};
+use super::cell;
 use super::numbers::median;
 use super::phrases;
 use super::record::{Note, Record};
@@ -18,8 +19,7 @@ const FEWEST: usize = 3;
 const VELOCITIES: usize = 3;
 /// Fewest at which it must be seen to be turned round.
 const TWO: usize = 2;
-/// What a test may lie off the others, N, and in times of their scatter: load cells creep and gas warms up.
-const CELL_OFFSET: f64 = 15.0;
+/// What a test may lie off the others beside the offset of a load cell, in times of their scatter: load cells creep and gas warms up.
 const OF_SCATTER: f64 = 3.0;
 /// How many times that a test must lie off as it was read, where turning it round brings it within.
 const STRONG: f64 = 2.0;
@@ -53,18 +53,19 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     let towards_ends: Vec<Levels> =
         records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
     let (at, at_ends) = (by_velocity(as_read), by_velocity(&towards_ends));
+    let offset = cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
-        let Some(own) = beside(i, &as_read[i], 1.0, &at) else { continue };
+        let Some(own) = beside(i, &as_read[i], 1.0, &at, offset) else { continue };
         // At every one of its velocities: a triangle has few samples at all but one.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
-        if is_off && beside(i, &as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
+        if is_off && beside(i, &as_read[i], -1.0, &at, offset).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
         // A zero that moved is the same at every velocity; what short strokes and places change of a damper is not.
         let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
-        let at_the_ends = beside(i, &towards_ends[i], 1.0, &at_ends).filter(constant);
+        let at_the_ends = beside(i, &towards_ends[i], 1.0, &at_ends, offset).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
         if own.offset.abs() > own.allowed && constant(&own) && same {
             moved.push((record, own));
@@ -103,7 +104,7 @@ fn by_velocity(seen: &[Levels]) -> Others {
 }
 
 /// How a test lies to the others, were its forces in these directions; nothing where they share too few velocities.
-fn beside(own: usize, seen: &Levels, turn: f64, at: &Others) -> Option<Beside> {
+fn beside(own: usize, seen: &Levels, turn: f64, at: &Others, offset: f64) -> Option<Beside> {
     let (mut off, mut allowed, mut forces) = (Vec::new(), Vec::new(), Vec::new());
     for (k, level) in seen {
         let mut others: Vec<f64> =
@@ -114,7 +115,7 @@ fn beside(own: usize, seen: &Levels, turn: f64, at: &Others) -> Option<Beside> {
         let usual = median(&mut others);
         let scatter = median(&mut others.iter().map(|o| (o - usual).abs()).collect::<Vec<_>>());
         off.push(turn * level.between - usual);
-        allowed.push(CELL_OFFSET + OF_SCATTER * scatter);
+        allowed.push(offset + OF_SCATTER * scatter);
         forces.push((turn * level.between, usual));
     }
     if off.is_empty() {

@@ -8,9 +8,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::cell;
 use super::cleaning::delay_motion;
 use super::delay::{self, Cause, Delay, UNCLEAR};
 use super::error::RecordError;
+use super::newtons::newtons;
 use super::numbers::{median, quantile};
 use super::options::{Options, Positive};
 use super::phrases;
@@ -43,8 +45,6 @@ impl SignFinding {
     }
 }
 
-/// Zero offset to be expected of a load cell, N; a smaller force at standstill tells nothing of gas.
-const CELL_OFFSET: f64 = 15.0;
 /// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
 const HYSTERESIS: f64 = 0.1;
 /// Share of the rigs whose force was set to zero with the damper in it, or never, so that the force at standstill tells nothing of gas: a
@@ -115,7 +115,9 @@ pub(crate) fn settle(
 
 /// The evidence of all tests, and the campaign's force at standstill.
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
-    let mut evidence: Vec<Evidence> = motions.iter().map(gather).collect();
+    // A smaller force at standstill tells nothing of gas.
+    let offset = cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
+    let mut evidence: Vec<Evidence> = motions.iter().map(|motion| gather(motion, offset)).collect();
     let standstill = standstill(&evidence);
     let slow: Vec<Slow> = evidence.iter().zip(motions).map(|(of, motion)| Slow::of(motion, of.peak_velocity)).collect();
     for (evidence, motion) in evidence.iter_mut().zip(motions.iter()) {
@@ -179,7 +181,12 @@ fn lateness(
     Ok(late)
 }
 
-fn gather(motion: &Motion) -> Evidence {
+/// A force with its sign.
+fn signed(force: f64) -> String {
+    format!("{}{}", if force < 0.0 { "-" } else { "+" }, newtons(force.abs(), 0))
+}
+
+fn gather(motion: &Motion, offset: f64) -> Evidence {
     let span = motion.steady();
     let (time, x, v, force) = (
         &motion.time[span.clone()],
@@ -218,7 +225,7 @@ fn gather(motion: &Motion) -> Evidence {
     let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
     let level_error = HYSTERESIS * 0.5 * force_range;
     let standstill = (top.len() >= 2 && bottom.len() >= 2)
-        .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), level_error.hypot(CELL_OFFSET)));
+        .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), level_error.hypot(offset)));
     Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 
@@ -402,8 +409,8 @@ fn direction(
             };
             reasons.push(
                 Sentence::from(phrases::STANDSTILL)
-                    .with("force", format!("{force:+.0}"))
-                    .with("error", format!("{uncertainty:.0}"))
+                    .with("force", signed(force))
+                    .with("error", newtons(uncertainty, 0))
                     .with_said("verdict", verdict),
             );
         }
@@ -623,7 +630,7 @@ mod tests {
                     cleaning::repair(samples, &Options::default()).unwrap()
                 })
                 .collect();
-            assert_eq!(motions.iter().map(gather).any(|e| e.power < -UNCLEAR), feeds);
+            assert_eq!(motions.iter().map(|m| gather(m, 15.0)).any(|e| e.power < -UNCLEAR), feeds);
             let (before, mut notes) = (motions.clone(), Vec::new());
             let (sign, found) = settle(&mut motions, &Options::default(), &mut notes).unwrap();
             assert!((found.unwrap().seconds - late).abs() < 1e-3, "{found:?}");

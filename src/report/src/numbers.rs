@@ -4,14 +4,22 @@ use crate::plot::ticks::number;
 use crate::words::{Words, fill};
 use dashpot_records::reading_unit;
 
-/// A force, N.
+/// A force, N: whole, or two digits of one below 10 N, as a small damper has them.
 pub fn force(newton: f64) -> String {
-    number(newton, 0)
+    two_digits(newton, 0)
 }
 
-/// A difference of forces, N, to a tenth.
+/// A difference of forces, N: to a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
 pub fn error(newton: f64) -> String {
-    number(newton, 1)
+    two_digits(newton, 1)
+}
+
+/// So many decimals, or as many as two digits need, down to a tenth of a millinewton, which no load cell shows.
+fn two_digits(newton: f64, decimals: usize) -> String {
+    const MOST: usize = 4;
+    let needed = (decimals..=MOST).find(|&places| newton.abs() * 10f64.powi(places as i32) >= 9.95);
+    let nothing = newton.abs() < 0.5 * 10f64.powi(-(MOST as i32));
+    number(newton, if nothing { decimals } else { needed.unwrap_or(MOST) })
 }
 
 /// A percentage, to a hundredth.
@@ -115,7 +123,8 @@ mod tests {
         }
         assert_eq!(milli(0.05), "50.0");
         assert_eq!([beside(-12.94, -12.94), beside(6.6e-13, -12.94), beside(1102.4, 999.0)], ["−12.9", "0.0", "1102"]);
-        assert_eq!(error(-0.04), "0.0");
+        assert_eq!([error(-1e-12), error(-0.04), error(0.997), error(23.46)], ["0.0", "−0.040", "1.0", "23.5"]);
+        assert_eq!([force(0.0), force(3.04), force(13.4), force(-2100.6)], ["0", "3.0", "13", "−2101"]);
     }
 
     #[test]

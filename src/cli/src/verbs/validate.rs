@@ -203,9 +203,11 @@ pub fn table(v: &Validation) -> String {
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
         "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
     );
+    // Hundredths of a newton; of a small damper as many decimals as two digits of its mean error need.
+    let places = (2..6).find(|&p| v.overall.errors.model.mean_error_n * 10f64.powi(p) >= 10.0).unwrap_or(2) as usize;
     let mut row = |label: &str, tests: usize, e: &dashpot_identification::validation::Errors| {
         out += &format!(
-            "{:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>12.2}{:>12.2}{:>10.2}\n",
+            "{:<34}{:>6}{:>10.places$}{:>9.2}{:>12.places$}{:>12.places$}{:>12.places$}{:>10.2}\n",
             label,
             tests,
             e.model.mean_error_n,

@@ -1,0 +1,24 @@
+//! The load cell that a rig has for a damper.
+
+/// Zero offset to be expected of a load cell, N, with a damper of a car: a tenth of a percent of a cell of 15 kN. A smaller force at rest tells
+/// nothing of gas, and a test that lies so far off the others is no other.
+const OFFSET: f64 = 15.0;
+/// Largest forces, N, of the dampers that such a cell is for. Weaker ones are measured with a smaller cell, stronger ones with a larger one.
+const FOR: (f64, f64) = (300.0, 8000.0);
+
+/// Zero offset, N, to be expected of the load cell that a damper with this largest force is measured with.
+pub(crate) fn offset(largest: f64) -> f64 {
+    let (low, high) = FOR;
+    if largest > 0.0 && largest.is_finite() { OFFSET * largest / largest.clamp(low, high) } else { OFFSET }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_is_chosen_for_its_damper() {
+        assert_eq!([300.0, 1500.0, 8000.0, 0.0].map(offset), [15.0; 4]);
+        assert!((offset(3.0) - 0.15).abs() < 1e-12 && (offset(80_000.0) - 150.0).abs() < 1e-9);
+    }
+}
