@@ -16,6 +16,31 @@ fn difference(f: impl Fn(f64) -> f64, h: f64) -> f64 {
     (4.0 * central(0.5 * h) - central(h)) / 3.0
 }
 
+/// The one-sided differences of f, with Richardson's correction.
+fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
+    let at = f(0.0);
+    [-h, h].map(|h| {
+        let by = |h: f64| (f(h) - at) / h;
+        2.0 * by(0.5 * h) - by(h)
+    })
+}
+
+/// Whether a slope is the derivative of f: the difference of one of the widths or, where f bends or jumps inside all of them, one of
+/// the one-sided differences or between the two. `near` says whether a slope is a difference.
+fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: [f64; 2], near: impl Fn(f64) -> bool) -> Result<(), String> {
+    let central = widths.map(|h| difference(&f, h));
+    if central.iter().any(|wanted| near(*wanted)) {
+        return Ok(());
+    }
+    let sides = widths.map(|h| one_sided(&f, h));
+    let meets = |[left, right]: [f64; 2]| near(left) || near(right) || (got - left) * (got - right) <= 0.0;
+    if sides.into_iter().any(meets) {
+        Ok(())
+    } else {
+        Err(format!("{got}, differences {central:?}, one-sided {sides:?}"))
+    }
+}
+
 /// Models in which every element and every form appears.
 fn variants() -> Vec<(&'static str, Params)> {
     let base = Params::new();
@@ -79,8 +104,7 @@ fn near(value: f64, places: &[f64], distance: f64) -> bool {
 }
 
 proptest! {
-    // Held: on 20 of 25 other seeds one of sixty cases is found where the force bends or jumps within the difference (a void that closes, a
-    // spool alone in a long step, a bushing whose substep is taken again), and the slope is not the difference's.
+    // Held, for one seed in some dozens may still find what 27 others (101 to 107, 201 to 220) did not.
     #![proptest_config(held(60, 1))]
 
     #[test]
@@ -103,25 +127,24 @@ proptest! {
                     // A bushing's friction sets in over millimetres per second: a short step turns micrometres into that.
                     let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
                     // Twice, so that a knee of an element that lies inside the wider difference does not count.
-                    let widths = [fine, 0.03 * fine];
-                    let by_x = widths.map(|fine| difference(|h| force(Some(x1 + h), v1), fine * 1e-7));
-                    let by_v = [1.0, 0.03].map(|fine| difference(|h| force(Some(x1), v1 + h), fine * 1e-4));
+                    let widths = |size: f64| [fine * size, 0.03 * fine * size];
                     let alone = step(&model, &from, &input(None, v1), dt).1.force_by_velocity;
-                    let by_v_alone = [1.0, 0.03].map(|fine| difference(|h| force(None, v1 + h), fine * 1e-4));
                     let k = params.number(number!("series_stiffness"));
-                    for (what, got, wanted, scale) in [
-                        ("dF/dx", output.force_by_displacement, by_x, k),
-                        ("dF/dv", output.force_by_velocity, by_v, k * dt),
-                        ("dF/dv, velocity alone", alone, by_v_alone, k * dt),
+                    // The solver leaves the straight step's square: a difference over so little is no better than this.
+                    // A void with gas is solved by steps of its own inside each look.
+                    let share = match model.elements().has_paths() {
+                        true if params.is_on(element!("cavitation")) => 1e-3,
+                        true => 1e-4,
+                        false => 1e-6,
+                    };
+                    let close = |got: f64, scale: f64| move |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + scale);
+                    let (by_x, by_v) = (output.force_by_displacement, output.force_by_velocity);
+                    for (what, told) in [
+                        ("dF/dx", is_derivative(by_x, |h| force(Some(x1 + h), v1), widths(1e-7), close(by_x, k))),
+                        ("dF/dv", is_derivative(by_v, |h| force(Some(x1), v1 + h), widths(1e-4), close(by_v, k * dt))),
+                        ("dF/dv, velocity alone", is_derivative(alone, |h| force(None, v1 + h), widths(1e-4), close(alone, k * dt))),
                     ] {
-                        // The paths bend within a few micrometres and millimetres per second: differences are no better there.
-                        let share = match model.elements().has_paths() {
-                            true if params.is_on(element!("cavitation")) => 1e-3,
-                            true => 1e-4,
-                            false => 1e-6,
-                        };
-                        let agrees = |wanted: &f64| (got - wanted).abs() <= share * (wanted.abs() + scale);
-                        prop_assert!(wanted.iter().any(agrees), "{name} {method:?} {substeps} {dt}: {what} {got} {wanted:?} x {x1} v {v1} u {}", end.mass_velocity);
+                        prop_assert!(told.is_ok(), "{name} {method:?} {substeps} {dt}: {what} {told:?} x {x1} v {v1} u {}", end.mass_velocity);
                     }
                 }
             }
@@ -170,18 +193,21 @@ proptest! {
             };
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {
-                    let wanted = difference(|h| row(&moved(column, h), x, v)[out], size);
                     let got = if out == 0 { p.force_by_state[column] } else { p.rate_by_state[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
-                    prop_assert!((got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size, "{name}: row {out} by state {column}: {got} {wanted}");
+                    let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
+                    let told = is_derivative(got, |h| row(&moved(column, h), x, v)[out], [size, 0.1 * size], close);
+                    prop_assert!(told.is_ok(), "{name}: row {out} by state {column}: {told:?}");
                 }
             }
             for (column, size) in [(0, 2e-6), (1, 1e-4)] {
                 for out in 0..=states {
-                    let wanted = difference(|h| row(&state, x + if column == 0 { h } else { 0.0 }, v + if column == 1 { h } else { 0.0 })[out], size);
                     let got = if out == 0 { p.force_by_input[column] } else { p.rate_by_input[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
-                    prop_assert!((got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size, "{name}: row {out} by input {column}: {got} {wanted}");
+                    let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
+                    let moved = |h: f64| row(&state, x + if column == 0 { h } else { 0.0 }, v + if column == 1 { h } else { 0.0 })[out];
+                    let told = is_derivative(got, moved, [size, 0.1 * size], close);
+                    prop_assert!(told.is_ok(), "{name}: row {out} by input {column}: {told:?}");
                 }
             }
         }

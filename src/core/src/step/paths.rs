@@ -488,6 +488,9 @@ impl Substep<'_> {
                 }
             }
             stage.shuts = last && balance.states[place::VOID] < SHUT;
+            if follow.wants_slopes() {
+                stage.look_at_answer(self.elements, self.side);
+            }
             follow.stage(&stage);
             (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {

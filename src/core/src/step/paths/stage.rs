@@ -188,6 +188,34 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         }
     }
 
+    /// Looks at the answer itself, for slopes: those of the last look belong to a place one straight step beside it, and where a force
+    /// bends, as behind rubber or in a void whose gas expands, the weights of a method turn what they miss into a hundredth of the
+    /// slope of the step. Nothing else bends so within a straight step. States and forces are those found without.
+    #[inline(always)]
+    pub(super) fn look_at_answer(&mut self, elements: &Elements, side: (f64, f64)) {
+        let (e, g) = (self.paths, self.g);
+        if !acts::<ON>(e, BUSHING | CAVITATION) {
+            return;
+        }
+        let curve = e.fv_curve.at(self.oil_velocity);
+        let given = Given {
+            elements,
+            path: self.path,
+            side,
+            states: self.known,
+            g,
+            since: self.since,
+            raised: Cell::new(self.raised),
+            per_g: 1.0 / g,
+            standing: e.fv_curve.at_zero(),
+            factors: Factors::of::<ON>(e, self.path.x, side.1, self.known[place::HEAT]),
+        };
+        self.at = Look::new::<ON>(e, &given, self.oil_velocity, curve.value);
+        self.slope = curve.slope;
+        let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.slope;
+        self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
+    }
+
     /// States and forces after the stage.
     #[inline(always)]
     pub(super) fn balance(&self) -> Balance {
