@@ -32,7 +32,10 @@ pub fn check(params: &Params) -> Result<(), Fault> {
         (element!("fv_curve"), list!("fv_velocity"), list!("fv_force")),
         (element!("parallel_spring"), list!("spring_displacement"), list!("spring_force")),
     ];
-    for (element, over, forces) in curves.into_iter().filter(|(element, ..)| params.is_on(*element)) {
+    for (element, over, forces) in curves {
+        if !params.is_on(element) {
+            continue;
+        }
         let (u, f) = (params.list(over), params.list(forces));
         for ((u0, f0), (u1, f1)) in u.iter().zip(f).zip(u.iter().skip(1).zip(f.iter().skip(1))) {
             if f1 - f0 > least * STEEPEST * (u1 - u0) {
