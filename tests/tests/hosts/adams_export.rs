@@ -206,6 +206,21 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     for text in [&said, &at("car.toml")] {
         assert!(text.contains("Akima") && text.contains("were added to those of the file"), "{text}");
     }
+    // More rows than a model's curve has points.
+    let force = |v: f64| if v < 0.0 { 0.5 } else { 1.0 } * 1000.0 * (v / 90.0).tanh() + 0.6 * v;
+    let rows: String = (-100..=100).map(|i| 12.5 * f64::from(i)).map(|v| format!("{v} {:.3}\n", force(v))).collect();
+    let car = car.split("-1270").next().unwrap().to_owned() + &rows;
+    std::fs::write(folder.path().join("long.dpr"), car).unwrap();
+    let said = done(folder.path(), &["import", "dpr", "long.dpr", "-o", "long.toml"]);
+    for text in [&said, &at("long.toml")] {
+        assert!(text.contains("The file has 201 points and a model's curve at most 63"), "{text}");
+    }
+    let model = dashpot_identification::model_file::read(&folder.path().join("long.toml")).unwrap();
+    let model = dashpot_core::Model::new(&model.params).unwrap();
+    for v in [-1200.0, -300.0, -40.0, 0.0, 12.5, 77.0, 700.0] {
+        let off = (model.elements().paths.fv_curve.at(1e-3 * v).value - force(v)).abs();
+        assert!(off < 0.006 * 1750.0, "{v} mm/s: {off} N");
+    }
 }
 
 /// Our own XML comes back with curve and gas force, and both forms say what they leave out and of which model.

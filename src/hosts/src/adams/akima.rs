@@ -183,9 +183,10 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let akima = Read::new(&points, Reading::Akima);
     let against =
         |curve: &Curve, interpolation| worst(curve, &[Reading::Model(interpolation)], allowed, &|v| akima.at(v));
-    for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+    let fits = points.velocities.len() <= MAX_POINTS;
+    for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear].into_iter().filter(|_| fits) {
         let as_it_is = against(&points, interpolation);
-        if as_it_is.is_small() || points.velocities.len() >= MAX_POINTS {
+        if as_it_is.is_small() || points.velocities.len() == MAX_POINTS {
             return (points.clone(), interpolation, as_it_is);
         }
     }
@@ -196,9 +197,32 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
         so_far.fold(low, f64::max).min(high)
     };
     let interpolation = Interpolation::MonotoneCubic;
-    let curve = refined(points.clone(), &[Reading::Model(interpolation), Reading::Akima], allowed, &rising);
+    let start = if fits { points.clone() } else { few(&points) };
+    let curve = refined(start, &[Reading::Model(interpolation), Reading::Akima], allowed, &rising);
     let left = against(&curve, interpolation);
     (curve, interpolation, left)
+}
+
+/// The points of a file whose curve runs straight between them; of more than a model can hold, as many as it takes until the model's curve follows
+/// it, with what is left.
+pub fn read_straight(points: Curve) -> (Curve, Difference) {
+    if points.velocities.len() <= MAX_POINTS {
+        return (points, Difference::default());
+    }
+    let (allowed, straight) = (tolerance(&points), Reading::Model(Interpolation::Linear));
+    let lines = Read::new(&points, straight);
+    let curve = refined(few(&points), &[straight], allowed, &|v| lines.at(v));
+    let left = worst(&curve, &[straight], allowed, &|v| lines.at(v));
+    (curve, left)
+}
+
+/// The ends of a table and what lies nearest to standstill, to which points are added.
+fn few(points: &Curve) -> Curve {
+    let (v, last) = (&points.velocities, points.velocities.len() - 1);
+    let slowest = (0..=last).min_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
+    let mut kept = vec![0, slowest, last];
+    kept.dedup();
+    Curve { velocities: kept.iter().map(|i| v[*i]).collect(), forces: kept.iter().map(|i| points.forces[*i]).collect() }
 }
 
 #[cfg(test)]
@@ -279,6 +303,25 @@ mod tests {
             let (again, _) = written(curve.clone(), interpolation, &|v| kernel.at(v).value);
             assert!(!is_followed || again == curve);
             assert!(curve.velocities.len() > points.velocities.len());
+        }
+    }
+
+    #[test]
+    fn a_table_longer_than_a_models_keeps_its_curve() {
+        // A digressive damper with a sharp knee and a blow-off, every 5 mm/s.
+        let force = |v: f64| if v < 0.0 { 0.55 } else { 1.0 } * 900.0 * (v / 0.08).tanh() + 700.0 * v;
+        let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
+        let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };
+        for (curve, interpolation, left) in [read(points.clone()), {
+            let (curve, left) = read_straight(points.clone());
+            (curve, Interpolation::Linear, left)
+        }] {
+            assert!(curve.velocities.len() <= MAX_POINTS && left.is_small(), "{interpolation:?} {left:?}");
+            let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
+            for (v, f) in points.velocities.iter().zip(&points.forces) {
+                assert!((kernel.at(*v).value - f).abs() < 0.006 * 1950.0, "{v}: {} for {f}", kernel.at(*v).value);
+            }
+            assert_eq!(kernel.at(0.0).value, 0.0);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
-use dashpot_core::curve::Interpolation;
+use dashpot_core::curve::{Interpolation, MAX_POINTS};
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use dashpot_hosts::adams::akima::{self, Difference};
@@ -31,11 +31,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     // A linear rate, or a spline that says it is straight, is not read by Akima.
-    let (curve, interpolation, left) = if read.straight {
-        (read.curve, Interpolation::Linear, None)
+    let (curve, interpolation, remark) = if read.straight {
+        let (curve, left) = akima::read_straight(read.curve);
+        let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
+        (curve, Interpolation::Linear, remark)
     } else {
         let (curve, interpolation, left) = akima::read(read.curve);
-        (curve, interpolation, Some(left))
+        let remark = as_adams_reads_it(rows, curve.velocities.len(), &left);
+        (curve, interpolation, Some(remark))
     };
     let mut params = Params::new();
     params.disable_all();
@@ -60,9 +63,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &read.notes {
         text += &format!("# Left out: {}.\n", note.escape_debug());
     }
-    let as_adams = left.map(|left| as_adams_reads_it(curve.velocities.len() - rows, &left));
-    if let Some(as_adams) = &as_adams {
-        text += &format!("# {as_adams}\n");
+    if let Some(remark) = &remark {
+        text += &format!("# {remark}\n");
     }
     dashpot_output::write(&args.output, &(text + "\n" + &flat))?;
     let beside = if read.gas_force == 0.0 {
@@ -74,8 +76,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Some(&args.output),
         &format!("{} points in {}; {beside}", curve.velocities.len(), args.output.display()),
     )?;
-    if let Some(as_adams) = &as_adams {
-        dashpot_output::say(Some(&args.output), &format!("  {as_adams}"))?;
+    if let Some(remark) = &remark {
+        dashpot_output::say(Some(&args.output), &format!("  {remark}"))?;
     }
     for note in &read.notes {
         dashpot_output::say(Some(&args.output), &format!("  left out: {note}"))?;
@@ -84,16 +86,28 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 }
 
 /// How far the model's curve follows the one that Adams makes of the file.
-fn as_adams_reads_it(added: usize, left: &Difference) -> String {
+fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     let so = format!("The model's curve differs from that of Adams by {}.", left.told());
     let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
-    match added {
+    if rows > MAX_POINTS {
+        return format!("{reads} {}", fewer(rows, points, left));
+    }
+    match points - rows {
         0 => format!("{reads} {so}"),
-        _ if left.is_small() => format!("{reads} {added} points of that curve were added to those of the file. {so}"),
-        _ => format!(
-            "{reads} {added} points of that curve were added to those of the file. {so} It cannot come nearer: a model's curve has at most {} points \
-             and never falls, and Akima's curve may fall between two points, beside a steep place.",
-            dashpot_core::curve::MAX_POINTS
+        added if left.is_small() => {
+            format!("{reads} {added} points of that curve were added to those of the file. {so}")
+        }
+        added => format!(
+            "{reads} {added} points of that curve were added to those of the file. {so} It cannot come nearer: a model's curve has at most \
+             {MAX_POINTS} points and never falls, and Akima's curve may fall between two points, beside a steep place."
         ),
     }
+}
+
+/// How far fewer points stand for those of the file.
+fn fewer(rows: usize, points: usize, left: &Difference) -> String {
+    format!(
+        "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
+        left.told()
+    )
 }
