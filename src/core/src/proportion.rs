@@ -17,7 +17,7 @@ pub fn check(params: &Params) -> Result<(), Fault> {
     // The smallest damper whose numbers may be as large as these, the largest whose may be as small, and the rows that say so.
     let (mut least, mut most) = (0.0f64, f64::INFINITY);
     let (mut too_large, mut too_small) = (None, None);
-    for row in table().filter(|row| row.parameter.grows && row.element().is_some_and(|element| params.is_on(element))) {
+    for row in table().filter(|row| row.parameter.grows && params.counts(row)) {
         let (low, high) = row.parameter.of_a_car;
         for value in params.get(&row) {
             if value.abs() > least * high {
@@ -33,7 +33,7 @@ pub fn check(params: &Params) -> Result<(), Fault> {
         (element!("parallel_spring"), list!("spring_displacement"), list!("spring_force")),
     ];
     for (element, over, forces) in curves {
-        if !params.is_on(element) {
+        if !params.is_on(element) || !params.counts(forces.row()) {
             continue;
         }
         let (u, f) = (params.list(over), params.list(forces));

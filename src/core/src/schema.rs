@@ -41,6 +41,8 @@ pub struct Parameter {
     /// Smallest and largest value in a damper of the size of a passenger car's. With a force in its unit a number may be smaller and
     /// larger ([`SIZES`]), if all others of the set go with it ([`crate::proportion`]).
     pub of_a_car: (f64, f64),
+    /// The choice of the same element, and its words, with which alone the number counts; `None`: with all.
+    pub form: Option<(&'static str, &'static [&'static str])>,
     /// Whether it has to go with the size of the damper: it has a force in its unit.
     pub grows: bool,
     /// One sentence for the reader of a report.
@@ -58,7 +60,13 @@ impl Parameter {
     ) -> Parameter {
         let grows = has_force(unit);
         let (low, high) = if grows { of_any_size(bounds) } else { bounds };
-        Parameter { name, unit, shape: Shape::Scalar, default, low, high, of_a_car: bounds, grows, meaning }
+        Parameter { name, unit, shape: Shape::Scalar, default, low, high, of_a_car: bounds, form: None, grows, meaning }
+    }
+
+    /// The same row, of a number that counts with these words of a choice of the same element alone.
+    pub const fn in_form(mut self, choice: &'static str, words: &'static [&'static str]) -> Parameter {
+        self.form = Some((choice, words));
+        self
     }
 
     /// The same row of a number whose largest value stands for none, in a damper of any size: it need not go with the others.
@@ -79,6 +87,7 @@ impl Parameter {
             low: 0.0,
             high,
             of_a_car: (0.0, high),
+            form: None,
             grows: false,
             meaning,
         }
@@ -101,6 +110,7 @@ impl Parameter {
             low: bounds.0,
             high: bounds.1,
             of_a_car: bounds,
+            form: None,
             grows: has_force(unit),
             meaning,
         }

@@ -228,3 +228,58 @@ fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
         assert!(turns || (a - b).abs() < 2e-3 * top, "{i}: {a}, {b}");
     }
 }
+
+/// A number of a form that is not chosen changes no force.
+#[test]
+fn numbers_of_other_forms_do_not_count() {
+    for row in table().filter(|row| row.parameter.form.is_some()) {
+        let (choice, words) = row.parameter.form.unwrap();
+        let choice = Number::find(choice).unwrap();
+        let Shape::Choice(all) = choice.parameter().shape else { panic!("{choice}") };
+        for (place, word) in all.iter().enumerate() {
+            let mut params = Params::new();
+            params.enable(row.element().unwrap(), true);
+            params.set(choice, place as f64).unwrap();
+            let forces = |params: &Params| -> Vec<f64> {
+                let model = Model::new(params).unwrap();
+                let mut state = model.settled(&Input::motion(0.0, 0.0));
+                let motion = common::sine(0.03, 4.0);
+                let mut heated = |i: usize| {
+                    let (x, v) = motion(i as f64 * 1e-3);
+                    let output;
+                    (state, output) = step(&model, &state, &Input { temperature: 60.0, ..Input::motion(x, v) }, 1e-3);
+                    output.force
+                };
+                (1..500).map(&mut heated).collect()
+            };
+            let now = forces(&params);
+            let mut differs = false;
+            for share in [0.3, 0.7] {
+                let mut other = params;
+                let (low, high) = row.parameter.of_a_car;
+                match row.parameter.shape {
+                    Shape::List(_) => {
+                        let list = List::find(row.parameter.name).unwrap();
+                        let values: Vec<f64> = params.list(list).iter().map(|v| (1.0 + share) * v).collect();
+                        other.set_list(list, &values).unwrap();
+                    }
+                    // Of slopes and knees, in whose middle no damper is.
+                    Shape::Scalar => {
+                        let number = Number::find(row.parameter.name).unwrap();
+                        let near = number.default() * (0.5 + share);
+                        other
+                            .set(number, if near > low { near.min(high) } else { low + share * (high - low) })
+                            .unwrap();
+                    }
+                    Shape::Choice(_) => other.set(Number::find(row.parameter.name).unwrap(), 1.0).unwrap(),
+                }
+                if let Ok(true) = Model::check(&other).map(|()| forces(&other) != now) {
+                    differs = true;
+                }
+            }
+            let counts = params.counts(&row);
+            assert_eq!(counts, words.contains(word));
+            assert!(counts || !differs, "{} counts with {word} of {choice}", row.parameter.name);
+        }
+    }
+}

@@ -7,7 +7,7 @@ use super::short::short;
 use crate::phrases;
 use crate::{Choice, Estimate, Fit, Measured, Standing, off};
 use dashpot_core::parameter::GROUPS;
-use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
+use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_records::sentence::Sentence;
@@ -263,46 +263,14 @@ pub fn idle(given: &[usize], params: &Params) -> Vec<Sentence> {
         .collect()
 }
 
-/// The parameters that say something of a damper: those where another value would make another damper. Numbers of elements that are off are none,
-/// nor are those of a form that was not chosen (the knees beside an FV table); settings count where they are not at their default, as a file gives them.
+/// The parameters that say something of a damper. Numbers of elements that are off are none, nor are those of a form that was not chosen (the knees
+/// beside an FV table); settings count where they are not at their default, as a file gives them.
 pub fn in_use(params: &Params) -> Vec<Row> {
-    let now = made(params);
     let says = |row: &Row| match row.element() {
         None => params.get(row) != row.parameter.default,
-        Some(element) => {
-            params.is_on(element) && !params.get(row).is_empty() && others(row, params).any(|other| made(&other) != now)
-        }
+        Some(_) => params.counts(row) && !params.get(row).is_empty(),
     };
     parameter::table().filter(says).collect()
-}
-
-/// Everything that a damper was made of; nothing where it makes none, which is another damper too.
-fn made(params: &Params) -> Option<String> {
-    Model::new(params).ok().map(|model| format!("{model:?}"))
-}
-
-/// The same parameters with other values of one: each word of a choice; of a number a little more, a little less and both bounds, of a list a little
-/// more, so that one of them is another damper wherever the value counts and is not rounded away.
-fn others<'a>(row: &'a Row, params: &'a Params) -> impl Iterator<Item = Params> + 'a {
-    let p = row.parameter;
-    let list = |values: Vec<f64>| {
-        let mut other = *params;
-        List::try_from(*row).ok().and_then(|list| other.set_list(list, &values).ok()).map(|()| other)
-    };
-    let number = |value: f64| {
-        let mut other = *params;
-        Number::try_from(*row).ok().and_then(|number| other.set(number, value).ok()).map(|()| other)
-    };
-    let values = params.get(row);
-    let others: Vec<Option<Params>> = match p.shape {
-        Shape::List(_) => vec![list(values.iter().map(|value| 1.01 * value).collect())],
-        Shape::Choice(words) => (0..words.len()).map(|word| number(word as f64)).collect(),
-        Shape::Scalar => {
-            let near = [1.01 * values[0], 0.99 * values[0]].map(|value| value.clamp(p.low, p.high));
-            near.into_iter().chain([p.low, p.high]).map(number).collect()
-        }
-    };
-    others.into_iter().flatten()
 }
 
 /// Reads a model file and checks that it makes a model.

@@ -6,9 +6,8 @@ use crate::units::{read, shown};
 use crate::views::{View, named_list};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Row, Shape};
-use dashpot_core::{list, number};
+use dashpot_core::list;
 use dashpot_estimation::scale::Scale;
-use dashpot_identification::literature::piecewise_linear::SLOPES_AND_KNEES;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
 
@@ -95,8 +94,13 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: 
         .body(|ui| {
             ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
             ui.add_enabled_ui(on, |ui| {
-                let table = session.model.as_ref().is_some_and(|m| m.params().number(number!("fv_form")) == 0.0);
-                for row in rows.iter().filter(|r| r.element() == Some(element) && is_of_form(r, table)) {
+                // Of an element that is off too, what would count were it on.
+                let shown = session.model.as_ref().map(|m| {
+                    let mut params = *m.params();
+                    params.enable(element, true);
+                    params
+                });
+                for row in rows.iter().filter(|r| r.element() == Some(element) && shown.is_none_or(|p| p.counts(r))) {
                     match row.parameter.shape {
                         Shape::Scalar => number(ui, session, w, row, 0),
                         Shape::Choice(words) => choice(ui, session, w, row, words),
@@ -251,11 +255,4 @@ fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
         return true;
     }
     model.params().list(velocity).get(entry).is_some_and(|v| *v != 0.0)
-}
-
-/// The FV curve is a table of points or has slopes and knees: the numbers of the other form say nothing.
-pub fn is_of_form(row: &Row, table: bool) -> bool {
-    let knees = SLOPES_AND_KNEES.iter().any(|knee| knee.row() == row);
-    let points = [list!("fv_velocity").row(), list!("fv_force").row(), number!("fv_interpolation").row()];
-    if table { !knees } else { !points.contains(&row) }
 }

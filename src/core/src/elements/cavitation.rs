@@ -90,28 +90,32 @@ impl Describe for Cavitation {
             &[0.3],
             (0.0, 10.0),
             "foot valve: speed of that stroke beyond which the chamber is not refilled, v_f",
-        ),
+        )
+        .in_form("cavitation_form", &["foot_valve"]),
         Parameter::scalar(
             "cavitation_unfilled",
             "-",
             &[0.05],
             (1e-4, 1.0),
             "foot valve: share of the flow beyond that speed that is missing, a",
-        ),
+        )
+        .in_form("cavitation_form", &["foot_valve"]),
         Parameter::scalar(
             "cavitation_onset",
             "-",
             &[1.0],
             (0.0, 1.0),
             "cap: share of it at which the void opens, alpha; 1: at the cap itself",
-        ),
+        )
+        .in_form("cavitation_form", &["cap"]),
         Parameter::scalar(
             "cavitation_expansion",
             "m",
             &[5e-4],
             (1e-5, 0.1),
             "cap: void over which half of the rest is gained as its gas expands, e_1",
-        ),
+        )
+        .in_form("cavitation_form", &["cap"]),
     ];
 }
 

@@ -40,7 +40,8 @@ impl Describe for FrequencySelectiveDamping {
             &["filter", "stroke", "bypass"],
             "lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke",
         ),
-        Parameter::scalar("fsd_share", "-", &[0.3], (0.0, 0.9), "share of the force that fast strokes lose, a"),
+        Parameter::scalar("fsd_share", "-", &[0.3], (0.0, 0.9), "share of the force that fast strokes lose, a")
+            .in_form("fsd_form", &["filter", "stroke"]),
         Parameter::scalar("fsd_time", "s", &[0.05], (1e-3, 10.0), "time that tells fast from slow, tau"),
         Parameter::scalar(
             "fsd_velocity",
@@ -48,28 +49,32 @@ impl Describe for FrequencySelectiveDamping {
             &[0.02],
             (1e-3, 1.0),
             "stroke form: speed that fills the control chamber, u_0",
-        ),
+        )
+        .in_form("fsd_form", &["stroke"]),
         Parameter::scalar(
             "fsd_flow",
             "m/s",
             &[0.2],
             (0.0, 10.0),
             "bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s",
-        ),
+        )
+        .in_form("fsd_form", &["bypass"]),
         Parameter::scalar(
             "fsd_force",
             "N",
             &[50.0],
             (1.0, 1e4),
             "bypass form: hydraulic force above which the control chamber fills at its full rate, F_0",
-        ),
+        )
+        .in_form("fsd_form", &["bypass"]),
         Parameter::scalar(
             "fsd_laminar_force",
             "N",
             &[20.0],
             (1.0, 1e5),
             "bypass form: hydraulic force below which its flow is laminar, F_l",
-        ),
+        )
+        .in_form("fsd_form", &["bypass"]),
     ];
 }
 

@@ -26,7 +26,8 @@ impl Describe for FvCurve {
             "fv_interpolation",
             &["monotone_cubic", "linear"],
             "how the FV table runs between its points",
-        ),
+        )
+        .in_form("fv_form", &["table"]),
         Parameter::list(
             "fv_velocity",
             "m/s",
@@ -34,7 +35,8 @@ impl Describe for FvCurve {
             &[-1.571, -1.047, -0.524, -0.262, -0.131, -0.052, 0.0, 0.052, 0.131, 0.262, 0.524, 1.047, 1.571],
             (-20.0, 20.0),
             "velocities of the FV table, rebound positive, increasing",
-        ),
+        )
+        .in_form("fv_form", &["table"]),
         Parameter::list(
             "fv_force",
             "N",
@@ -42,15 +44,24 @@ impl Describe for FvCurve {
             &[-1800.0, -1330.0, -860.0, -600.0, -410.0, -200.0, 0.0, 330.0, 760.0, 1130.0, 1640.0, 2530.0, 3400.0],
             (-1e6, 1e6),
             "forces of the FV table, tension positive, non-decreasing",
-        ),
-        Parameter::scalar("fv_rebound_c1", "N s/m", &[6000.0], (0.0, 1e6), "Cr1: rebound slope below the first knee"),
-        Parameter::scalar("fv_rebound_c2", "N s/m", &[2500.0], (0.0, 1e6), "Cr2: rebound slope between the knees"),
-        Parameter::scalar("fv_rebound_c3", "N s/m", &[1600.0], (0.0, 1e6), "Cr3: rebound slope above the second knee"),
-        Parameter::scalar("fv_rebound_v1", "m/s", &[0.13], (1e-4, 10.0), "first rebound knee"),
-        Parameter::scalar("fv_rebound_v2", "m/s", &[0.40], (1e-4, 10.0), "second rebound knee"),
-        Parameter::scalar("fv_compression_c1", "N s/m", &[3500.0], (0.0, 1e6), "Cc1: compression slope below the knee"),
-        Parameter::scalar("fv_compression_c2", "N s/m", &[950.0], (0.0, 1e6), "Cc2: compression slope above the knee"),
-        Parameter::scalar("fv_compression_v1", "m/s", &[0.13], (1e-4, 10.0), "compression knee, as a speed"),
+        )
+        .in_form("fv_form", &["table"]),
+        Parameter::scalar("fv_rebound_c1", "N s/m", &[6000.0], (0.0, 1e6), "Cr1: rebound slope below the first knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_rebound_c2", "N s/m", &[2500.0], (0.0, 1e6), "Cr2: rebound slope between the knees")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_rebound_c3", "N s/m", &[1600.0], (0.0, 1e6), "Cr3: rebound slope above the second knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_rebound_v1", "m/s", &[0.13], (1e-4, 10.0), "first rebound knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_rebound_v2", "m/s", &[0.40], (1e-4, 10.0), "second rebound knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_compression_c1", "N s/m", &[3500.0], (0.0, 1e6), "Cc1: compression slope below the knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_compression_c2", "N s/m", &[950.0], (0.0, 1e6), "Cc2: compression slope above the knee")
+            .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_compression_v1", "m/s", &[0.13], (1e-4, 10.0), "compression knee, as a speed")
+            .in_form("fv_form", &["piecewise"]),
     ];
 }
 

@@ -34,7 +34,8 @@ impl Describe for PositionDependentDamping {
             &[0.3],
             (-4.0, 0.95),
             "share of the FV force that is missing in the zone, a; negative: a firmer zone",
-        ),
+        )
+        .in_form("bypass_form", &["factor"]),
         Parameter::scalar("bypass_centre", "m", &[0.0], (-1.0, 1.0), "displacement at the middle of the zone, c"),
         Parameter::scalar("bypass_half_width", "m", &[0.02], (1e-3, 1.0), "half the length of the zone, w"),
         Parameter::scalar("bypass_blend", "m", &[5e-3], (5e-4, 0.5), "length over which the zone fades out, b"),
@@ -46,7 +47,8 @@ impl Describe for PositionDependentDamping {
             &[0.2],
             (0.0, 10.0),
             "groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b",
-        ),
+        )
+        .in_form("bypass_form", &["groove"]),
     ];
 }
 

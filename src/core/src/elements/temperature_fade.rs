@@ -43,8 +43,10 @@ impl Describe for TemperatureFade {
         ),
         Parameter::scalar("fade_coefficient", "1/K", &[0.003], (-0.02, 0.2), "fall of the damping per kelvin, alpha"),
         Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
-        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C_h"),
-        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h"),
+        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C_h")
+            .in_form("fade_source", &["self_heating"]),
+        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h")
+            .in_form("fade_source", &["self_heating"]),
         Parameter::scalar(
             "fade_laminar_force",
             "N",

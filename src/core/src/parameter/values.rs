@@ -119,6 +119,20 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
+    /// Whether a number says anything of the damper: its element is on, or it is a setting, and it belongs to the form that is chosen.
+    pub fn counts(&self, row: &Row) -> bool {
+        let on = row.element().is_none_or(|element| self.is_on(element));
+        on && row.parameter.form.is_none_or(|(choice, words)| {
+            let chosen = table().find(|other| other.group == row.group && other.parameter.name == choice);
+            let word = chosen.and_then(|chosen| {
+                let Shape::Choice(all) = chosen.parameter.shape else { return None };
+                let place = self.get(&chosen).first().map_or(0.0, |place| *place);
+                all.iter().zip(0u32..).find(|(_, at)| f64::from(*at) == place).map(|(word, _)| *word)
+            });
+            word.is_some_and(|word| words.contains(&word))
+        })
+    }
+
     /// The elements that are on, one bit each in the order of the table's groups.
     pub(crate) fn elements(&self) -> u64 {
         self.elements
@@ -162,6 +176,17 @@ mod tests {
         }
         assert_eq!(table().count(), COUNT);
         Params::new().check().unwrap();
+    }
+
+    #[test]
+    fn every_form_is_one_of_a_choice_of_the_same_element() {
+        for row in table() {
+            let Some((choice, words)) = row.parameter.form else { continue };
+            let chosen = find(choice).unwrap();
+            assert_eq!(chosen.group, row.group, "{}", row.parameter.name);
+            let Shape::Choice(all) = chosen.parameter.shape else { panic!("{choice} is no choice") };
+            assert!(words.iter().all(|word| all.contains(word)) && words.len() < all.len(), "{}", row.parameter.name);
+        }
     }
 
     #[test]

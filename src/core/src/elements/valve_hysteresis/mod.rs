@@ -99,7 +99,8 @@ impl Describe for ValveHysteresis {
             &[0.15],
             (0.0, 1.0),
             "opening form: share of the force that lateness adds, eta",
-        ),
+        )
+        .in_form("valve_form", &["opening"]),
         Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
         Parameter::scalar(
             "valve_closing_ratio",
@@ -107,7 +108,8 @@ impl Describe for ValveHysteresis {
             &[0.85],
             (0.3, 1.0),
             "opening form: force at which it closes over that at which it opens; 1: the time alone makes it late",
-        ),
+        )
+        .in_form("valve_form", &["opening"]),
         Parameter::scalar(
             "valve_time",
             "s",
@@ -121,8 +123,10 @@ impl Describe for ValveHysteresis {
             &["opening", "play", "spool"],
             "one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass",
         ),
-        Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e4), "play form: force that the valve does not follow, P"),
-        Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio, zeta"),
+        Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e4), "play form: force that the valve does not follow, P")
+            .in_form("valve_form", &["play"]),
+        Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio, zeta")
+            .in_form("valve_form", &["spool"]),
     ];
 }
 
