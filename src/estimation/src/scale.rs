@@ -10,11 +10,8 @@ use crate::measurement::Artefact;
 use crate::usual::Usual;
 use dashpot_core::parameter::Number;
 use dashpot_core::{Params, element, list, number};
+use dashpot_records::cell::OF_CARS;
 
-/// Largest force, N, of the dampers that what is usual was learned of: between these nothing is changed, so that a soft and a firm damper of a
-/// car are judged alike. From the virtual rigs and the measured dampers of the book, 0.4 to 6 kN; a narrower range would change what is said of
-/// cars.
-const CARS: (f64, f64) = (300.0, 8000.0);
 /// The one, N, that stands for them all, for which the medians hold: a damper far beyond the range is compared with it. The middle of the range
 /// by its logarithm; compared with the nearer end instead, a weak damper would have the series stiffness of a soft damper of a car, and be taken
 /// for a stiff one.
@@ -32,7 +29,7 @@ impl Scale {
 
     /// Of a damper with this largest force, N.
     pub fn of_force(largest: f64) -> Scale {
-        let (low, high) = CARS;
+        let (low, high) = OF_CARS;
         // A model without a force says nothing of its size.
         if !(largest > 0.0 && largest.is_finite()) || (low..=high).contains(&largest) {
             return Scale::CAR;

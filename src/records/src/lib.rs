@@ -6,7 +6,7 @@ mod about;
 mod at_speed;
 mod beside;
 mod campaign;
-mod cell;
+pub mod cell;
 mod channel;
 mod cleaning;
 pub mod clock;
