@@ -77,7 +77,9 @@ if [ -e "$here/packages/$linux_name.tar.gz" ]; then
 fi
 adams() { dashpot export adams demo/damper.toml -o adamsrun --length 412.5 && cmp adamsrun/dashpot_adams.dll adams/dashpot_adams.dll; }
 check "Windows: run folder for Adams holds the library of the package" adams
-# Wine 8 has no compiler for the shaders of Direct3D 12, so that here the window falls back to OpenGL.
+# Wine 8 has no compiler for the shaders of Direct3D 12, so that here the window falls back to OpenGL. Wine's desktop began without a screen: it is
+# ended, so that another begins on the one that the window gets.
 . "$here/checks/window.sh"
+wineserver -k
 check_window "Windows: the window shows the demonstration's records" wine dashpot-window.exe demo/records demo/damper.toml
-wine taskkill /f /im dashpot-window.exe >/dev/null 2>&1
+wineserver -k || true
