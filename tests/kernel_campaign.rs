@@ -33,6 +33,20 @@ impl Random {
     }
 }
 
+/// Sines of strokes from 1 to 50 mm and peak velocities from 52 mm/s to 1.57 m/s, up to the 25 Hz of a rig.
+pub fn strokes_and_speeds() -> Vec<Sine> {
+    let mut tests = Vec::new();
+    for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
+        for peak in [0.052, 0.13, 0.26, 0.52, 1.05, 1.57] {
+            let frequency = peak / (TAU * amplitude);
+            if frequency <= 25.1 {
+                tests.push(Sine::new(amplitude, frequency));
+            }
+        }
+    }
+    tests
+}
+
 /// FV curve, series compliance, dry friction, a linear spring and gas: the model that data is compared with.
 ///
 /// # Panics

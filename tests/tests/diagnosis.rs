@@ -6,21 +6,14 @@ use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Diagnosis, MovedBy, Options, Verdict, choose_held_out, diagnose};
 use dashpot_identification::model_file;
 use dashpot_records::Record;
-use dashpot_tests::kernel_campaign::{Sine, base, campaign};
+use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Strokes and speeds, mean positions, side forces, slow tests.
 fn tests() -> Vec<Sine> {
-    let mut tests = Vec::new();
-    for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
-        for peak in [0.052, 0.13, 0.26, 0.52, 1.05, 1.57] {
-            let frequency = peak / (TAU * amplitude);
-            if frequency <= 25.1 {
-                tests.push(Sine { side_force: Some(0.0), ..Sine::new(amplitude, frequency) });
-            }
-        }
-    }
+    let mut tests = strokes_and_speeds();
+    tests.iter_mut().for_each(|test| test.side_force = Some(0.0));
     for (mean, side) in [(-0.03, 0.0), (-0.015, 0.0), (0.015, 0.0), (0.03, 0.0), (0.0, 500.0), (0.0, 1000.0)] {
         for (amplitude, peak) in [(0.01, 0.2), (0.02, 0.6)] {
             tests.push(Sine { mean, side_force: Some(side), ..Sine::new(amplitude, peak / (TAU * amplitude)) });

@@ -8,22 +8,13 @@ use dashpot_estimation::scale::Scale;
 use dashpot_identification::{Fit, FitOptions, Standing, fit};
 use dashpot_records::Record;
 use dashpot_records::record::Noise;
-use dashpot_tests::kernel_campaign::{Sine, base, campaign};
-use std::f64::consts::TAU;
+use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 
 /// An instrument's damper and one of an aircraft.
 const FACTORS: [f64; 2] = [0.01, 20.0];
 
 fn tests() -> Vec<Sine> {
-    let mut tests = Vec::new();
-    for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
-        for peak in [0.052, 0.13, 0.26, 0.52, 1.05, 1.57] {
-            let frequency = peak / (TAU * amplitude);
-            if frequency <= 25.1 {
-                tests.push(Sine::new(amplitude, frequency));
-            }
-        }
-    }
+    let mut tests = strokes_and_speeds();
     tests.extend([0.008, 0.03, 0.1].map(|frequency| Sine::new(0.01, frequency)));
     tests
 }

@@ -130,7 +130,7 @@ impl Parameter {
 }
 
 /// Whether a unit is one of force, or holds one: stiffness, damping, mass (kg is N s²/m), heat.
-const fn has_force(unit: &str) -> bool {
+pub const fn has_force(unit: &str) -> bool {
     matches!(unit.as_bytes(), [b'N' | b'J' | b'W', ..] | [b'k', b'g', ..])
 }
 

@@ -7,7 +7,7 @@ mod common;
 use common::{any_params, told};
 use dashpot_core::parameter::{List, Number, table};
 use dashpot_core::step::step;
-use dashpot_core::{Input, Model, Params, element};
+use dashpot_core::{Input, Model, Params, Reason, element, number};
 use proptest::prelude::*;
 
 /// The set with all that grows with the damper `size` times as large; `None` where the table has no such numbers.
@@ -68,4 +68,53 @@ proptest! {
             prop_assert!(off.abs() <= 1e-6 * largest, "{i}: {} N, {size} times the size {} N: {}", first.force, second.force, told(&params));
         }
     }
+}
+
+#[test]
+fn dampers_of_any_size_are_allowed_whole() {
+    for factor in [1.01e-3, 0.02, 1.0, 99.0] {
+        Model::check(&of_size(&Params::new(), factor).unwrap()).unwrap();
+    }
+}
+
+#[test]
+fn a_number_of_another_size_is_named() {
+    let mut params = of_size(&Params::new(), 0.01).unwrap();
+    params.set(number!("internal_mass"), 1e-3).unwrap();
+    Model::check(&params).unwrap();
+    params.set(number!("series_stiffness"), 1e7).unwrap();
+    let refused = Model::check(&params).unwrap_err();
+    assert_eq!(refused, number!("internal_mass").fault(Reason::OutOfProportion));
+    let mut params = Params::new();
+    params.set(number!("series_stiffness"), 2e8).unwrap();
+    params.set(number!("gas_force"), 2e4).unwrap();
+    Model::check(&params).unwrap();
+    params.set(number!("internal_mass"), 0.05).unwrap();
+    assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
+}
+
+/// Numbers that may be too small for a spring or in a wrong order, but not out of proportion.
+#[test]
+fn what_a_car_may_have_goes_together() {
+    for low in [true, false] {
+        let mut params = Params::new();
+        for (i, row) in table().enumerate() {
+            if let Ok(number) = Number::try_from(row) {
+                let (least, most) = row.parameter.of_a_car;
+                params.set(number, if low == (i % 2 == 0) { least } else { most }).unwrap();
+            }
+        }
+        let refused = Model::check(&params).err();
+        assert!(refused.is_none_or(|fault| fault.reason != Reason::OutOfProportion), "{refused:?}");
+    }
+}
+
+/// Tiny dampers are not held against numbers of a form that they do not use.
+#[test]
+fn numbers_of_other_forms_have_no_part_in_it() {
+    let mut params = of_size(&Params::new(), 1.01e-3).unwrap();
+    params.set(number!("fv_rebound_c1"), 1e5).unwrap();
+    Model::check(&params).unwrap();
+    params.set(number!("fv_form"), 1.0).unwrap();
+    assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }

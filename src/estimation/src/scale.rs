@@ -9,6 +9,7 @@
 use crate::measurement::Artefact;
 use crate::usual::Usual;
 use dashpot_core::parameter::Number;
+use dashpot_core::schema::has_force;
 use dashpot_core::{Params, element, list, number};
 use dashpot_records::cell::OF_CARS;
 
@@ -76,7 +77,7 @@ impl Scale {
     }
 
     fn of_unit(self, unit: &str) -> f64 {
-        if ["N", "kg", "J", "W"].iter().any(|force| unit.starts_with(force)) { self.0 } else { 1.0 }
+        if has_force(unit) { self.0 } else { 1.0 }
     }
 
     /// Factor on a number of the rig: the load cell is chosen for the damper, and what hangs on it built for it.

@@ -3,12 +3,22 @@
 /// Most decimals: a tenth of a millinewton, which no load cell of a damper shows.
 const MOST: usize = 4;
 
-/// A force with so many decimals, or as many as two digits need: half a newton is nothing to a car's damper, and all that a small one has.
-pub fn newtons(force: f64, decimals: usize) -> String {
+/// Whether a force is none in so many decimals.
+fn is_nothing(force: f64) -> bool {
+    force.abs() < 0.5 * 10f64.powi(-(MOST as i32))
+}
+
+/// So many decimals, or as many as two digits of a force need: half a newton is nothing to a car's damper, and all that a small one has.
+pub fn places(force: f64, decimals: usize) -> usize {
+    // Two digits once it is rounded: 9.95 becomes 10.
     let needed = (decimals..=MOST).find(|&places| force.abs() * 10f64.powi(places as i32) >= 9.95);
-    let nothing = !(force.abs() >= 0.5 * 10f64.powi(-(MOST as i32)));
-    let places = if nothing { decimals } else { needed.unwrap_or(MOST) };
-    let force = if nothing { 0.0 } else { force };
+    if is_nothing(force) { decimals } else { needed.unwrap_or(MOST) }
+}
+
+/// A force, N, with so many decimals, or as many as two digits need.
+pub fn newtons(force: f64, decimals: usize) -> String {
+    let places = places(force, decimals);
+    let force = if is_nothing(force) { 0.0 } else { force };
     format!("{force:.places$}")
 }
 
@@ -21,5 +31,6 @@ mod tests {
         let tenths = [0.0, -1e-9, 0.04, -0.35, 0.997, 4.43, 688.42].map(|force| newtons(force, 1));
         assert_eq!(tenths, ["0.0", "0.0", "0.040", "-0.35", "1.0", "4.4", "688.4"]);
         assert_eq!([0.0, 0.59, 3.04, 118.2].map(|force| newtons(force, 0)), ["0", "0.59", "3.0", "118"]);
+        assert_eq!([1.234e-4, 4.9e-5, f64::NAN].map(|force| newtons(force, 1)), ["0.0001", "0.0", "NaN"]);
     }
 }

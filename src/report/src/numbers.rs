@@ -2,24 +2,17 @@
 
 use crate::plot::ticks::number;
 use crate::words::{Words, fill};
+use dashpot_records::newtons::places;
 use dashpot_records::reading_unit;
 
 /// A force, N: whole, or two digits of one below 10 N, as a small damper has them.
 pub fn force(newton: f64) -> String {
-    two_digits(newton, 0)
+    number(newton, places(newton, 0))
 }
 
 /// A difference of forces, N: to a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
 pub fn error(newton: f64) -> String {
-    two_digits(newton, 1)
-}
-
-/// So many decimals, or as many as two digits need, down to a tenth of a millinewton, which no load cell shows.
-fn two_digits(newton: f64, decimals: usize) -> String {
-    const MOST: usize = 4;
-    let needed = (decimals..=MOST).find(|&places| newton.abs() * 10f64.powi(places as i32) >= 9.95);
-    let nothing = newton.abs() < 0.5 * 10f64.powi(-(MOST as i32));
-    number(newton, if nothing { decimals } else { needed.unwrap_or(MOST) })
+    number(newton, places(newton, 1))
 }
 
 /// A percentage, to a hundredth.

@@ -94,13 +94,13 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: 
         .body(|ui| {
             ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
             ui.add_enabled_ui(on, |ui| {
-                // Of an element that is off too, what would count were it on.
-                let shown = session.model.as_ref().map(|m| {
-                    let mut params = *m.params();
-                    params.enable(element, true);
-                    params
-                });
-                for row in rows.iter().filter(|r| r.element() == Some(element) && shown.is_none_or(|p| p.counts(r))) {
+                let of_form = |session: &Session, row: &Row| {
+                    session.model.as_ref().is_none_or(|model| model.params().is_of_form(row))
+                };
+                for row in rows.iter().filter(|row| row.element() == Some(element)) {
+                    if !of_form(session, row) {
+                        continue;
+                    }
                     match row.parameter.shape {
                         Shape::Scalar => number(ui, session, w, row, 0),
                         Shape::Choice(words) => choice(ui, session, w, row, words),

@@ -121,8 +121,12 @@ impl Params {
 
     /// Whether a number says anything of the damper: its element is on, or it is a setting, and it belongs to the form that is chosen.
     pub fn counts(&self, row: &Row) -> bool {
-        let on = row.element().is_none_or(|element| self.is_on(element));
-        on && row.parameter.form.is_none_or(|(choice, words)| {
+        row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
+    }
+
+    /// Whether a number belongs to the form that is chosen, be its element on or off.
+    pub fn is_of_form(&self, row: &Row) -> bool {
+        row.parameter.form.is_none_or(|(choice, words)| {
             let chosen = table().find(|other| other.group == row.group && other.parameter.name == choice);
             let word = chosen.and_then(|chosen| {
                 let Shape::Choice(all) = chosen.parameter.shape else { return None };

@@ -184,10 +184,12 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let against =
         |curve: &Curve, interpolation| worst(curve, &[Reading::Model(interpolation)], allowed, &|v| akima.at(v));
     let fits = points.velocities.len() <= MAX_POINTS;
-    for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear].into_iter().filter(|_| fits) {
-        let as_it_is = against(&points, interpolation);
-        if as_it_is.is_small() || points.velocities.len() == MAX_POINTS {
-            return (points.clone(), interpolation, as_it_is);
+    if fits {
+        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+            let as_it_is = against(&points, interpolation);
+            if as_it_is.is_small() || points.velocities.len() == MAX_POINTS {
+                return (points.clone(), interpolation, as_it_is);
+            }
         }
     }
     let rising = |at: f64| {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from ._result import Result, Row, held, table
+from ._result import Result, table
 
 if TYPE_CHECKING:
     from .model import Model
@@ -59,9 +59,6 @@ class HostCheck(Result):
         if self._ready is None:
             raise ValueError("the damper is kept by Model.check alone, not by a result made from a dictionary")
         return self._ready
-
-    def _rows(self) -> list[Row]:
-        return [held(self)[0]]
 
     def _repr_html_(self) -> str:
         return table("Chatters in this host" if self.chatters else "Does not chatter in this host", self._rows(), self.told)
