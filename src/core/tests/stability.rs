@@ -11,7 +11,7 @@ use proptest::prelude::*;
 /// Steps through `motion` and holds the force against what energy allows.
 ///
 /// With H = m u²/2 + k_s e²/2 + ∫F_p the mass gains √H at most as fast as the driven end moves: the deflection e cannot
-/// exceed the length of the path, plus what the parallel spring and the offset of the FV curve hold. Twice that is allowed.
+/// exceed the length of the path, plus what the parallel spring, the offset of the FV curve and the oil hold. Twice that is allowed.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -24,6 +24,7 @@ fn run(
     let start = dashpot_core::evaluate(&model, &state, &Input::motion(motion[0].0, 0.0)).0;
     let mut length =
         1e-3 + start.series_deflection.abs() + (2.0 * start.spring_force.abs() * motion[0].0.abs() / k).sqrt();
+    let held = 1e4 / k + (2.0 * held_by_oil(params) / k).sqrt();
     for (x, v) in motion {
         let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
@@ -36,7 +37,7 @@ fn run(
             let kicked = length + (m / k).sqrt() * v.abs();
             let series = output.series_deflection.abs();
             prop_assert!(
-                series <= 2.0 * kicked + 2e4 / k,
+                series <= 2.0 * (kicked + held),
                 "deflection {series} of a path of {kicked}: {}",
                 told(params)
             );
@@ -62,6 +63,17 @@ fn run(
         );
     }
     Ok(())
+}
+
+/// Energy, J, that an oil column may hold under the force of the FV curve at rest, which the drawn sets keep below 20 kN: on the softer side, at
+/// the place of this test's motions where it is longest. Half a metre of stroke under 15 kN throws a mass of 50 g as far as any motion.
+fn held_by_oil(params: &dashpot_core::Params) -> f64 {
+    if !params.is_on(element!("oil_compressibility")) {
+        return 0.0;
+    }
+    let softer = params.number(number!("oil_compression")).min(1.0) * params.number(number!("oil_stiffness"));
+    let longest = 1.0 + 0.1 * params.number(number!("oil_shortening")).abs();
+    longest * 2e4 * 2e4 / (2.0 * softer)
 }
 
 proptest! {
@@ -240,5 +252,11 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     for (at, v) in [(1, -2.9641), (6, -2.1089), (7, 2.126), (19, 2.7835), (29, 2.3873), (32, -2.1144)] {
         motion[at].1 = v;
     }
-    run(&p, &motion, 4.0225e-4, false).unwrap();
+    let model = Model::new(&p).unwrap();
+    let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
+    for (x, v) in motion {
+        let (next, output) = step(&model, &state, &Input::motion(x, v), 4.0225e-4);
+        assert!(output.series_deflection.abs() < 5e-3, "{output:?}");
+        state = next;
+    }
 }
