@@ -274,19 +274,20 @@ pub(crate) struct Column {
     pub taken_up: f64,
     pub by_force: f64,
     pub by_x: f64,
-    /// What it adds to u − w, times g, and the slopes of that over F_h, displacement and velocity of the driven end.
+    /// What it adds to u − w, times g, and the slopes of that over F_h and the place from which the stage moves the driven end.
     pub change: f64,
-    pub change_by: [f64; 3],
+    pub change_by: [f64; 2],
 }
 
 impl Column {
     /// None.
-    pub const NONE: Column = Column { taken_up: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 3] };
+    pub const NONE: Column = Column { taken_up: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 2] };
 
     /// Under a force, from what it is `known` to have taken up. The stage is that of ds/dt = u − w + v ∂s/∂x, whose last term
-    /// is taken as s(x) − s(x − g v): s(x − g v) − S = g (u − w) then rises with the force wherever the damper stands.
+    /// is taken as s(x) − s(X), where the stage moves the driven end `from` X to x: s(X) − S = g (u − w) then rises with the force
+    /// wherever the damper stands.
     #[inline(always)]
-    pub fn stage<const ON: u32>(e: &Paths, force: f64, [x, v]: [f64; 2], known: f64, g: f64) -> Column {
+    pub fn stage<const ON: u32>(e: &Paths, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);
         let [q, per_force] = if acts::<ON>(e, AIR) {
             let q = air.deflection(compliance, Dual::<1>::along(force, 0));
@@ -295,19 +296,18 @@ impl Column {
             [force * compliance, compliance]
         };
         if !acts::<ON>(e, LENGTH) {
-            let (change, change_by) = (q - known, [per_force, 0.0, 0.0]);
+            let (change, change_by) = (q - known, [per_force, 0.0]);
             return Column { taken_up: q, by_force: per_force, by_x: 0.0, change, change_by };
         }
         let q = Dual::<2>::along(q, 0);
         let after = e.oil_compressibility.taken_up(Dual::along(x, 1), q);
-        let before = e.oil_compressibility.taken_up(Dual::along(x - g * v, 1), q);
-        let before_by_x = before.slope(1);
+        let before = e.oil_compressibility.taken_up(Dual::along(from, 1), q);
         Column {
             taken_up: after.value,
             by_force: after.slope(0) * per_force,
             by_x: after.slope(1),
             change: before.value - known,
-            change_by: [before.slope(0) * per_force, before_by_x, -g * before_by_x],
+            change_by: [before.slope(0) * per_force, before.slope(1)],
         }
     }
 }

@@ -15,7 +15,7 @@ mod stage;
 use super::reach::REACH;
 use super::tableau::{Euler, MOST_STAGES, Rows, Second, Tableau};
 use crate::assembly::Elements;
-use crate::input::Path;
+use crate::input::{Path, PathPoint};
 use crate::model::Model;
 use crate::paths::acting::{acts, moves};
 use crate::paths::bits::{
@@ -38,6 +38,7 @@ struct Known<'a> {
     last: bool,
     row: &'a [f64],
     g: f64,
+    moved_from: MovedFrom,
     /// Time over which a stage takes a late valve: g, or all since the substep began.
     since: f64,
     /// Whether it is the latter.
@@ -47,6 +48,32 @@ struct Known<'a> {
     states: [f64; STATES],
     /// Those of them that were brought back into their ranges, as bits.
     kept: u32,
+}
+
+/// Where a stage moves the driven end from, X: what it does to a column whose length changes with the place is s(x) − s(X).
+///
+/// As the method takes it that is x − g v. A method of one stage sees the speed at its end alone; for it X is where the driven
+/// end was when the substep began. A stroke of 0.1 m that ends at rest would otherwise not have moved the column at all.
+#[derive(Clone, Copy, Debug)]
+struct MovedFrom {
+    x: f64,
+    /// Slopes over the displacement and the velocity at the end of the step.
+    by_end: [f64; 2],
+}
+
+impl MovedFrom {
+    #[inline(always)]
+    fn of<const ON: u32>(e: &Paths, point: &PathPoint, g: f64, substep: &Substep, alone: bool) -> MovedFrom {
+        if !acts::<ON>(e, LENGTH) {
+            return MovedFrom { x: 0.0, by_end: [0.0; 2] };
+        }
+        if alone {
+            let start = substep.path.at(substep.theta);
+            return MovedFrom { x: start.x, by_end: start.x_by_end };
+        }
+        let ([x_by_x, x_by_v], [v_by_x, v_by_v]) = (point.x_by_end, point.v_by_end);
+        MovedFrom { x: point.x - g * point.v, by_end: [x_by_x - g * v_by_x, x_by_v - g * v_by_v] }
+    }
 }
 
 /// States and forces after a stage.
@@ -178,8 +205,9 @@ impl EachStage for PathsByEnd {
         let [by_x, by_v] = &mut self.by_end;
         let [xx, xv] = s.path.x_by_end;
         let [vx, vv] = s.path.v_by_end;
-        by_x.over(s, Seed { x: xx, v: vx, ..Seed::NONE });
-        by_v.over(s, Seed { x: xv, v: vv, ..Seed::NONE });
+        let [from_x, from_v] = s.moved_from.by_end;
+        by_x.over(s, Seed { x: xx, v: vx, from: from_x, ..Seed::NONE });
+        by_v.over(s, Seed { x: xv, v: vv, from: from_v, ..Seed::NONE });
     }
 
     #[inline(always)]
@@ -497,7 +525,9 @@ impl Substep<'_> {
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
-            let known = Known { index, last, row, g, since, valve_jumps, raised: now.raised, states: known, kept };
+            let moved_from = MovedFrom::of::<ON>(e, &point, g, self, method.stages == 1);
+            let known =
+                Known { index, last, row, g, moved_from, since, valve_jumps, raised: now.raised, states: known, kept };
             let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {

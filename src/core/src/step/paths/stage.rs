@@ -1,6 +1,6 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::{Balance, Carried, Known, REACH, StageSlopes};
+use super::{Balance, Carried, Known, MovedFrom, REACH, StageSlopes};
 use crate::assembly::Elements;
 use crate::dual::Dual;
 use crate::element::{Motion, Response};
@@ -31,6 +31,8 @@ pub struct PathsStage<'a, const ON: u32> {
     pub row: &'a [f64],
     /// The driven end.
     pub path: PathPoint,
+    /// Where the stage moves it from.
+    pub(super) moved_from: MovedFrom,
     /// Velocity at which the FV curve was read.
     pub oil_velocity: f64,
     /// Displacement and velocity of the mass after the stage.
@@ -64,6 +66,8 @@ pub struct Seed {
     pub x: f64,
     /// Velocity of the driven end.
     pub v: f64,
+    /// Place from which the stage moves it.
+    pub from: f64,
     /// Height of the FV curve where it was read.
     pub curve: f64,
     /// Height of the FV curve at standstill.
@@ -82,6 +86,7 @@ impl Seed {
         known: [0.0; STATES],
         x: 0.0,
         v: 0.0,
+        from: 0.0,
         curve: 0.0,
         standing: 0.0,
         read: [0.0; 2],
@@ -143,6 +148,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let given = Given {
             elements,
             path,
+            from: known.moved_from.x,
             side,
             states,
             g,
@@ -172,6 +178,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             last: known.last,
             row: known.row,
             path,
+            moved_from: known.moved_from,
             oil_velocity: w + step,
             x_m: at.x,
             u: at.u,
@@ -201,6 +208,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let given = Given {
             elements,
             path: self.path,
+            from: self.moved_from.x,
             side,
             states: self.known,
             g,
@@ -278,8 +286,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             u_held -= per_g * known[place::COLUMN];
         }
         if acts::<ON>(e, LENGTH) {
-            let [_, by_x, by_v] = at.column.change_by;
-            u_held += per_g * (by_x * seed.x + by_v * seed.v);
+            u_held += per_g * (at.column.change_by[1] * seed.from);
         }
         if acts::<ON>(e, GROOVE | PASSAGE) {
             u_held += at.past.flow_by[1] * seed.x + at.past.flow_by[2] * known[place::SELECTIVE];
@@ -380,6 +387,8 @@ impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
 struct Given<'a> {
     elements: &'a Elements,
     path: PathPoint,
+    /// Where the stage moves the driven end from.
+    from: f64,
     /// Side force and temperature.
     side: (f64, f64),
     states: [f64; STATES],
@@ -444,14 +453,14 @@ impl Look {
 
     #[inline(always)]
     fn new<const ON: u32>(e: &Paths, given: &Given, w: f64, curve: f64) -> Look {
-        let Given { elements, path, side, states: known, g, since, raised, per_g, standing, factors } = given;
+        let Given { elements, path, from, side, states: known, g, since, raised, per_g, standing, factors } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
         let (mut u, mut u_by_force) = (w, 0.0);
         let mut column = Column::NONE;
         if acts::<ON>(e, COLUMN) {
-            column = Column::stage::<ON>(e, valves.force, [path.x, path.v], known[place::COLUMN], g);
+            column = Column::stage::<ON>(e, valves.force, [*from, path.x], known[place::COLUMN]);
             u += column.change * per_g;
             u_by_force += column.change_by[0] * per_g;
         }
