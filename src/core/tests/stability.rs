@@ -262,28 +262,32 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// A column of one chamber that stands under 15 kN, and a stroke of 60 mm between two instants of rest: the cheapest method sees no speed at
-/// its end, and once kept what the column had taken up, which under a third of the length is three times the force.
+/// A column that stands under 15 kN, and strokes of 60 mm between two instants of rest, in which it gets a tenth as long and back: by the speeds at
+/// which the stages look, the cheapest method did not move it at all, and its force went up with what it holds; the method of fourth order came to 9 MN.
 #[test]
-fn a_stroke_between_two_instants_of_rest_moves_the_column_with_the_cheapest_method() {
-    let mut p = params(&[
-        ("series_stiffness", 6e5),
-        ("series_damping", 1e3),
-        ("internal_mass", 0.5),
-        ("oil_stiffness", 2e4),
-        ("oil_shortening", 10.0),
-        ("fv_interpolation", 1.0),
-        ("method", 2.0),
-    ]);
-    p.enable(element!("oil_compressibility"), true);
-    p.set_list(list!("fv_velocity"), &[-3.0, 0.0, 3.0]).unwrap();
-    p.set_list(list!("fv_force"), &[-2e4, -1.5e4, 2e4]).unwrap();
-    let model = Model::new(&p).unwrap();
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
-    for i in 0..200 {
-        let to = if i < 100 { 0.0 } else { 0.06 };
-        let (next, output) = step(&model, &state, &Input::motion(to, 0.0), 2.4e-4);
-        assert!(output.primary_force.abs() < 2.5e4, "step {i}: {output:?}");
-        state = next;
+fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves() {
+    for (shortening, chambers) in [(10.0, 0.0), (-50.0, 0.0), (10.0, 1.0), (-15.0, 1.0)] {
+        let mut p = params(&[
+            ("series_stiffness", 6e5),
+            ("series_damping", 1e3),
+            ("internal_mass", 0.5),
+            ("oil_stiffness", 2e4),
+            ("oil_shortening", shortening),
+            ("oil_chambers", chambers),
+            ("fv_interpolation", 1.0),
+        ]);
+        p.enable(element!("oil_compressibility"), true);
+        p.set_list(list!("fv_velocity"), &[-3.0, 0.0, 3.0]).unwrap();
+        p.set_list(list!("fv_force"), &[-2e4, -1.5e4, 2e4]).unwrap();
+        for method in METHODS {
+            let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+            let mut state = model.settled(&Input::motion(0.0, 0.0));
+            for i in 0..200 {
+                let to = if i / 20 % 2 == 0 { 0.0 } else { 0.06 };
+                let (next, output) = step(&model, &state, &Input::motion(to, 0.0), 2.4e-4);
+                assert!(output.primary_force.abs() < 2.5e4, "{shortening} {chambers} {method:?} step {i}: {output:?}");
+                state = next;
+            }
+        }
     }
 }

@@ -11,13 +11,14 @@ use crate::schema::{Describe, Parameter, View};
 /// ℓ is the length of the column relative to that at x = 0. The rebound chamber gets shorter with extension: ℓ = 1 − λ x.
 /// With two chambers the one under pressure yields: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression stroke.
 ///
-/// The state is what the column has taken up of the piston's stroke, s = ∫ ℓ dq from 0 at the place x:
+/// The state of one chamber is q: moved under pressure it keeps that, however far. That of two chambers is what the column
+/// has taken up of the piston's stroke, s = ∫ ℓ dq from 0 at the place x:
 ///
 /// ```text
 /// ds/dt = u − w + v ∂s/∂x
 /// ```
 ///
-/// With q as the state a stage would solve ℓ(q) (q − Q)/g = u − w, which falls with q where the longer chamber takes over and
+/// With q as their state a stage would solve ℓ(q) (q − Q)/g = u − w, which falls with q where the longer chamber takes over and
 /// has three answers there; and what the methods put together from stages on both sides of rest lies on neither.
 ///
 /// In compression k_o is r_o times that in rebound: in a twin tube the oil below the piston, which the rod's area loads
@@ -125,13 +126,23 @@ impl OilCompressibility {
         (deflection * deflection).plus(self.changes * self.changes).sqrt().plus(-self.changes)
     }
 
+    /// Whether the state is s and not q.
+    #[inline(always)]
+    pub(crate) fn counts_stroke(&self) -> bool {
+        self.has_two_chambers && self.has_length()
+    }
+
+    /// ℓ of one chamber.
+    #[inline(always)]
+    pub(crate) fn length<R: Real>(&self, x: R) -> R {
+        let [length, _] = self.lengths(x);
+        length
+    }
+
     /// s.
     #[inline(always)]
     pub(crate) fn taken_up<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x);
-        if !self.has_two_chambers {
-            return rebound * deflection;
-        }
         ((rebound + compression) * deflection + (rebound - compression) * self.size(deflection)) * 0.5
     }
 
@@ -140,9 +151,6 @@ impl OilCompressibility {
     pub(crate) fn taken_up_by_place<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x).map(|length| length.value() > SHORTEST);
         let per = |moves: bool, sign: f64| if moves { sign * self.shortening } else { 0.0 };
-        if !self.has_two_chambers {
-            return deflection * per(rebound, -1.0);
-        }
         let [by_rebound, by_compression] = [per(rebound, -0.5), per(compression, 0.5)];
         deflection * (by_rebound + by_compression) + self.size(deflection) * (by_rebound - by_compression)
     }
@@ -151,9 +159,6 @@ impl OilCompressibility {
     #[inline(always)]
     pub(crate) fn deflection<R: Real>(&self, x: R, taken_up: R) -> R {
         let [rebound, compression] = self.lengths(x);
-        if !self.has_two_chambers {
-            return taken_up * rebound.inverse();
-        }
         let product = rebound * compression;
         let (mean, half) = ((rebound + compression) * 0.5, (rebound - compression) * 0.5);
         let all = taken_up + half * self.changes;
@@ -168,19 +173,17 @@ mod tests {
 
     #[test]
     fn deflection_undoes_what_is_taken_up_and_its_slopes_are_those_of_differences() {
-        let base = OilCompressibility { compliance: [1e-7, 3e-8], shortening: 12.0, ..OilCompressibility::OFF };
-        for has_two_chambers in [false, true] {
-            let oil = OilCompressibility { has_two_chambers, changes: 1.5e-6, ..base };
-            for x in [-0.09, -0.04, 0.0, 0.03, 0.08] {
-                let mut last = f64::NEG_INFINITY;
-                for q in [-3e-4, -2e-6, -1e-7, 0.0, 4e-8, 1e-6, 5e-4] {
-                    let s = oil.taken_up(x, q);
-                    assert!(s > last, "{s} after {last}");
-                    last = s;
-                    assert!((oil.deflection(x, s) - q).abs() <= 1e-12 * (q.abs() + 1e-6), "{q} at {x}");
-                    let by_x = (oil.taken_up(x + 1e-6, q) - oil.taken_up(x - 1e-6, q)) / 2e-6;
-                    assert!((oil.taken_up_by_place(x, q) - by_x).abs() <= 1e-8, "{q} at {x}");
-                }
+        let oil =
+            OilCompressibility { compliance: [1e-7, 3e-8], shortening: 12.0, has_two_chambers: true, changes: 1.5e-6 };
+        for x in [-0.09, -0.04, 0.0, 0.03, 0.08] {
+            let mut last = f64::NEG_INFINITY;
+            for q in [-3e-4, -2e-6, -1e-7, 0.0, 4e-8, 1e-6, 5e-4] {
+                let s = oil.taken_up(x, q);
+                assert!(s > last, "{s} after {last}");
+                last = s;
+                assert!((oil.deflection(x, s) - q).abs() <= 1e-12 * (q.abs() + 1e-6), "{q} at {x}");
+                let by_x = (oil.taken_up(x + 1e-6, q) - oil.taken_up(x - 1e-6, q)) / 2e-6;
+                assert!((oil.taken_up_by_place(x, q) - by_x).abs() <= 1e-8, "{q} at {x}");
             }
         }
     }

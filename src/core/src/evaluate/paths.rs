@@ -6,7 +6,7 @@ use crate::dual::{Dual, Real};
 use crate::element::Motion;
 use crate::input::Input;
 use crate::paths::bypass;
-use crate::paths::hydraulic::{Around, column_force, flow, taken_up_by_place};
+use crate::paths::hydraulic::{Around, column_force, column_rate, flow};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
@@ -40,7 +40,7 @@ fn instant<R: Real>(elements: &Elements, states: &[R; STATES], around: &Around<R
         displaced = displaced + oils * e.cavitation.sign;
     }
     let residual = if e.has_column() {
-        rates[place::COLUMN] = u - displaced + around.v * taken_up_by_place(e, around.x, deflection);
+        rates[place::COLUMN] = column_rate(e, [around.x, around.v], deflection, u - displaced);
         flow.force - primary
     } else {
         displaced - u
@@ -245,7 +245,7 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
         }
     }
     if e.has_column() {
-        states[place::COLUMN] = crate::paths::hydraulic::taken_up(e, x, force);
+        states[place::COLUMN] = crate::paths::hydraulic::column_state(e, x, force);
     }
     (states, force)
 }

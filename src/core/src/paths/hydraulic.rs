@@ -247,45 +247,55 @@ pub fn deflection<R: Real>(e: &Paths, force: R) -> R {
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
-/// What the oil column has taken up of the piston's stroke under a force: its state.
-pub(crate) fn taken_up(e: &Paths, x: f64, force: f64) -> f64 {
+/// The state of an oil column under a force: its deflection or, with two chambers whose length changes, what it has taken up of
+/// the piston's stroke.
+pub(crate) fn column_state(e: &Paths, x: f64, force: f64) -> f64 {
     let q = deflection(e, force);
-    if e.has_length() { e.oil_compressibility.taken_up(x, q) } else { q }
+    if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// F_h = φ_o(q) of a column that has taken up so much, and q.
+/// F_h = φ_o(q) of a column in a state, and q.
 #[inline(always)]
-pub fn column_force<R: Real>(e: &Paths, x: R, taken_up: R) -> (R, R) {
-    let q = if e.has_length() { e.oil_compressibility.deflection(x, taken_up) } else { taken_up };
+pub fn column_force<R: Real>(e: &Paths, x: R, state: R) -> (R, R) {
+    let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
     let (air, compliance) = column(e, q.value());
     (air.force(R::constant(1.0 / compliance), q).0, q)
 }
 
-/// What the column takes up by being moved with its pressure held.
+/// The rate of the state of a column of which so much is `pressed` in, u − w, while the driven end moves at v.
 #[inline(always)]
-pub fn taken_up_by_place<R: Real>(e: &Paths, x: R, deflection: R) -> R {
-    if e.has_length() { e.oil_compressibility.taken_up_by_place(x, deflection) } else { R::constant(0.0) }
+pub fn column_rate<R: Real>(e: &Paths, [x, v]: [R; 2], deflection: R, pressed: R) -> R {
+    if e.counts_stroke() {
+        return pressed + v * e.oil_compressibility.taken_up_by_place(x, deflection);
+    }
+    if e.has_length() { pressed * e.oil_compressibility.length(x).inverse() } else { pressed }
 }
 
 /// The oil column after an implicit stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
     /// Its state, and the slopes of that over F_h and the displacement.
-    pub taken_up: f64,
+    pub state: f64,
     pub by_force: f64,
     pub by_x: f64,
-    /// What it adds to u − w, times g, and the slopes of that over F_h and the place from which the stage moves the driven end.
+    /// What it adds to u − w, times g, and the slopes of that over F_h, the known part of the state, the displacement and the place
+    /// from which the stage moves the driven end.
     pub change: f64,
-    pub change_by: [f64; 2],
+    pub change_by: [f64; 4],
 }
 
 impl Column {
     /// None.
-    pub const NONE: Column = Column { taken_up: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 2] };
+    pub const NONE: Column = Column { state: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
-    /// Under a force, from what it is `known` to have taken up. The stage is that of ds/dt = u − w + v ∂s/∂x, whose last term
-    /// is taken as s(x) − s(X), where the stage moves the driven end `from` X to x: s(X) − S = g (u − w) then rises with the force
-    /// wherever the damper stands.
+    /// Under a force, from the `known` part of its state. In all three kinds of column u − w rises with the force:
+    ///
+    /// ```text
+    /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)
+    /// ```
+    ///
+    /// The last, of two chambers, is the stage of ds/dt = u − w + v ∂s/∂x, whose last term is taken as s(x) − s(X), where the
+    /// stage moves the driven end `from` X to x.
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);
@@ -295,19 +305,25 @@ impl Column {
         } else {
             [force * compliance, compliance]
         };
+        let change = q - known;
         if !acts::<ON>(e, LENGTH) {
-            let (change, change_by) = (q - known, [per_force, 0.0]);
-            return Column { taken_up: q, by_force: per_force, by_x: 0.0, change, change_by };
+            let change_by = [per_force, -1.0, 0.0, 0.0];
+            return Column { state: q, by_force: per_force, by_x: 0.0, change, change_by };
+        }
+        if !e.counts_stroke() {
+            let length = e.oil_compressibility.length(Dual::<1>::along(x, 0));
+            let change_by = [length.value * per_force, -length.value, length.slope(0) * change, 0.0];
+            return Column { state: q, by_force: per_force, by_x: 0.0, change: length.value * change, change_by };
         }
         let q = Dual::<2>::along(q, 0);
         let after = e.oil_compressibility.taken_up(Dual::along(x, 1), q);
         let before = e.oil_compressibility.taken_up(Dual::along(from, 1), q);
         Column {
-            taken_up: after.value,
+            state: after.value,
             by_force: after.slope(0) * per_force,
             by_x: after.slope(1),
             change: before.value - known,
-            change_by: [before.slope(0) * per_force, before.slope(1)],
+            change_by: [before.slope(0) * per_force, -1.0, 0.0, before.slope(1)],
         }
     }
 }

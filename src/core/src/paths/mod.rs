@@ -221,6 +221,12 @@ impl Paths {
         self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
     }
 
+    /// Whether the state of its oil column is what that has taken up of the piston's stroke, and not its deflection.
+    #[inline(always)]
+    pub(crate) fn counts_stroke(&self) -> bool {
+        self.has(Place::oil_compressibility) && self.oil_compressibility.counts_stroke()
+    }
+
     #[inline(always)]
     pub(crate) fn has_aeration(&self) -> bool {
         self.has(Place::aeration)

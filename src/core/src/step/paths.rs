@@ -52,8 +52,9 @@ struct Known<'a> {
 
 /// Where a stage moves the driven end from, X: what it does to a column whose length changes with the place is s(x) − s(X).
 ///
-/// As the method takes it that is x − g v. A method of one stage sees the speed at its end alone; for it X is where the driven
-/// end was when the substep began. A stroke of 0.1 m that ends at rest would otherwise not have moved the column at all.
+/// X is put together from the stages before as the states are, so that in a whole step a column whose pressure holds has been moved by the
+/// stroke, whatever the speeds were at which the stages looked. By their speeds, X = x − g v, the cheapest method did not move it at all in a
+/// stroke that ends at rest, and the others by up to a stroke too much where one step goes from end to end.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
@@ -62,17 +63,30 @@ struct MovedFrom {
 }
 
 impl MovedFrom {
+    const NOWHERE: MovedFrom = MovedFrom { x: 0.0, by_end: [0.0; 2] };
+
+    fn at(point: &PathPoint) -> MovedFrom {
+        MovedFrom { x: point.x, by_end: point.x_by_end }
+    }
+
+    /// From the `start` of the substep and the strokes of the stages before, which the stage weighs by `row`.
     #[inline(always)]
-    fn of<const ON: u32>(e: &Paths, point: &PathPoint, g: f64, substep: &Substep, alone: bool) -> MovedFrom {
-        if !acts::<ON>(e, LENGTH) {
-            return MovedFrom { x: 0.0, by_end: [0.0; 2] };
+    fn of(start: &MovedFrom, row: &[f64], strokes: &[MovedFrom], index: usize) -> MovedFrom {
+        let mut from = *start;
+        for (a, stroke) in row.iter().zip(strokes).take(index) {
+            from.x += a * stroke.x;
+            for (by, of_stroke) in from.by_end.iter_mut().zip(stroke.by_end) {
+                *by += a * of_stroke;
+            }
         }
-        if alone {
-            let start = substep.path.at(substep.theta);
-            return MovedFrom { x: start.x, by_end: start.x_by_end };
-        }
-        let ([x_by_x, x_by_v], [v_by_x, v_by_v]) = (point.x_by_end, point.v_by_end);
-        MovedFrom { x: point.x - g * point.v, by_end: [x_by_x - g * v_by_x, x_by_v - g * v_by_v] }
+        from
+    }
+
+    /// To a point: the stroke of a stage.
+    #[inline(always)]
+    fn to(&self, point: &PathPoint) -> MovedFrom {
+        let [by_x, by_v] = point.x_by_end;
+        MovedFrom { x: point.x - self.x, by_end: [by_x - self.by_end[0], by_v - self.by_end[1]] }
     }
 }
 
@@ -506,6 +520,8 @@ impl Substep<'_> {
         let h = self.path.length() * self.part;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
+        let start = if acts::<ON>(e, LENGTH) { MovedFrom::at(&self.path.at(self.theta)) } else { MovedFrom::NOWHERE };
+        let mut strokes = [MovedFrom::NOWHERE; MOST_STAGES];
         let mut now = *from;
         let mut overshot = false;
         let mut watched = [Watched::NOTHING; 2];
@@ -525,7 +541,15 @@ impl Substep<'_> {
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
-            let moved_from = MovedFrom::of::<ON>(e, &point, g, self, method.stages == 1);
+            let moved_from = match acts::<ON>(e, LENGTH) {
+                true => MovedFrom::of(&start, row, &strokes, index),
+                false => MovedFrom::NOWHERE,
+            };
+            if let Some(stroke) = strokes.get_mut(index)
+                && acts::<ON>(e, LENGTH)
+            {
+                *stroke = moved_from.to(&point);
+            }
             let known =
                 Known { index, last, row, g, moved_from, since, valve_jumps, raised: now.raised, states: known, kept };
             let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);

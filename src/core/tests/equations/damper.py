@@ -404,21 +404,23 @@ class Damper:
         """ℓ_r, ℓ_c and their slopes over x."""
         shortening, shortest = self.p["oil_shortening"], self.c["oil_compressibility"]["SHORTEST"]
         rebound = (1 - shortening * x, -shortening) if 1 - shortening * x > shortest else (shortest, 0.0)
-        if self.p["oil_chambers"] == "rebound":
-            return rebound, rebound
         return rebound, (1 + shortening * x, shortening) if 1 + shortening * x > shortest else (shortest, 0.0)
 
     def has_length(self):
         return "oil_compressibility" in self.on and self.p["oil_shortening"] != 0
+
+    def counts_stroke(self):
+        return self.has_length() and self.p["oil_chambers"] == "both"
 
     def turning_deflection(self):
         p = self.p
         return self.c["oil_compressibility"]["CHANGES"] / max(p["oil_stiffness"], p["oil_compression"] * p["oil_stiffness"])
 
     def column(self, s, x):
-        """F_h and ∂s/∂x."""
+        """F_h, ∂s/∂x and ℓ."""
         q, by_x = s, 0.0
-        if self.has_length():
+        length = self.lengths(x)[0][0] if self.has_length() and not self.counts_stroke() else 1.0
+        if self.counts_stroke():
             (l_r, r_by_x), (l_c, c_by_x) = self.lengths(x)
             q_c = self.turning_deflection()
             mean, half = 0.5 * (l_r + l_c), 0.5 * (l_r - l_c)
@@ -427,12 +429,12 @@ class Damper:
             size = math.sqrt(q * q + q_c * q_c) - q_c
             by_x = 0.5 * ((r_by_x + c_by_x) * q + (r_by_x - c_by_x) * size)
         g, softness = self.air(q)
-        return through_gap(self.column_stiffness(q), g, softness, q), by_x
+        return through_gap(self.column_stiffness(q), g, softness, q), by_x, length
 
-    def taken_up(self, force, x):
+    def column_state(self, force, x):
         g, softness = self.air(force)
         q = force / self.column_stiffness(force) + g * force / (abs(force) + softness)
-        if not self.has_length():
+        if not self.counts_stroke():
             return q
         (l_r, _), (l_c, _) = self.lengths(x)
         q_c = self.turning_deflection()
@@ -554,9 +556,9 @@ class Damper:
         void = lambda f_h: self.sigma * self.into_void(f_h, v, states)
         n = lambda w: self.valves(w, x, temperature, states)[3]
         if self.has_column:
-            f_h, by_x = self.column(states["oil_column"], x)
+            f_h, by_x, length = self.column(states["oil_column"], x)
             w = root_of(lambda w: n(w) - f_h, u)
-            rates["oil_column"] = u - w - self.beside(f_h, x, states) - void(f_h) + v * by_x
+            rates["oil_column"] = (u - w - self.beside(f_h, x, states) - void(f_h)) / length + v * by_x
         else:
             w = u
             if self.flows():
@@ -646,7 +648,7 @@ class Damper:
         elif p["valve_form"] == "spool":
             states["valve_hysteresis_rate"] = 0.0
         if self.has_column:
-            states["oil_column"] = self.taken_up(f_h, x)
+            states["oil_column"] = self.column_state(f_h, x)
         if "temperature_fade" in on and p["fade_source"] == "self_heating":
             states["oil_temperature_rise"] = 0.0
         if "bushing" in on:

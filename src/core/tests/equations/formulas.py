@@ -93,20 +93,28 @@ def column(page):
             yield abs(force), book.value("aeration", "|F|", q=q, k=k, g=g)
             slope = p["oil_shortening"]
             lengths = {"x": x, "ℓ_r": book.value("oil_compressibility", "ℓ_r", x=x)}
-            lengths["ℓ_c"] = book.value("oil_compressibility", "ℓ_c", 0 if chambers == "both" else 1, **lengths)
-            held = [length == 0.1 for length in (lengths["ℓ_r"], lengths["ℓ_c"])]
-            lengths["ℓ_r'"] = 0.0 if held[0] else -slope
-            lengths["ℓ_c'"] = 0.0 if held[1] else slope if chambers == "both" else -slope
-            s = book.value("oil_compressibility", "s", 1, q=q, **lengths)
-            yield model.taken_up(force, x), s
-            yield q, book.value("oil_compressibility", "q", s=s, **lengths)
-            yield model.column(s, x), (force, book.value("oil_compressibility", "∂s/∂x", 1, q=q, **lengths))
+            if chambers == "rebound":
+                s = book.value("oil_compressibility", "s", 1, q=q)
+                yield model.column_state(force, x), s
+                length = book.value("oil_compressibility", "ℓ", 1, **lengths)
+                yield model.column(s, x), (force, book.value("oil_compressibility", "∂s/∂x", 1), length)
+            else:
+                lengths["ℓ_c"] = book.value("oil_compressibility", "ℓ_c", **lengths)
+                held = [length == 0.1 for length in (lengths["ℓ_r"], lengths["ℓ_c"])]
+                lengths["ℓ_r'"] = 0.0 if held[0] else -slope
+                lengths["ℓ_c'"] = 0.0 if held[1] else slope
+                s = book.value("oil_compressibility", "s", 2, q=q, **lengths)
+                yield model.column_state(force, x), s
+                yield q, book.value("oil_compressibility", "q", s=s, **lengths)
+                by_x = book.value("oil_compressibility", "∂s/∂x", 2, q=q, **lengths)
+                yield model.column(s, x), (force, by_x, book.value("oil_compressibility", "ℓ", 2))
             # Without air, and where the place does not matter.
             model, book, p = dampers(page, ["oil_compressibility"], oil_shortening=0.0)
             stiffness = book.value("oil_compressibility", "k(F)", int(side < 0))
             q = book.value("oil_compressibility", "q(F)", F=force, k=lambda _: stiffness)
-            yield model.taken_up(force, x), book.value("oil_compressibility", "s", 0, q=q)
-            yield model.column(q, x), (force, book.value("oil_compressibility", "∂s/∂x", 0))
+            yield model.column_state(force, x), book.value("oil_compressibility", "s", 0, q=q)
+            by_x, length = (book.value("oil_compressibility", what, 0) for what in ("∂s/∂x", "ℓ"))
+            yield model.column(q, x), (force, by_x, length)
 
 
 def void(page):

@@ -239,7 +239,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             states[place::SLOW_BUSHING] = at.relaxed.at[1];
         }
         if acts::<ON>(e, COLUMN) {
-            states[place::COLUMN] = at.column.taken_up;
+            states[place::COLUMN] = at.column.state;
         }
         if acts::<ON>(e, CAVITATION) {
             states[place::VOID] = at.void;
@@ -282,11 +282,12 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let mut u_held = at.u_by_force * held;
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
         let void_held = void_by_v * seed.v + void_by_void * known[place::VOID];
+        let [_, by_known, by_x, by_from] = at.column.change_by;
         if acts::<ON>(e, COLUMN) {
-            u_held -= per_g * known[place::COLUMN];
+            u_held += per_g * (by_known * known[place::COLUMN]);
         }
         if acts::<ON>(e, LENGTH) {
-            u_held += per_g * (at.column.change_by[1] * seed.from);
+            u_held += per_g * (by_x * seed.x + by_from * seed.from);
         }
         if acts::<ON>(e, GROOVE | PASSAGE) {
             u_held += at.past.flow_by[1] * seed.x + at.past.flow_by[2] * known[place::SELECTIVE];
@@ -431,7 +432,7 @@ impl Look {
         self.valves.force += force;
         self.valves.valve += valve;
         self.valves.selective += selective;
-        self.column.taken_up += self.column.by_force * force;
+        self.column.state += self.column.by_force * force;
         self.past.flow += self.past.flow_by[0] * force;
         self.past.state += self.past.state_by[0] * force;
         self.void += self.void_by[0] * force;
