@@ -1,7 +1,6 @@
 //! Options that every report has, and what a report was made from.
 
 use crate::inputs::OUTPUTS;
-use anyhow::Context as _;
 use dashpot_report::words::{Language, Words};
 use dashpot_report::{Made, Print, made};
 use std::path::PathBuf;
@@ -58,16 +57,7 @@ impl TextArgs {
 impl DateArgs {
     /// What a report of these files is made from.
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
-        let date = match (&self.date, std::env::var("SOURCE_DATE_EPOCH")) {
-            (Some(date), _) => Some(date.clone()),
-            (None, Ok(text)) => {
-                let seconds = text.trim().parse();
-                Some(made::day_of(
-                    seconds.with_context(|| format!("SOURCE_DATE_EPOCH is {text:?}, not seconds since 1970"))?,
-                ))
-            }
-            (None, Err(_)) => None,
-        };
+        let date = made::date(self.date.as_deref())?;
         let files: Vec<PathBuf> = files.into_iter().collect();
         let made = Made::of(files.iter().map(PathBuf::as_path));
         Ok(Made { date, command: command(std::env::args().skip(1)), ..made })
@@ -92,14 +82,9 @@ fn command(arguments: impl Iterator<Item = String>) -> String {
         if argument == "--force" || argument.split_once('=').is_some_and(|(name, _)| is_output(name)) {
             continue;
         }
-        let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
-        words.push(if !argument.is_empty() && argument.chars().all(plain) {
-            argument
-        } else {
-            format!("'{}'", argument.replace('\'', "'\\''"))
-        });
+        words.push(argument);
     }
-    words.join(" ")
+    made::command_line(words)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::inputs;
 use super::kind::Kind;
+use super::run;
 use anyhow::bail;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -34,7 +35,7 @@ const LOOKED_INTO: u64 = 1 << 28;
 /// # Errors
 /// Where something would be lost that `--force` was not given for; a sentence that says what.
 pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
-    target_forced(path, new, FORCE.load(Ordering::Relaxed))
+    target_forced(path, new, FORCE.load(Ordering::Relaxed) || run::is_forced())
 }
 
 fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result<Target> {

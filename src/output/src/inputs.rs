@@ -1,5 +1,6 @@
 //! The files and folders that a run reads: no output may take their place.
 
+use super::run;
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock};
 
@@ -13,7 +14,7 @@ pub fn remember(paths: impl IntoIterator<Item = PathBuf>) {
 
 /// Whether an existing file is read by this run: named itself, or a record in a folder that is named.
 pub fn reads(path: &Path) -> bool {
-    is_among(path, &INPUTS.read().unwrap_or_else(PoisonError::into_inner))
+    is_among(path, &INPUTS.read().unwrap_or_else(PoisonError::into_inner)) || is_among(path, &run::reads())
 }
 
 fn is_among(path: &Path, inputs: &[PathBuf]) -> bool {

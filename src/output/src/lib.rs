@@ -5,6 +5,7 @@ mod inputs;
 mod kind;
 mod lock;
 mod replace;
+mod run;
 mod stdout;
 mod told;
 
@@ -18,6 +19,7 @@ pub use inputs::remember as remember_inputs;
 pub use kind::{AUTHOR, GENERATOR, Kind, WRITTEN};
 pub use lock::FolderLock;
 pub use replace::replace_file;
+pub use run::as_a_run;
 pub use stdout::closed as stdout_closed;
 pub use told::told_once;
 

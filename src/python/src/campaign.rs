@@ -2,6 +2,7 @@
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
+use dashpot_records::sentence::Reader;
 use dashpot_records::{Options, Profile, Record, load};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
@@ -9,6 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 /// Records of a campaign, cleaned, in SI, extension and tension positive.
 #[pyclass(frozen, module = "dashpot._native")]
@@ -22,10 +24,41 @@ impl Campaign {
     pub fn records(&self) -> Vec<&Record> {
         self.read.records.iter().collect()
     }
+
+    /// What was found of the campaign as a whole, without its records.
+    pub fn about(&self) -> dashpot_records::Campaign {
+        let read = &self.read;
+        dashpot_records::Campaign {
+            records: Vec::new(),
+            sign: read.sign.clone(),
+            delay: read.delay,
+            notes: read.notes.clone(),
+            files: read.files.clone(),
+            unusable: read.unusable.clone(),
+        }
+    }
 }
 
 /// What makes a campaign again.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
+
+/// Takes sentences apart that were kept in English, so that reports say them in other languages: those of reading, and of the fit whose findings
+/// were taken out of records.
+static KEPT: LazyLock<Reader> = LazyLock::new(|| {
+    let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
+    let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
+    let words: Vec<&str> = texts.filter(|text| templates.iter().all(|t| t.english() != *text)).collect();
+    Reader::new(templates, words)
+});
+
+/// Makes the sentences of a campaign what they were before they were written as JSON.
+fn say_again(read: &mut dashpot_records::Campaign) {
+    let notes = read.records.iter_mut().flat_map(|record| &mut record.notes).chain(&mut read.notes);
+    let said = notes.map(|note| &mut note.text).chain(read.unusable.iter_mut().map(|one| &mut one.why));
+    for sentence in said.chain(&mut read.sign.reasons) {
+        *sentence = KEPT.read(&sentence.to_string());
+    }
+}
 
 /// How to read records, from the JSON of a profile (the entries of `campaign.toml`).
 fn options(mapping: &str, strict: bool) -> PyResult<Options> {
@@ -120,6 +153,7 @@ impl Campaign {
             record.as_read = as_read;
             record.counted = Some(read.sign.counted());
         }
+        say_again(&mut read);
         read.files = files;
         Ok(Campaign { read })
     }

@@ -5,7 +5,10 @@ use crate::errors::{ValidationError, raise};
 use crate::limits;
 use crate::model::Model;
 use crate::work;
-use dashpot_identification::limits::judge;
+use dashpot_identification::AS_THE_FIT_SAW;
+use dashpot_identification::limits::{Limit, judge};
+use dashpot_identification::model_file::ModelFile;
+use dashpot_identification::validation::{Compared, Validation};
 use dashpot_records::Record;
 use dashpot_simulation::against::{self as rivals, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison::compare;
@@ -14,11 +17,49 @@ use pyo3::prelude::*;
 
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+/// Name of a model of the literature, and its forces at the samples of every test, N.
+type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
+
+/// Tests beside forces that are at hand.
+pub fn compared<'a>(
+    file: &ModelFile,
+    read: &'a dashpot_records::Campaign,
+    forces: Vec<(Vec<f64>, Vec<f64>)>,
+) -> Vec<Compared<'a>> {
+    let of_one = |(record, (model, fv_only)): (&'a Record, _)| {
+        let used_in_fit = file.identification.used(record);
+        Compared { record, model, fv_only, used_in_fit }
+    };
+    read.records.iter().zip(forces).map(of_one).collect()
+}
+
+/// The figures of a comparison: what the fit saw and what could not be used is told by the campaign; limits are judged where there are some, and
+/// models of the literature put beside, by their names and forces.
+pub fn figures(
+    read: &dashpot_records::Campaign,
+    compared: &[Compared<'_>],
+    windows: Option<&[Limit]>,
+    rivals: &[(String, Vec<Vec<f64>>)],
+) -> anyhow::Result<Validation> {
+    let mut validation = dashpot_identification::validation::validate(compared)?;
+    validation.as_the_fit_saw = read.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
+    validation.unusable.clone_from(&read.unusable);
+    validation.limits = windows.map(|windows| {
+        let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
+        let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
+        judge(windows, &records, Some(&forces))
+    });
+    if !rivals.is_empty() {
+        validation.against.push(validation.as_against());
+        validation.against.extend(rivals.iter().map(|(name, forces)| rivals::of_forces(name, compared, forces)));
+    }
+    Ok(validation)
+}
 
 /// Compares a model with records, beside the plain FV curve; returns what `dashpot validate --json` writes, the simulated forces of every test,
 /// and the records as they were compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged
 /// as `dashpot validate --limits` does; models of the literature, where some are named, stand beside it as `dashpot validate --against` puts them.
-/// What is to be told of these comes last.
+/// What is to be told of these comes behind, and last the forces of each.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(
@@ -28,35 +69,29 @@ pub fn validate<'py>(
     progress: Option<Py<PyAny>>,
     limits: Option<Vec<limits::Row>>,
     against: Vec<String>,
-) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Option<&'static str>)> {
+) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>)> {
     rivals::named(&against).map_err(raise::<ValidationError>)?;
     let windows = limits.map(limits::of_rows).transpose()?;
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
         let mut read = campaign.read.clone();
         let note = model.file.identification.right(&mut read.records);
-        let said = note.as_ref().map(|note| note.text.clone());
         read.notes.extend(note);
         let compared = compare(&model.file, &read, &say)?;
-        let mut validation = dashpot_identification::validation::validate(&compared)?;
-        validation.as_the_fit_saw = said;
-        validation.unusable.clone_from(&read.unusable);
-        validation.limits = windows.map(|windows| {
-            let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
-            let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
-            judge(&windows, &records, Some(&forces))
-        });
-        let mut told = None;
+        let mut validation = figures(&read, &compared, windows.as_deref(), &[])?;
+        let mut found = Rivals::default();
         if !against.is_empty() {
-            let found = Rivals::of(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
+            found = Rivals::of(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
             found.put_into(&mut validation, &compared);
-            told = found.fitted_to_all.then_some(FITTED_TO_ALL);
         }
         let json = serde_json::to_string(&validation)?;
         let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
-        Ok((json, forces, read, told))
+        Ok((json, forces, read, found))
     })?;
-    let (json, forces, read, told) = done.map_err(raise::<ValidationError>)?;
-    let arrays = |(model, fv_only)| (PyArray1::from_vec(py, model), PyArray1::from_vec(py, fv_only));
-    Ok((json, forces.into_iter().map(arrays).collect(), Campaign { read }, told))
+    let (json, forces, read, found) = done.map_err(raise::<ValidationError>)?;
+    let array = |values| PyArray1::from_vec(py, values);
+    let forces = forces.into_iter().map(|(model, fv_only)| (array(model), array(fv_only))).collect();
+    let told = found.fitted_to_all.then_some(FITTED_TO_ALL);
+    let of_one = |rival: rivals::Rival| (rival.literature.name(), rival.forces.into_iter().map(array).collect());
+    Ok((json, forces, Campaign { read }, told, found.all.into_iter().map(of_one).collect()))
 }

@@ -18,9 +18,7 @@ create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be wri
 
 /// An error of the crates as an exception: itself and its causes in one sentence, as the command prints it.
 pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
-    // What is an option of the command has no meaning here.
-    let said = dashpot_output::told_once(&error.into()).replace("or give --force to replace it", "or remove it first");
-    PyErr::new::<E, _>(as_arguments(said))
+    PyErr::new::<E, _>(as_arguments(dashpot_output::told_once(&error.into())))
 }
 
 /// Options of the command in a sentence as arguments of the package.

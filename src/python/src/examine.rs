@@ -42,50 +42,71 @@ fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>>
     Ok(arrays)
 }
 
+/// A diagnosis as its papers are made from; it lives as long as this process.
+#[pyclass(frozen, module = "dashpot._native")]
+pub struct Diagnosed {
+    /// What was found.
+    pub found: Diagnosis,
+    /// How far the models in it are off over every sample.
+    pub over_whole_records: OfDiagnosis,
+    /// The model as it came.
+    pub model: Py<Model>,
+    /// The records as they were read.
+    pub campaign: Py<Campaign>,
+    /// Those of the reference.
+    pub reference: Option<Py<Campaign>>,
+    /// What is to be told of the records, without them.
+    pub about: dashpot_records::Campaign,
+}
+
 /// Diagnoses a model against records, against a reference where one is given. Returns what `dashpot diagnose --json` writes, the text of the
-/// model file with the named effects added, and the mean cycle of every test.
+/// model file with the named effects added, the mean cycle of every test, and what papers are made from.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::too_many_arguments)]
 pub fn diagnose<'py>(
     py: Python<'py>,
-    model: &Model,
-    campaign: &Campaign,
-    reference: Option<&Campaign>,
+    model: Py<Model>,
+    campaign: Py<Campaign>,
+    reference: Option<Py<Campaign>>,
     hold_out: Vec<String>,
     max_effects: usize,
     candidates: Option<Vec<String>>,
     seed: u64,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, String, Vec<Bound<'py, PyDict>>)> {
-    let unusable: Vec<Unusable> =
-        std::iter::once(campaign).chain(reference).flat_map(|c| c.read.unusable.iter().cloned()).collect();
-    let (mut own, mut reference) =
-        (campaign.read.records.clone(), reference.map_or_else(Vec::new, |r| r.read.records.clone()));
-    let note = model.file.identification.right(own.iter_mut().chain(&mut reference));
+) -> PyResult<(String, String, Vec<Bound<'py, PyDict>>, Diagnosed)> {
+    let (file, of_damper) = (&model.get().file, campaign.get());
+    let mut about = of_damper.about();
+    let (mut own, mut good) = (of_damper.read.records.clone(), Vec::new());
+    if let Some(reference) = &reference {
+        about.also_without(reference.get().read.unusable.clone());
+        good.clone_from(&reference.get().read.records);
+    }
+    let note = file.identification.right(own.iter_mut().chain(&mut good));
+    about.notes.extend(note.clone());
     let records: Vec<&Record> = own.iter().collect();
     let left_out = if hold_out.is_empty() {
         choose_held_out(&records, seed)
     } else {
-        held_out(&campaign.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
+        held_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
-    let options = Options { max_effects, candidates, reference };
+    let options = Options { max_effects, candidates, reference: good };
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: f64, text: Template| progress.say(done, text.english());
-        let found = dashpot_diagnosis::diagnose(&records, &left_out, &model.file.params, &options, &say)?;
-        let improved = model_file::write(&found.as_fit(&records, &left_out, &model.file));
+        let found = dashpot_diagnosis::diagnose(&records, &left_out, &file.params, &options, &say)?;
+        let improved = model_file::write(&found.as_fit(&records, &left_out, file));
         let over_whole_records =
-            OfDiagnosis::of(&model.file.params, &found.base, &found.improved, &found.measured, &records)?;
+            OfDiagnosis::of(&file.params, &found.base, &found.improved, &found.measured, &records)?;
         let as_the_fit_saw = note.as_ref().map(|n| &n.text);
         let json = serde_json::to_string(&DiagnosisJson {
             found: &found,
             over_whole_records,
             as_the_fit_saw,
-            unusable: &unusable,
+            unusable: &about.unusable,
         })?;
-        Ok((json, improved, found.tests))
+        Ok((json, improved, found, over_whole_records))
     })?;
-    let (json, improved, tests) = done.map_err(raise::<DiagnosisError>)?;
-    let curves = tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()?;
-    Ok((json, improved, curves))
+    let (json, improved, found, over_whole_records) = done.map_err(raise::<DiagnosisError>)?;
+    let curves = found.tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()?;
+    Ok((json, improved, curves, Diagnosed { found, over_whole_records, model, campaign, reference, about }))
 }

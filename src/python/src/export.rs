@@ -4,6 +4,7 @@ use crate::errors::{ExportError, OutputError, raise};
 use crate::model::Model;
 use dashpot_core::Params;
 use dashpot_hosts::fmu::{self, Options, Scales, Version};
+use dashpot_output::{Kind, as_a_run};
 use dashpot_simulation::chatter::{self, Host};
 use dashpot_simulation::stiffness;
 use pyo3::prelude::*;
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 
 /// Writes a functional mock-up unit; returns the platforms that it runs on.
 #[pyfunction]
-#[pyo3(signature = (models, path, name, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters, library))]
+#[pyo3(signature = (models, path, name, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters, library, force))]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_fmu(
     py: Python<'_>,
@@ -26,8 +27,11 @@ pub fn export_fmu(
     sources: bool,
     hide_parameters: bool,
     library: Option<PathBuf>,
+    force: bool,
 ) -> PyResult<Vec<String>> {
-    dashpot_output::check([path.as_path()]).map_err(raise::<OutputError>)?;
+    let reads = || library.as_deref();
+    as_a_run(force, reads(), || dashpot_output::check_kinds([(Some(path.as_path()), Kind::Fmu)]))
+        .map_err(raise::<OutputError>)?;
     let version = match fmi {
         2 => Version::Two,
         3 => Version::Three,
@@ -48,6 +52,6 @@ pub fn export_fmu(
         )
     });
     let made = made.map_err(raise::<ExportError>)?;
-    dashpot_output::write(&path, &made.bytes).map_err(raise::<OutputError>)?;
+    as_a_run(force, reads(), || dashpot_output::write(&path, &made.bytes)).map_err(raise::<OutputError>)?;
     Ok(made.platforms)
 }

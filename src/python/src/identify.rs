@@ -4,7 +4,7 @@ use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
 use crate::work;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, FitOptions, Measured, model_file};
+use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, model_file};
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Sentence, SignFinding, Unusable};
 use dashpot_simulation::whole_records;
@@ -25,7 +25,18 @@ struct FitJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Fits a model; returns the text of its model file and the figures as JSON.
+/// A fit as its tables are made from; it lives as long as this process.
+#[pyclass(frozen, module = "dashpot._native")]
+pub struct Fitted {
+    /// What was found.
+    pub fit: Fit,
+    /// How far it is off over every sample.
+    pub over_whole_records: Deviation,
+    /// The campaign without its records.
+    pub about: dashpot_records::Campaign,
+}
+
+/// Fits a model; returns the text of its model file, the figures as JSON, and what its tables are made from.
 #[pyfunction]
 #[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None))]
 pub fn fit(
@@ -35,7 +46,7 @@ pub fn fit(
     elements: Option<Vec<String>>,
     hold_out: Vec<String>,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, String)> {
+) -> PyResult<(String, String, Fitted)> {
     let family = match family {
         "thesis" => Family::Thesis,
         "fv" => Family::Fv,
@@ -68,5 +79,7 @@ pub fn fit(
         sign: &campaign.read.sign,
         unusable: &campaign.read.unusable,
     };
-    Ok((model_file::write(&found), serde_json::to_string(&said).map_err(raise::<FitError>)?))
+    let json = serde_json::to_string(&said).map_err(raise::<FitError>)?;
+    let text = model_file::write(&found);
+    Ok((text, json, Fitted { fit: found, over_whole_records, about: campaign.about() }))
 }

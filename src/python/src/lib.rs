@@ -12,6 +12,7 @@
 //! | `limits` | tables of limits, and what records say of them |
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
+//! | `papers` | reports, workbooks, certificates, figures |
 //! | `rig` | the virtual rig |
 //! | `errors` | exceptions with the sentences of the command |
 //! | `work` | long work without the interpreter's lock, on threads of its own, ended by Ctrl-C |
@@ -27,6 +28,7 @@ mod export;
 mod identify;
 mod limits;
 mod model;
+mod papers;
 mod progress;
 mod rig;
 mod work;
@@ -50,15 +52,17 @@ mod _native {
         RigError, StepError, ValidationError,
     };
     #[pymodule_export]
-    use crate::examine::diagnose;
+    use crate::examine::{Diagnosed, diagnose};
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]
-    use crate::identify::fit;
+    use crate::identify::{Fitted, fit};
     #[pymodule_export]
     use crate::limits::{Figures, check_limits, read_limits};
     #[pymodule_export]
     use crate::model::{Model, write};
+    #[pymodule_export]
+    use crate::papers::{write_diagnosis, write_fit, write_next_tests, write_validation};
     #[pymodule_export]
     use crate::rig::measure;
     #[pymodule_export]

@@ -6,6 +6,7 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Shape};
 use dashpot_core::{Input, evaluate};
 use dashpot_identification::model_file::{self, Interval, ModelFile};
+use dashpot_output::as_a_run;
 use dashpot_records::MotionRecord;
 use dashpot_simulation::imposed_motion::{ImposedMotion, TELL};
 use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
@@ -70,6 +71,11 @@ impl Model {
         let file = model_file::of_text(&text, name).map_err(raise::<ModelError>)?;
         let prepared = model_file::prepared(&file.params).map_err(raise::<ModelError>)?;
         Ok(Model { file, prepared: Box::new(prepared), text, in_use: OnceLock::new() })
+    }
+
+    /// The text of the model file.
+    pub fn text_of_file(&self) -> &str {
+        &self.text
     }
 }
 
@@ -253,9 +259,13 @@ fn long<T: Send>(
     work::run(py, progress, |progress| work(&|done, all| progress.say(done as f64 / all as f64, text)))
 }
 
-/// Writes a text to a file whole, never over an input or a file of another kind.
+/// Writes a text to a file whole, over a file of another kind with `force` alone.
 #[pyfunction]
-pub fn write(path: PathBuf, text: &str) -> PyResult<()> {
-    dashpot_output::check([path.as_path()]).map_err(raise::<OutputError>)?;
-    dashpot_output::write(&path, text).map_err(raise::<OutputError>)
+#[allow(clippy::needless_pass_by_value)]
+pub fn write(path: PathBuf, text: &str, force: bool) -> PyResult<()> {
+    let written = as_a_run(force, [], || {
+        dashpot_output::check([path.as_path()])?;
+        dashpot_output::write(&path, text)
+    });
+    written.map_err(raise::<OutputError>)
 }

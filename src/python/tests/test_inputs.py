@@ -134,11 +134,17 @@ def test_a_wrong_name_is_answered_with_the_right_one(own: dashpot.Campaign) -> N
         dashpot.Model("damper.toml")
 
 
-def test_what_the_command_does_by_an_option_is_said_otherwise(tmp_path: Path) -> None:
+def test_a_file_of_another_kind_is_replaced_where_that_is_asked_for(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
-    with pytest.raises(dashpot.OutputError, match="remove it first") as refused:
+    with pytest.raises(dashpot.OutputError, match="or give force=True to replace it") as refused:
         damper().write(tmp_path / "notes.txt")
-    assert "--force" not in str(refused.value)
+    assert "--force" not in str(refused.value) and (tmp_path / "notes.txt").read_text() == "mine"
+    damper().write(tmp_path / "notes.txt", force=True)
+    assert (tmp_path / "notes.txt").read_text() == damper().text
+    # The leave was for that one file.
+    (tmp_path / "more.txt").write_text("mine")
+    with pytest.raises(dashpot.OutputError, match="more.txt is there already"):
+        damper().write(tmp_path / "more.txt")
 
 
 def test_sentences_speak_of_arguments_and_not_of_options(tmp_path: Path) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import datetime
 import json
+import pickle
 import shutil
 from pathlib import Path
 
@@ -105,6 +107,161 @@ def test_diagnose_against_a_reference(command: Command) -> None:
     assert found.to_dict() == command.json("changed.json")
 
 
+@pytest.fixture
+def beside(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of the command, with the model and a table of limits in it, as the one where Python runs: papers name files as they were given."""
+    monkeypatch.chdir(command.folder)
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
+    Path("front.toml").write_text(model.text)
+    Path("windows.csv").write_text("quantity,velocity_m_s,low,high\nforce,0.26,1,5000\nfriction,,0,10\ngas_force,,,900\n")
+    return command.folder
+
+
+def same_bytes(*pairs: tuple[str, str]) -> None:
+    for mine, theirs in pairs:
+        assert Path(mine).read_bytes() == Path(theirs).read_bytes(), mine
+        assert len(Path(mine).read_bytes()) > 2000
+
+
+def same_figures(written: list[Path], theirs: str) -> None:
+    assert sorted(path.name for path in written) == sorted(path.name for path in Path(theirs).iterdir())
+    assert written and all(path.read_bytes() == (Path(theirs) / path.name).read_bytes() for path in written)
+
+
+def test_papers_of_a_validation(command: Command, beside: Path) -> None:
+    command.run("validate", "front.toml", "records", "--against", "fv,dahl", "--limits", "windows.csv", "--language", "de", "--date", "2026-03-11",
+                "--report", "c.html", "--excel", "c.xlsx", "--certificate", "cc.html", "--svg", "c figures")  # fmt: skip
+    model = dashpot.Model.read("front.toml")
+    limits = pickle.loads(pickle.dumps(dashpot.read_limits("windows.csv")))
+    assert limits == dashpot.read_limits("windows.csv") and limits.path == "windows.csv" and len(limits) == 3
+    judged = pickle.loads(pickle.dumps(model)).validate(dashpot.Campaign.read("records"), against=["fv", "dahl"], limits=limits)
+    # In another process, or on another day, it writes the same.
+    for found in (judged, pickle.loads(pickle.dumps(judged))):
+        found.write_report("p.html", language="de", date=datetime.date(2026, 3, 11))
+        found.write_excel("p.xlsx", language="de", date="2026-03-11")
+        found.write_certificate("pc.html", language="de", date="2026-03-11")
+        same_bytes(("p.html", "c.html"), ("p.xlsx", "c.xlsx"), ("pc.html", "cc.html"))
+    same_figures(judged.write_svg("p figures", language="de"), "c figures")
+    assert any("against" in path.name for path in Path("p figures").iterdir())
+
+    command("validate", "front.toml", "records", "--full", "--report", "c.html")
+    plain = model.validate(dashpot.Campaign.read("records"))
+    plain.write_report("p.html", full=True)
+    same_bytes(("p.html", "c.html"))
+    assert "dashpot validate front.toml records --full" in Path("p.html").read_text()
+
+
+def test_papers_name_how_records_were_read(command: Command, beside: Path) -> None:
+    options = ["--exclude", "a50*", "--delay=0.0001", "--gain=1.01", "--strict"]
+    command("validate", "front.toml", "records", *options, "--report", "c.html")
+    model = dashpot.Model.read("front.toml")
+    read = dashpot.Campaign.read("records", exclude="a50*", delay_s=0.0001, gain=1.01, strict=True)
+    model.validate(read).write_report("p.html")
+    same_bytes(("p.html", "c.html"))
+    model.validate(pickle.loads(pickle.dumps(read))).write_report("p.html")
+    assert "dashpot validate front.toml records --exclude &#39;a50*&#39; --delay" in Path("p.html").read_text().replace("'", "&#39;")
+    # No command reads some of these records by their place, nor a model that is no file, nor limits of no table.
+    for found in (
+        model.validate(read[1:]),
+        dashpot.Model(model.text).validate(read),
+        model.validate(read, limits=[dashpot.Limit("friction", None, 0, 100)]),
+    ):
+        found.write_report("q.html")
+        assert "Command:" not in Path("q.html").read_text() and "SHA-256" in Path("q.html").read_text()
+    ready = model.check(for_step=0.005).ready
+    ready.validate(read).write_report("q.html")
+    # Another damper than the one in the file, whose hash would be none of that file.
+    assert "<td>front.toml</td>" not in Path("q.html").read_text() and "<td>front.toml</td>" in Path("p.html").read_text()
+    first = read[0].name
+    model.validate(read[:1]).write_report("q.html")
+    assert f"rig data in {first}<" in Path("q.html").read_text()
+
+
+def test_papers_of_a_fit(command: Command, beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    command("fit", "records", "--hold-out", "a15*", "-o", "few.toml", "--excel", "c.xlsx", "--language", "fr", "--date", "2026-03-11")
+    found = dashpot.fit(dashpot.Campaign.read("records"), hold_out="a15*").fit
+    found.write_excel("p.xlsx", model="few.toml", language="fr", date="2026-03-11")
+    same_bytes(("p.xlsx", "c.xlsx"))
+    command("fit", "records", "--model", "fv", "-o", "few.toml", "--excel", "c.xlsx")
+    # A day of the environment stands for one that is not given.
+    fv = dashpot.fit(dashpot.Campaign.read("records"), family="fv").fit
+    fv.write_excel("p.xlsx", model="few.toml")
+    same_bytes(("p.xlsx", "c.xlsx"))
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "951782400")
+    command("fit", "records", "--model", "fv", "-o", "few.toml", "--excel", "c.xlsx")
+    fv.write_excel("p.xlsx", model="few.toml")
+    same_bytes(("p.xlsx", "c.xlsx"))
+    for kept in (pickle.loads(pickle.dumps(found)), dashpot.FitResult.from_dict(found.to_dict())):
+        with pytest.raises(ValueError, match=r"kept by dashpot\.fit alone.*fit again"):
+            kept.write_excel("q.xlsx")
+
+
+def test_papers_of_a_diagnosis(command: Command, beside: Path) -> None:
+    few = ["free_play", "moving_mass"]
+    command("diagnose", "front.toml", "records", "--candidates", ",".join(few), "--max-effects", "1", "--language", "zh", "--full",
+            "--report", "c.html", "--svg", "c loops", "--next-tests", "c.csv")  # fmt: skip
+    command("diagnose", "front.toml", "records", "--candidates", ",".join(few), "--max-effects", "1", "--excel", "c.xlsx")
+    found = dashpot.diagnose(dashpot.Model.read("front.toml"), dashpot.Campaign.read("records"), candidates=few, max_effects=1)
+    found.write_report("p.html", language="zh", full=True)
+    found.write_excel("p.xlsx")
+    same_bytes(("p.html", "c.html"), ("p.xlsx", "c.xlsx"))
+    same_figures(found.write_svg("p loops", language="zh"), "c loops")
+    # There is none that a rig could be driven by.
+    assert found.write_next_tests("p.csv") == 0 and not Path("p.csv").exists() and not Path("c.csv").exists()
+    for kept in (pickle.loads(pickle.dumps(found)), dashpot.Diagnosis.from_dict(found.to_dict())):
+        assert kept == found
+        with pytest.raises(ValueError, match=r"kept by dashpot\.diagnose alone.*diagnose again"):
+            kept.write_report("q.html")
+
+
+def test_papers_of_what_changed(command: Command, beside: Path) -> None:
+    measure(damper(), beside / "as new", seed=1)
+    measure(damper(scale=1.2, friction=80), beside / "old", seed=2)
+    command("fit", "as new", "-o", "new.toml", "--elements", "series_compliance,coulomb_friction,gas_preload")
+    command("diagnose", "new.toml", "old", "--reference", "as new", "--candidates", "free_play", "--report", "c.html")
+    new, old = (dashpot.Campaign.read(name) for name in ("as new", "old"))
+    found = dashpot.diagnose(dashpot.Model.read("new.toml"), old, new, candidates="free_play")
+    found.write_report("p.html")
+    same_bytes(("p.html", "c.html"))
+    assert "--reference 'as new'" in Path("p.html").read_text().replace("&#39;", "'")
+    few = ["free_play", "cavitation", "moving_mass"]
+    command("fit", "as new", "-o", "poor.toml", "--elements", "coulomb_friction,gas_preload")
+    command("diagnose", "poor.toml", "old", "--candidates", ",".join(few), "--max-effects", "1", "--next-tests", "c.csv")
+    found = dashpot.diagnose(dashpot.Model.read("poor.toml"), old, candidates=few, max_effects=1)
+    rows = found.write_next_tests("p.csv")
+    assert rows == len(Path("p.csv").read_text().splitlines()) - 1 > 0 and Path("p.csv").read_bytes() == Path("c.csv").read_bytes()
+    Path("mine.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(dashpot.OutputError, match="mine.csv is there already and holds a table"):
+        found.write_next_tests("mine.csv")
+    assert found.write_next_tests("mine.csv", force=True) == rows
+
+
+def test_papers_take_no_other_files_place(command: Command, beside: Path) -> None:
+    validation = dashpot.Model.read("front.toml").validate(dashpot.Campaign.read("records"))
+    Path("mine.html").write_text("<!doctype html><p>mine")
+    said = command.run("validate", "front.toml", "records", "--report", "mine.html").stderr.splitlines()[-1].removeprefix("dashpot: ")
+    with pytest.raises(dashpot.OutputError) as refused:
+        validation.write_report("mine.html")
+    assert str(refused.value) == as_arguments(said) and "force=True" in said.replace("--force", "force=True")
+    validation.write_report("mine.html", force=True)
+    validation.write_report("mine.html")
+    record = sorted(Path("records").glob("*.csv"))[0]
+    before = record.read_bytes()
+    for write in (validation.write_report, validation.write_excel):
+        with pytest.raises(dashpot.OutputError, match="is read by this run and would be lost"):
+            write(record)
+    assert record.read_bytes() == before
+    with pytest.raises(dashpot.OutputError, match="there is no folder nowhere; make it first"):
+        validation.write_excel("nowhere/v.xlsx")
+    with pytest.raises(ValueError, match='reports are written in en, de, fr and zh, not "es"'):
+        validation.write_report("never.html", language="es")
+    with pytest.raises(TypeError, match="date is a text"):
+        validation.write_report("never.html", date=2026)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"kept by Model\.validate alone"):
+        dashpot.Validation.from_dict(validation.to_dict()).write_report("never.html")
+    assert not Path("never.html").exists()
+
+
 @pytest.mark.parametrize("known", ["displacement", "velocity", "both"])
 def test_simulate(command: Command, model: dashpot.FittedModel, known: str) -> None:
     t = np.linspace(0, 1, 501)
@@ -156,9 +313,8 @@ def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model:
     (command.folder / "a table.csv").write_text("time_s,force_N\n0,1\n")
     with pytest.raises(dashpot.OutputError) as written:
         model.write(command.folder / "a table.csv")
-    # There is no --force here.
-    said = sentence("fit", "records", "-o", str(command.folder / "a table.csv"))
-    assert str(written.value) == said.replace("or give --force to replace it", "or remove it first") != said
+    assert str(written.value) == sentence("fit", "records", "-o", str(command.folder / "a table.csv"))
+    assert "or give force=True to replace it" in str(written.value)
     assert all(issubclass(e.type, dashpot.DashpotError) for e in (records, read, missing, fitted, held, diagnosed, written))
 
 

@@ -83,6 +83,6 @@ pub use reading_unit::reading_unit;
 pub use record::{Noise, NoiseSource, Note, Record};
 pub use sentence::Sentence;
 pub use sign::SignFinding;
-pub use texts::texts;
+pub use texts::{templates, texts};
 pub use unit::{Dimension, Unit};
 pub use unusable::Unusable;

@@ -5,6 +5,7 @@ use crate::cells::Cell;
 use crate::errors::three;
 use crate::plot::of_test;
 use crate::words::Words;
+use dashpot_identification::literature::MODELS;
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation};
 
 /// A model of the literature and its force at the samples of every test.
@@ -14,6 +15,13 @@ pub struct Rival {
     pub name: &'static str,
     /// Its force at every sample of every test, in the order of the tests, N.
     pub forces: Vec<Vec<f64>>,
+}
+
+impl Rival {
+    /// A model of the literature by its name; `None` where there is no such model.
+    pub fn named(name: &str, forces: Vec<Vec<f64>>) -> Option<Rival> {
+        MODELS.iter().find(|model| model.0 == name).map(|model| Rival { name: model.0, forces })
+    }
 }
 
 /// The section; `None` where nothing was compared.

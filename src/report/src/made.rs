@@ -4,6 +4,7 @@
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
+use anyhow::Context as _;
 use sha2::{Digest as _, Sha256};
 use std::io::Read as _;
 use std::path::Path;
@@ -35,9 +36,38 @@ pub struct Made {
 impl Made {
     /// What was made from these files by this version.
     pub fn of<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
-        let files = files.into_iter().filter_map(MadeFrom::of).collect();
+        Self::of_known(files.into_iter().filter_map(MadeFrom::of).collect())
+    }
+
+    /// What was made by this version from files that were looked at already.
+    pub fn of_known(files: Vec<MadeFrom>) -> Self {
         Self { version: env!("CARGO_PKG_VERSION").to_owned(), files, ..Self::default() }
     }
+}
+
+/// The date of a report: the one given; without it that of `SOURCE_DATE_EPOCH`, or none, so that the same input gives the same report.
+///
+/// # Errors
+/// Where `SOURCE_DATE_EPOCH` holds no number of seconds.
+pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
+    match (given, std::env::var("SOURCE_DATE_EPOCH")) {
+        (Some(date), _) => Ok(Some(date.to_owned())),
+        (None, Ok(text)) => {
+            let seconds = text.trim().parse();
+            Ok(Some(day_of(seconds.with_context(|| format!("SOURCE_DATE_EPOCH is {text:?}, not seconds since 1970"))?)))
+        }
+        (None, Err(_)) => Ok(None),
+    }
+}
+
+/// Words as a line that a shell takes apart into the same words.
+pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
+    let quoted = |word: String| match () {
+        () if !word.is_empty() && word.chars().all(plain) => word,
+        () => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    words.into_iter().map(quoted).collect::<Vec<_>>().join(" ")
 }
 
 impl MadeFrom {
@@ -55,6 +85,12 @@ impl MadeFrom {
             bytes += read as u64;
         }
         Some(Self { name: path.display().to_string(), bytes, sha256: hexadecimal(hash.finalize().as_slice()) })
+    }
+
+    /// A file whose content is at hand.
+    pub fn of_content(name: &str, content: &[u8]) -> Self {
+        let sha256 = hexadecimal(Sha256::digest(content).as_slice());
+        Self { name: name.to_owned(), bytes: content.len() as u64, sha256 }
     }
 }
 
@@ -124,7 +160,15 @@ mod tests {
         // FIPS 180-4, example of one block.
         assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
         assert_eq!(file.bytes, 3);
+        assert_eq!(MadeFrom::of_content(&path.display().to_string(), b"abc"), file);
         assert!(MadeFrom::of(&folder.path().join("b")).is_none());
+    }
+
+    #[test]
+    fn a_command_line_is_taken_apart_into_its_words() {
+        let line = |words: &[&str]| command_line(words.iter().map(ToString::to_string));
+        assert_eq!(line(&["dashpot", "fit", "a*.csv", "", "it's"]), r"dashpot fit 'a*.csv' '' 'it'\''s'");
+        assert_eq!(line(&["--unit", "force=kN", "±2.csv"]), "--unit force=kN '±2.csv'");
     }
 
     #[test]

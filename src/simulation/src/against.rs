@@ -111,10 +111,14 @@ impl Rivals {
         let own = validation.as_against();
         validation.against.push(own);
         for Rival { literature, forces } in &self.all {
-            let name = literature.name();
-            let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
-            let against = Against::of(name, meaning, compared, forces);
+            let against = of_forces(literature.name(), compared, forces);
             validation.against.push(Against { numbers: Some(literature.clone()), ..against });
         }
     }
+}
+
+/// The errors of a model of the literature whose forces are at hand.
+pub fn of_forces(name: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
+    let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
+    Against::of(name, meaning, compared, forces)
 }

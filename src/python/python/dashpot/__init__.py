@@ -36,7 +36,7 @@ from ._native import VERSION as __version__
 from .campaign import Campaign, Record
 from .damper import Damper
 from .identification import diagnose, fit
-from .limits import Limit, read_limits
+from .limits import Limit, Limits, read_limits
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual
 from .results import Certificate, Diagnosis, FitResult, HostCheck, JudgedValidation, Validation
@@ -58,6 +58,7 @@ __all__ = [
     "HostCheck",
     "JudgedValidation",
     "Limit",
+    "Limits",
     "Model",
     "ModelError",
     "MotionError",

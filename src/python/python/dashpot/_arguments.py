@@ -35,6 +35,7 @@ _NAMES = {
     "host-step": "host_step",
     "wheel-mass": "wheel_mass",
     "for-step": "for_step",
+    "force": "force=True",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
 #: What an option of a few words may be given.

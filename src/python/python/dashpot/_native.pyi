@@ -6,6 +6,8 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from ._given import Page
+
 _Array = npt.NDArray[np.float64]
 _Progress = Callable[[float, str], object] | None
 
@@ -102,20 +104,26 @@ class Dampers:
     @state.setter
     def state(self, rows: npt.ArrayLike) -> None: ...
 
+@final
+class Fitted: ...
+
+@final
+class Diagnosed: ...
+
 def fit(
     campaign: Campaign,
     family: str,
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
-) -> tuple[str, str]: ...
+) -> tuple[str, str, Fitted]: ...
 def validate(
     model: Model,
     campaign: Campaign,
     progress: _Progress = None,
     limits: Sequence[_Limit] | None = None,
     against: Sequence[str] = ...,
-) -> tuple[str, list[tuple[_Array, _Array]], Campaign, str | None]: ...
+) -> tuple[str, list[tuple[_Array, _Array]], Campaign, str | None, list[tuple[str, list[_Array]]]]: ...
 def read_limits(path: str) -> list[_Limit]: ...
 def check_limits(limits: Sequence[_Limit]) -> None: ...
 def diagnose(
@@ -127,7 +135,20 @@ def diagnose(
     candidates: Sequence[str] | None = None,
     seed: int = 0,
     progress: _Progress = None,
-) -> tuple[str, str, list[dict[str, _Array]]]: ...
+) -> tuple[str, str, list[dict[str, _Array]], Diagnosed]: ...
+def write_validation(
+    what: str,
+    path: str,
+    page: Page,
+    model: Model,
+    campaign: Campaign,
+    forces: Sequence[tuple[_Array, _Array]],
+    windows: Sequence[_Limit] | None,
+    rivals: Sequence[tuple[str, Sequence[_Array]]],
+) -> list[Path]: ...
+def write_diagnosis(what: str, path: str, page: Page, found: Diagnosed) -> list[Path]: ...
+def write_next_tests(path: str, found: Diagnosed, force: bool) -> int: ...
+def write_fit(path: str, page: Page, found: Fitted) -> None: ...
 def measure(
     folder: str,
     amplitudes: Sequence[float] | None,
@@ -137,7 +158,7 @@ def measure(
     hide: Sequence[tuple[str, float]] | None,
     progress: _Progress = None,
 ) -> int: ...
-def write(path: str, text: str) -> None: ...
+def write(path: str, text: str, force: bool) -> None: ...
 def export_fmu(
     models: Sequence[Model],
     path: str,
@@ -150,6 +171,7 @@ def export_fmu(
     sources: bool,
     hide_parameters: bool,
     library: str | None,
+    force: bool,
 ) -> list[str]: ...
 def check(model: Model, host_step: float, wheel_mass: float, for_step: float | None = None) -> tuple[str, list[str], str]: ...
 def set_threads(count: int) -> None: ...

@@ -126,6 +126,8 @@ class Campaign(Sequence[Record]):
         self._native = native
         self.paths: tuple[str, ...] = tuple(paths)
         """The paths that were read."""
+        # Options of the command that reads these paths in the same way; none of a campaign that no command reads.
+        self._reading: tuple[str, ...] | None = None
         said: dict[str, Any] = loads(native.json())
         self.sign: SignFinding = SignFinding.from_dict(said["sign"])
         """Which direction the files count positive, and how sure that is."""
@@ -225,7 +227,9 @@ class Campaign(Sequence[Record]):
             mapping["sample_rate_hz"] = float(sample_rate_hz)
         named = [os.fspath(p) for p in paths]
         with watched(progress) as told:
-            return cls(_native.Campaign.read(named, json.dumps(mapping), strict, told), named)
+            campaign = cls(_native.Campaign.read(named, json.dumps(mapping), strict, told), named)
+        campaign._reading = tuple(_options(mapping, strict))
+        return campaign
 
     def __len__(self) -> int:
         return len(self._records)
@@ -252,7 +256,7 @@ class Campaign(Sequence[Record]):
         return tuple(r.name for r in self._records)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_campaign, (self.paths, *self._native.state()))
+        return (_campaign, (self.paths, *self._native.state()), {"_reading": self._reading})
 
     def to_dict(self) -> dict[str, Any]:
         """What was found, without the channels."""
@@ -294,6 +298,39 @@ def _fields(said: dict[str, Any]) -> dict[str, Any]:
     """The fields of a record from what the reader says of it."""
     record = Record.from_dict(said)
     return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}
+
+
+#: Arguments of :meth:`Campaign.read` that are options of the command with a number, and what is not worth saying.
+_NUMBERS = {
+    "delay_s": ("--delay", 0.0),
+    "force_zero_n": ("--force-zero", 0.0),
+    "displacement_zero_m": ("--displacement-zero", 0.0),
+    "gain": ("--gain", 1.0),
+    "rig_mass_kg": ("--rig-mass", 0.0),
+    "sample_rate_hz": ("--sample-rate", None),
+    "initial_position_m": ("--initial-position", 0.0),
+}
+
+
+def _options(mapping: Mapping[str, Any], strict: bool) -> Iterator[str]:
+    """The options of the command that read records in this way, for whoever makes a report again."""
+    for name in ("positive", "dates"):
+        if name in mapping:
+            yield from (f"--{name}", mapping[name])
+    for name in ("flip", "ignore", "exclude"):
+        for value in mapping[name]:
+            yield from (f"--{name}", value)
+    for option, name in (("--unit", "units"), ("--column", "columns")):
+        for channel, value in mapping[name].items():
+            yield from (option, f"{channel}={value}")
+    for name, (option, usual) in _NUMBERS.items():
+        value = mapping.get(name, usual)
+        if value != usual:
+            # A negative number would be taken for an option.
+            yield f"{option}={value!r}"
+    for name, is_on in (("--subfolders", mapping["subfolders"]), ("--strict", strict)):
+        if is_on:
+            yield name
 
 
 def native_of(campaign: Sequence[Record], name: str) -> _native.Campaign:

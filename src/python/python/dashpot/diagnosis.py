@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from . import _native
+from ._papers import Origin, figures_alone, page
 from ._result import Result, Row, folded, table
+from ._work import watched
 from .reading import Unusable
 from .validation import Deviation
 
 if TYPE_CHECKING:
+    import datetime
+    import pathlib
+
     import numpy as np
     import numpy.typing as npt
 
+    from .campaign import Path
     from .model import Model
 
 
@@ -242,6 +250,8 @@ class Diagnosis(Result):
         default=None, metadata={"hidden": True}, compare=False, repr=False
     )
 
+    _made_from: tuple[_native.Diagnosed, Model, Origin] | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+
     @property
     def improved(self) -> Model:
         """The model with the named effects added; what is of the rig is not put into it.
@@ -260,6 +270,67 @@ class Diagnosis(Result):
         if self._curves is None:
             raise ValueError("the curves are kept by diagnose() alone, not by a result made from a dictionary")
         return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
+
+    def write_report(
+        self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, full: bool = False, force: bool = False
+    ) -> None:
+        """Writes the report for people, one HTML file that opens without a network; as ``dashpot diagnose --report``, byte by byte.
+
+        Nothing is fitted again; the records are read once more for the hashes that the report says of them. It names the command that makes the
+        same, where there is one: of all records of a campaign, and a model that was read from a file or written.
+
+        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
+        :param full: print all of the report, not its first two pages alone.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
+        """
+        self._write("report", path, language, date, force, full)
+
+    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as ``dashpot diagnose --excel``.
+
+        Parameters and errors as of :meth:`write_report`.
+        """
+        self._write("workbook", path, language, date, force)
+
+    def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
+        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as ``dashpot diagnose --svg``.
+
+        Parameters and errors as of :meth:`write_report`.
+
+        :returns: the files, in the order of the report.
+        """
+        return self._write("figures", folder, language, None, force)
+
+    def write_next_tests(self, path: Path, *, force: bool = False) -> int:
+        """Writes the tests that would tell more as a test matrix for the rig (CSV); as ``dashpot diagnose --next-tests``.
+
+        Those that are no sine have no row and stand in :attr:`next_tests` alone.
+
+        :returns: the rows written. Where it is 0, there is none that a rig could be driven by, and no file.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: of a result that was pickled or made from a dictionary: diagnose again.
+        """
+        return _native.write_next_tests(os.fspath(path), self._held()[0], bool(force))
+
+    def _held(self) -> tuple[_native.Diagnosed, Model, Origin]:
+        if self._made_from is None:
+            raise figures_alone("dashpot.diagnose", "was pickled or made from a dictionary; diagnose again")
+        return self._made_from
+
+    def _write(
+        self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
+    ) -> list[pathlib.Path]:
+        found, model, origin = self._held()
+        how = page("diagnose", origin, model, language=language, date=date, force=force, full=full)
+        with watched():
+            return _native.write_diagnosis(what, os.fspath(path), how, found)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What the compiled part holds of a diagnosis stays in its process.
+        return {**self.__dict__, "_made_from": None}
 
     def _rows(self) -> list[Row]:
         """Everything that has a name here: effects with their numbers, suspects, numbers of the model that are others than on the reference, and

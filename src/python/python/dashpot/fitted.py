@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
+from . import _native
+from ._papers import Origin, figures_alone, page
 from ._result import Result, Row, folded, table
+from ._work import watched
 from .reading import SignFinding, Unusable
 from .validation import Deviation
+
+if TYPE_CHECKING:
+    import datetime
+
+    from .campaign import Path
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,6 +79,32 @@ class FitResult(Result):
     sign: SignFinding
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
+    _made_from: tuple[_native.Fitted, Origin] | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+
+    def write_excel(
+        self, path: Path, *, model: str = "damper.toml", language: str = "en", date: str | datetime.date | None = None, force: bool = False
+    ) -> None:
+        """Writes every table of the fit as a sheet of one Excel workbook, numbers as numbers; as ``dashpot fit --excel``, byte by byte.
+
+        Nothing is fitted again; files of records are read once more for their hashes. Where all records of a campaign were fitted, the workbook
+        names the command that does the same.
+
+        :param model: name of the model file, which the workbook mentions.
+        :param language: of the workbook: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: fit again.
+        """
+        if self._made_from is None:
+            raise figures_alone("dashpot.fit", "was pickled or made from a dictionary; fit again")
+        found, origin = self._made_from
+        with watched():
+            _native.write_fit(os.fspath(path), page("fit", origin, None, language=language, date=date, force=force, name=os.fspath(model)), found)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What the compiled part holds of a fit stays in its process.
+        return {**self.__dict__, "_made_from": None}
 
     def _rows(self) -> list[Row]:
         return [p.to_dict() for p in self.parameters]

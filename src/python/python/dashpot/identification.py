@@ -9,7 +9,8 @@ from . import _native
 from ._arguments import loads
 from ._numbers import words
 from ._work import watched
-from .campaign import Progress, Record, native_of
+from ._papers import option, origin
+from .campaign import Campaign, Progress, Record, native_of
 from .model import FittedModel, Model
 from .diagnosis import Diagnosis
 from .fitted import FitResult
@@ -37,8 +38,10 @@ def fit(
     """
     wanted = None if elements is None else words(elements)
     with watched(progress) as told:
-        text, said = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
-    return FittedModel(text, "damper.toml", FitResult.from_dict(loads(said)))
+        text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
+    chosen = [] if family == "thesis" else ["--model", family]
+    made_from = origin(campaign, chosen, option("elements", wanted or ()), option("hold-out", words(hold_out)))
+    return FittedModel(text, "damper.toml", replace(FitResult.from_dict(loads(said)), _made_from=(found, made_from)))
 
 
 def diagnose(
@@ -67,8 +70,20 @@ def diagnose(
         raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
     with watched(progress) as told:
         own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
-        said, improved, curves = _native.diagnose(
+        said, improved, curves, made_from = _native.diagnose(
             model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
         )
     found = Diagnosis.from_dict(loads(said))
-    return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves))
+    numbers = ([] if max_effects == 3 else ["--max-effects", str(max_effects)], [] if seed == 0 else ["--seed", str(seed)])
+    compared_with = _compared_with(campaign, reference)
+    came_from = origin(campaign, compared_with, option("hold-out", words(hold_out)), option("candidates", words(candidates or ())), *numbers)
+    return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves), _made_from=(made_from, model, came_from))
+
+
+def _compared_with(campaign: Sequence[Record], reference: Sequence[Record] | None) -> list[str] | None:
+    """The option of the command that names the reference; none where it does not read those records, which it reads as it reads the others."""
+    if reference is None:
+        return []
+    if not (isinstance(reference, Campaign) and isinstance(campaign, Campaign) and reference._reading == campaign._reading):
+        return None
+    return [word for path in reference.paths for word in ("--reference", path)]

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from . import _native
@@ -42,19 +42,34 @@ class Limit:
     """Name that the file gives it."""
 
 
+class Limits(tuple[Limit, ...]):
+    """The limits of a table, with the path that it was read from, which a certificate names."""
+
+    path: str
+
+    def __new__(cls, limits: Iterable[Limit], path: str | os.PathLike[str]) -> Limits:
+        made = super().__new__(cls, tuple(limits))
+        made.path = os.fspath(path)
+        return made
+
+    def __getnewargs__(self) -> tuple[tuple[Limit, ...], str]:
+        return tuple(self), self.path
+
+
 #: A limit as the compiled part takes it.
 Row = tuple[str, str, "float | None", "float | None", "float | None", "float | None"]
 
 
-def read_limits(path: str | os.PathLike[str]) -> tuple[Limit, ...]:
+def read_limits(path: str | os.PathLike[str]) -> Limits:
     """Reads a table of limits, as ``dashpot validate --limits`` does.
 
     :raises ValidationError: naming file and line.
     """
-    return tuple(
+    limits = (
         Limit(quantity, velocity, -math.inf if low is None else low, math.inf if high is None else high, amplitude, label)
         for label, quantity, velocity, low, high, amplitude in _native.read_limits(os.fspath(path))
     )
+    return Limits(limits, path)
 
 
 def rows(limits: Sequence[Limit]) -> list[Row]:

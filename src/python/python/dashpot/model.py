@@ -19,9 +19,10 @@ from ._numbers import column, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .host import HostCheck
-from .limits import Limit, rows
+from .limits import Limit, Limits, rows
+from ._papers import option, origin
 from .fitted import FitResult
-from .validation import JudgedValidation, Validation
+from .validation import Compared, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     import pandas
@@ -110,6 +111,8 @@ class Model:
             raise _native.ModelError(f"{text!r} is no text of a model file; dashpot.Model.read({text!r}) reads one by its path")
         self._native = _native.Model.parse(text, os.fspath(name))
         self._name = os.fspath(name)
+        # The file that holds it, where there is one.
+        self._file: str | None = None
 
     @classmethod
     def read(cls, path: Path) -> Model:
@@ -118,14 +121,18 @@ class Model:
         :raises ModelError: naming file, line and parameter.
         """
         # Read by the compiled part, for its sentences.
-        return cls(_native.Model.read(os.fspath(path)).text, path)
+        model = cls(_native.Model.read(os.fspath(path)).text, path)
+        model._file = model._name
+        return model
 
-    def write(self, path: Path) -> None:
-        """Writes the model file, whole or not at all, never over a file of another kind.
+    def write(self, path: Path, *, force: bool = False) -> None:
+        """Writes the model file, whole or not at all, never over a file of another kind. Reports and FMUs call the model by this name from then on.
 
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
         :raises OutputError: where it cannot.
         """
-        _native.write(os.fspath(path), self.text)
+        _native.write(os.fspath(path), self.text, force)
+        self._file = self._name = os.fspath(path)
 
     @property
     def text(self) -> str:
@@ -230,13 +237,17 @@ class Model:
         windows = None if limits is None else rows(limits)
         rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
         with watched(progress) as told:
-            said, forces, as_compared, note = _native.validate(self._native, native_of(campaign, "campaign"), told, windows, rivals)
+            said, forces, as_compared, note, rival_forces = _native.validate(self._native, native_of(campaign, "campaign"), told, windows, rivals)
         if note is not None:
             warnings.warn(note, stacklevel=2)
         kind = Validation if limits is None else JudgedValidation
-        return replace(
-            kind.from_dict(loads(said)), _forces=tuple(forces), campaign=Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
-        )
+        table = limits.path if isinstance(limits, Limits) else None
+        # Limits that stand in no file cannot be given to the command.
+        from_file = [] if limits is None else None if table is None else ["--limits", table]
+        compared = Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
+        compared._reading = campaign._reading if isinstance(campaign, Campaign) else None
+        made_from = Compared(self, windows, tuple(rival_forces), origin(campaign, option("against", rivals), from_file, files=[table] if table else []))
+        return replace(kind.from_dict(loads(said)), _forces=tuple(forces), campaign=compared, _compared=made_from)
 
     def simulate(
         self,
@@ -306,6 +317,7 @@ class Model:
         hide_parameters: bool = False,
         library: Path | None = None,
         name: str | None = None,
+        force: bool = False,
     ) -> list[str]:
         """Writes a functional mock-up unit (co-simulation and model exchange); as ``dashpot export fmu``.
 
@@ -322,6 +334,7 @@ class Model:
         :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
             Without it the runtimes that this package was built with are put inside.
         :param name: name of the model in the FMU.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
         :returns: the platforms that it runs on.
         :raises ExportError: where there is no runtime, or the compiler refuses.
         """
@@ -336,7 +349,7 @@ class Model:
         with watched():
             return _native.export_fmu(
                 models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters,
-                None if library is None else os.fspath(library),
+                None if library is None else os.fspath(library), force,
             )  # fmt: skip
 
     def to_dict(self) -> dict[str, Any]:
@@ -348,7 +361,7 @@ class Model:
         return frame(self._said()["parameters"])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Model, (self.text, self._name))
+        return (Model, (self.text, self._name), {"_file": self._file})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and other.text == self.text
@@ -386,4 +399,4 @@ class FittedModel(Model):
         return self._fit
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (FittedModel, (self.text, self._name, self._fit))
+        return (FittedModel, (self.text, self._name, self._fit), {"_file": self._file})

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from . import _native
+from ._papers import Origin, figures_alone, page
 from ._result import Result, Row, folded, held, table
+from ._work import watched
 from .certificate import Certificate
 from .reading import Unusable
 
 if TYPE_CHECKING:
+    import datetime
+    import pathlib
+
     import numpy as np
     import numpy.typing as npt
 
-    from .campaign import Campaign
+    from .campaign import Campaign, Path
+    from .limits import Row as Window
+    from .model import Model
 
 
 @dataclass(frozen=True, repr=False)
@@ -180,6 +189,17 @@ def _in_groups(matrix: ErrorMatrix) -> list[Row]:
     return [{"by": by, **held(row)[0]} for by, row in rows] + cells
 
 
+@dataclass(frozen=True)
+class Compared:
+    """What a validation compared, beside the records and the forces: what its papers are made from."""
+
+    model: Model
+    windows: list[Window] | None
+    #: Names of models of the literature with their forces on every test.
+    rivals: tuple[tuple[str, list[npt.NDArray[np.float64]]], ...]
+    origin: Origin
+
+
 @dataclass(frozen=True, repr=False)
 class Validation(Result):
     """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
@@ -204,6 +224,8 @@ class Validation(Result):
         default=None, metadata={"hidden": True}, compare=False, repr=False
     )
 
+    _compared: Compared | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+
     def forces(self, test: str) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
         names = [t.name for t in self.tests]
@@ -213,6 +235,52 @@ class Validation(Result):
             raise ValueError("the forces are kept by Model.validate alone, not by a result made from a dictionary")
         model, fv_only = self._forces[names.index(test)]
         return model.copy(), fv_only.copy()
+
+    def write_report(
+        self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, full: bool = False, force: bool = False
+    ) -> None:
+        """Writes the report with tables and plots, one HTML file that opens without a network; as ``dashpot validate --report``, byte by byte.
+
+        Nothing is fitted or simulated again: figures and plots come from the forces that the result holds. The report says of which files it was
+        made, with their hashes, so the records are read once more; of files that are no longer there it says nothing. It names the command that
+        makes the same, where there is one: of all records of a campaign, a model that was read from a file or written, and limits of a table.
+
+        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
+        :param full: print all of the report, not its first two pages alone.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: of a language that there is not, and of a result that was made from a dictionary.
+        """
+        self._write("report", path, language, date, force, full)
+
+    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as ``dashpot validate --excel``.
+
+        Parameters and errors as of :meth:`write_report`.
+        """
+        self._write("workbook", path, language, date, force)
+
+    def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
+        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as ``dashpot validate --svg``.
+
+        Parameters and errors as of :meth:`write_report`.
+
+        :returns: the files, in the order of the report.
+        """
+        return self._write("figures", folder, language, None, force)
+
+    def _write(
+        self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
+    ) -> list[pathlib.Path]:
+        made_from = self._compared
+        if made_from is None or self._forces is None or self.campaign is None:
+            raise figures_alone("Model.validate", "was made from a dictionary")
+        how = page("validate", made_from.origin, made_from.model, language=language, date=date, force=force, full=full)
+        with watched():
+            return _native.write_validation(
+                what, os.fspath(path), how, made_from.model._native, self.campaign._native, self._forces, made_from.windows, made_from.rivals
+            )
 
     def _rows(self) -> list[Row]:
         return [held(t)[0] for t in self.tests]
@@ -251,3 +319,11 @@ class JudgedValidation(Validation):
 
     limits: Certificate
     """Which limits the damper keeps, and which the model does."""
+
+    def write_certificate(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes the verdict on the limits as a page by itself, with every limit and the diagram; as ``dashpot validate --certificate``.
+
+        Parameters and errors as of :meth:`write_report`. A certificate names the table of :func:`dashpot.read_limits`; of limits that
+        stand in no table it names none.
+        """
+        self._write("certificate", path, language, date, force)

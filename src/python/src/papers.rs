@@ -1,0 +1,238 @@
+//! Reports, workbooks, certificates and figures as files: made by the functions of the command, of the same input to the same bytes.
+
+use crate::campaign::Campaign;
+use crate::compare::{compared, figures};
+use crate::errors::{OutputError, raise};
+use crate::examine::Diagnosed;
+use crate::identify::Fitted;
+use crate::limits;
+use crate::model::Model;
+use crate::work;
+use dashpot_output::{FolderLock, Kind, as_a_run};
+use dashpot_records::Record;
+use dashpot_report::against::{Rival, section};
+use dashpot_report::certificate::{self, CertificateInput};
+use dashpot_report::diagnosis::DiagnosisReport;
+use dashpot_report::words::{Language, Words};
+use dashpot_report::{Made, MadeFrom, Print, ReportInput, made, parameters, reading, write_workbook};
+use numpy::PyReadonlyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// How a paper is written, and what it says of what it was made from.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Page {
+    /// `en`, `de`, `fr` or `zh`.
+    language: String,
+    date: Option<String>,
+    /// Whether a printer puts all of a report on paper.
+    full: bool,
+    /// Whether other files may be replaced.
+    force: bool,
+    /// Name or path of the model file.
+    model: String,
+    /// Whether there is a file that holds the model.
+    is_file: bool,
+    /// Name of the records.
+    data: String,
+    /// Words of the command that makes the same; none where no command does.
+    command: Vec<String>,
+    /// Files read beside model and records.
+    files: Vec<PathBuf>,
+}
+
+impl Page {
+    fn words(&self) -> PyResult<&'static Words> {
+        self.language.parse::<Language>().map(Language::words).map_err(PyValueError::new_err)
+    }
+
+    fn print(&self) -> Print {
+        if self.full { Print::Whole } else { Print::Brief }
+    }
+
+    /// Name of the model file without its folder.
+    fn model_file(&self) -> String {
+        Path::new(&self.model).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+    }
+
+    /// What a paper is made from: the model's file, as it was when it was read or written, then files that are looked at once more.
+    fn made<'a>(
+        &self,
+        model: Option<&Model>,
+        campaigns: impl IntoIterator<Item = &'a dashpot_records::Campaign>,
+    ) -> PyResult<Made> {
+        let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
+        let model = model
+            .filter(|_| self.is_file)
+            .map(|model| MadeFrom::of_content(&self.model, model.text_of_file().as_bytes()));
+        let files = self.files.iter().chain(campaigns.into_iter().flat_map(|campaign| &campaign.files));
+        let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::of(path))).collect();
+        Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
+    }
+
+    /// Does the work that writes a file of this kind, or into a folder where none is told; neither takes the place of what the paper is made from.
+    fn write<T: Send>(
+        &self,
+        py: Python<'_>,
+        (path, kind): (&Path, Option<Kind>),
+        made: &Made,
+        work: impl FnOnce() -> anyhow::Result<T> + Send,
+    ) -> PyResult<T> {
+        let done = work::run(py, None, |_| {
+            as_a_run(self.force, made.files.iter().map(|file| Path::new(&file.name)), || {
+                let _held = match kind {
+                    Some(kind) => {
+                        dashpot_output::check_kinds([(Some(path), kind)])?;
+                        None
+                    }
+                    None => Some(FolderLock::take(path)?),
+                };
+                work()
+            })
+        })?;
+        done.map_err(raise::<OutputError>)
+    }
+}
+
+/// Forces of the model and of the FV curve alone at the samples of one test, N.
+type Forces<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+
+/// A validation on paper: `report`, `certificate`, `workbook` or `figures`, the last into a folder. Returns the files written. The figures are
+/// computed anew from the forces, which are not: `campaign` has the records as they were compared.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+pub fn write_validation(
+    py: Python<'_>,
+    what: &str,
+    path: PathBuf,
+    page: Page,
+    model: &Model,
+    campaign: &Campaign,
+    forces: Vec<Forces<'_>>,
+    windows: Option<Vec<limits::Row>>,
+    rivals: Vec<(String, Vec<PyReadonlyArray1<'_, f64>>)>,
+) -> PyResult<Vec<PathBuf>> {
+    let words = page.words()?;
+    let windows = windows.map(limits::of_rows).transpose()?;
+    let made = page.made(Some(model), [&campaign.read])?;
+    let values = |array: &PyReadonlyArray1<'_, f64>| array.as_array().to_vec();
+    let forces = forces.iter().map(|(model, fv_only)| (values(model), values(fv_only))).collect();
+    let rivals: Vec<(String, Vec<Vec<f64>>)> =
+        rivals.iter().map(|(name, forces)| (name.clone(), forces.iter().map(values).collect())).collect();
+    let kind = match what {
+        "figures" => None,
+        "workbook" => Some(Kind::Workbook),
+        _ => Some(Kind::Report),
+    };
+    let limits_file = page.files.first().map_or_else(String::new, |path| path.display().to_string());
+    page.write(py, (&path, kind), &made, || {
+        let compared = compared(&model.file, &campaign.read, forces);
+        let validation = figures(&campaign.read, &compared, windows.as_deref(), &rivals)?;
+        let mut input = ReportInput {
+            print: page.print(),
+            made: made.clone(),
+            model_file: page.model_file(),
+            data: page.data.clone(),
+            ..ReportInput::of(&model.file, &campaign.read, &compared, &validation, words)?
+        };
+        let drawn = rivals.into_iter().filter_map(|(name, forces)| Rival::named(&name, forces)).collect::<Vec<_>>();
+        input.extra.extend(section(&validation, &compared, &drawn, words));
+        match (what, &validation.limits) {
+            ("figures", _) => return dashpot_report::svgs(&input, &path),
+            ("workbook", _) => write_workbook(&dashpot_report::workbook(&input), &path)?,
+            ("certificate", Some(found)) => {
+                let records: Vec<&Record> = campaign.records();
+                let page = certificate::render(&CertificateInput {
+                    certificate: found,
+                    records: &records,
+                    data: input.data.clone(),
+                    limits: limits_file,
+                    curve: &input.curve,
+                    made: &input.made,
+                    words,
+                });
+                dashpot_output::write(&path, page)?;
+            }
+            _ => dashpot_report::write_atomic(&input, &path)?,
+        }
+        Ok(vec![path.clone()])
+    })
+}
+
+/// A diagnosis on paper: `report`, `workbook` or `figures`, the last into a folder. Returns the files written.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn write_diagnosis(
+    py: Python<'_>,
+    what: &str,
+    path: PathBuf,
+    page: Page,
+    found: &Diagnosed,
+) -> PyResult<Vec<PathBuf>> {
+    let words = page.words()?;
+    let model = found.model.get();
+    let reference = found.reference.as_ref().map(|reference| &reference.get().read);
+    let made = page.made(Some(model), std::iter::once(&found.campaign.get().read).chain(reference))?;
+    let kind = match what {
+        "figures" => None,
+        "workbook" => Some(Kind::Workbook),
+        _ => Some(Kind::Report),
+    };
+    page.write(py, (&path, kind), &made, || {
+        let mut records = found.campaign.get().read.records.clone();
+        model.file.identification.right(&mut records);
+        let report = DiagnosisReport {
+            model_file: page.model_file(),
+            data: page.data.clone(),
+            found: &found.found,
+            records: &records.iter().collect::<Vec<_>>(),
+            reading: reading::sentences(&found.about, words),
+            over_whole_records: found.over_whole_records,
+            parameters: parameters::of_diagnosis(&found.found, words),
+            made: made.clone(),
+            print: page.print(),
+            words,
+        };
+        match what {
+            "figures" => return report.write_svgs(&path),
+            "workbook" => write_workbook(&report.workbook(), &path)?,
+            _ => report.write(&path)?,
+        }
+        Ok(vec![path.clone()])
+    })
+}
+
+/// The tests that would tell more, as a test matrix; returns its rows, 0 where there is none that a rig could be driven by, and nothing is
+/// written.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResult<usize> {
+    let Some((matrix, _)) = found.found.next_matrix() else { return Ok(0) };
+    let files = found.campaign.get().read.files.iter().map(PathBuf::as_path);
+    let written = as_a_run(force, files, || {
+        dashpot_output::check([path.as_path()])?;
+        dashpot_output::write(&path, &matrix)
+    });
+    written.map_err(raise::<OutputError>)?;
+    Ok(matrix.lines().count() - 1)
+}
+
+/// The tables of a fit as a workbook.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn write_fit(py: Python<'_>, path: PathBuf, page: Page, found: &Fitted) -> PyResult<()> {
+    let words = page.words()?;
+    let made = page.made(None, [&found.about])?;
+    page.write(py, (&path, Some(Kind::Workbook)), &made, || {
+        let tables = dashpot_report::fit::workbook(
+            (&found.fit, &found.over_whole_records),
+            &found.about.unusable,
+            [&page.model_file(), &page.data],
+            made.clone(),
+            words,
+        );
+        write_workbook(&tables, &path)
+    })
+}
