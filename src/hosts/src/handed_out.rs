@@ -130,11 +130,17 @@ fn followed(own: usize, added: usize, left: &Difference) -> String {
 /// The library for Adams on this platform.
 const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
 
-/// Names and contents of the libraries for Adams: those that this program holds, or the one beside it.
+/// Names and contents of the libraries for Adams: the one named, those that this program holds, or the one beside it.
 ///
 /// # Errors
-/// Where the one beside it cannot be read.
-pub fn adams_libraries() -> anyhow::Result<Vec<(String, Vec<u8>)>> {
+/// Where it cannot be read, or does not hold the routines.
+pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
+    let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
+    if let Some(path) = named {
+        let content = read(path)?;
+        let name = adams_library_name(&content).with_context(|| path.display().to_string())?;
+        return Ok(vec![(name.into(), content)]);
+    }
     let held: Vec<(String, Vec<u8>)> = [("linux64", "dashpot_adams.so"), ("win64", "dashpot_adams.dll")]
         .into_iter()
         .filter_map(|(platform, name)| Some((name.to_owned(), runtimes::compiled(platform, name)?.to_vec())))
@@ -143,8 +149,7 @@ pub fn adams_libraries() -> anyhow::Result<Vec<(String, Vec<u8>)>> {
         return Ok(held);
     }
     let beside = std::env::current_exe().ok().map(|program| program.with_file_name(ADAMS)).filter(|p| p.is_file());
-    let read = |path: PathBuf| std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()));
-    Ok(beside.map(read).transpose()?.map(|content| (ADAMS.to_owned(), content)).into_iter().collect())
+    Ok(beside.map(|path| read(&path)).transpose()?.map(|content| (ADAMS.to_owned(), content)).into_iter().collect())
 }
 
 /// How to come by a library for Adams.

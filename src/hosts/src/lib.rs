@@ -3,6 +3,7 @@
 //! The C code that these files compile with or hold lies in `adams-usersub/` and `vi-crt-bridge/`.
 
 pub mod adams;
+pub mod damper_length;
 pub mod fmu;
 pub mod handed_out;
 pub mod plain_curve;

@@ -13,6 +13,7 @@ pub mod limits;
 pub mod literature;
 pub mod model_file;
 mod more_points;
+pub mod of_peaks;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;

@@ -78,6 +78,14 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
     write_file(path, text.as_ref())
 }
 
+/// Makes a folder for results where there is none.
+///
+/// # Errors
+/// What the system says, with the folder.
+pub fn make_folder(folder: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))
+}
+
 /// Writes a value as JSON.
 pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
     let mut text = serde_json::to_string_pretty(value)?;

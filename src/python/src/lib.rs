@@ -10,6 +10,7 @@
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
 //! | `check` | chatter in a host |
 //! | `limits` | tables of limits, and what records say of them |
+//! | `adams` | files of Adams, and models from them and from tables |
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
 //! | `papers` | reports, workbooks, certificates, figures |
@@ -18,6 +19,7 @@
 //! | `work` | long work without the interpreter's lock, on threads of its own, ended by Ctrl-C |
 //! | `progress` | calls back into Python meanwhile |
 
+mod adams;
 mod campaign;
 mod check;
 mod compare;
@@ -38,6 +40,8 @@ use pyo3::prelude::*;
 /// The compiled part of dashpot; use the package `dashpot`, which wraps it.
 #[pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::adams::{export_adams, export_adm, export_dpr, import_dpr, import_peaks};
     #[pymodule_export]
     use crate::campaign::Campaign;
     #[pymodule_export]

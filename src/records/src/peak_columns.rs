@@ -89,6 +89,24 @@ pub struct PeakOptions {
     pub columns: BTreeMap<PeakColumn, String>,
 }
 
+impl PeakOptions {
+    /// Takes a channel's unit from its text.
+    ///
+    /// # Errors
+    /// A channel that no table of peaks has, and a unit that is none of it.
+    pub fn unit_of(&mut self, channel: Channel, text: &str) -> Result<(), String> {
+        if !matches!(channel, Channel::Velocity | Channel::Force) {
+            return Err(format!("a table of peaks has velocity and force, no {channel}"));
+        }
+        let unit: Unit = text.parse()?;
+        if unit.dimension() != channel.dimension() {
+            return Err(format!("{unit} is no unit of {channel}; it may be in {}", channel.units_understood()));
+        }
+        self.units.insert(channel, unit);
+        Ok(())
+    }
+}
+
 /// A column that is read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {

@@ -111,7 +111,7 @@ impl Export {
             let path = path.join(name);
             dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
         };
-        let libraries = handed_out::adams_libraries()?;
+        let libraries = handed_out::adams_libraries(None)?;
         let missing = libraries.is_empty().then(|| format!("THE LIBRARY IS NOT HERE. {}", runtimes::HOW));
         let chatters = chatter::remarks(&self.params, chatter::Host::USUAL);
         let made = handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, &[], &chatters);

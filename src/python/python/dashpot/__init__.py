@@ -33,6 +33,7 @@ from ._native import (
     set_threads,
 )
 from ._native import VERSION as __version__
+from .adams import export_adm
 from .campaign import Campaign, Record
 from .damper import Damper
 from .identification import diagnose, fit
@@ -73,6 +74,7 @@ __all__ = [
     "ValidationError",
     "__version__",
     "diagnose",
+    "export_adm",
     "fit",
     "measure_virtual",
     "read_limits",

@@ -36,6 +36,9 @@ _NAMES = {
     "wheel-mass": "wheel_mass",
     "for-step": "for_step",
     "force": "force=True",
+    "library": "library",
+    "gas-force": "gas_force",
+    "friction": "friction",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
 #: What an option of a few words may be given.

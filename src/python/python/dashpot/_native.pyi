@@ -173,5 +173,26 @@ def export_fmu(
     library: str | None,
     force: bool,
 ) -> list[str]: ...
+def export_adams(
+    model: Model,
+    folder: str,
+    length: str,
+    library: str | None,
+    host_step: float,
+    wheel_mass: float,
+    for_step: float | None,
+    force: bool,
+) -> list[str]: ...
+def export_dpr(model: Model, path: str, name: str, model_curve: bool, force: bool) -> tuple[int, list[str]]: ...
+def export_adm(source: str, path: str, dampers: Sequence[tuple[str, str, str]], replace_preload: bool, force: bool) -> list[str]: ...
+def import_dpr(path: str) -> str: ...
+def import_peaks(
+    path: str,
+    positive: str | None,
+    units: Mapping[str, str],
+    columns: Mapping[str, str],
+    gas_force: float,
+    friction: float,
+) -> tuple[str, str, bool]: ...
 def check(model: Model, host_step: float, wheel_mass: float, for_step: float | None = None) -> tuple[str, list[str], str]: ...
 def set_threads(count: int) -> None: ...

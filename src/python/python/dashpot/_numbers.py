@@ -37,6 +37,17 @@ def real(name: str, value: object) -> None:
         raise TypeError(f"{name} is no real number but of {value.dtype.name}")
 
 
+def length_of(name: str, value: float | str) -> str:
+    """A length as the compiled part takes it: a number in m, or with its unit behind it."""
+    if isinstance(value, str):
+        return value.strip()
+    real(name, value)
+    try:
+        return repr(float(value))
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name} is a length in m, or a text with its unit such as '412.5mm', not {value!r}") from error
+
+
 def words(given: str | Iterable[str]) -> list[str]:
     """Names as a list; a single one may stand alone."""
     return [given] if isinstance(given, str) else list(given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import warnings
-from collections.abc import Iterator, KeysView, Sequence
+from collections.abc import Iterator, KeysView, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Union, overload
 
@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _native
 from ._arguments import as_arguments, loads
 from ._result import Result, Row, folded, frame, held, table
-from ._numbers import column, real, several
+from ._numbers import column, length_of, real, several
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .host import HostCheck
@@ -124,6 +124,49 @@ class Model:
         model = cls(_native.Model.read(os.fspath(path)).text, path)
         model._file = model._name
         return model
+
+    @classmethod
+    def from_dpr(cls, path: Path) -> Model:
+        """Makes a model from a damper property file of Adams Car, TeimOrbit or XML: the FV curve, and the gas force where it has one; as
+        ``dashpot import dpr``.
+
+        How far the curve follows the one that Adams makes of the file, and what was left out, stands in :attr:`text` as comments.
+
+        :raises ModelError: where the file cannot be read, or makes no model.
+        """
+        return cls(_native.import_dpr(os.fspath(path)), _named_after(path))
+
+    @classmethod
+    def from_peaks(
+        cls,
+        path: Path,
+        *,
+        positive: str | None = None,
+        units: Mapping[str, str] | None = None,
+        columns: Mapping[str, str | int] | None = None,
+        gas_force: float = 0.0,
+        friction: float = 0.0,
+    ) -> Model:
+        """Makes a model to begin with from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel; as ``dashpot import peaks``.
+
+        Hysteresis needs records (:func:`dashpot.fit`). A warning says where the table's forces speak against the side that was taken as rebound.
+
+        :param positive: direction that a table with signs counts positive, ``"rebound"`` (if not given) or ``"compression"``.
+        :param units: unit of ``velocity`` or ``force`` where the headings have none or a wrong one: ``{"force": "lbf"}``.
+        :param columns: heading, or number from 1, of a column: ``velocity``, ``force``, and of one stroke ``rebound_velocity``,
+            ``rebound_force``, ``compression_velocity``, ``compression_force``.
+        :param gas_force: gas force in the table's forces, N; taken out of the curve.
+        :param friction: friction in the table's forces, N; taken out of the curve.
+        :raises ModelError: naming the table and its line, where it cannot be read, what a column is cannot be told, or its forces make no model.
+        """
+        for name, value in (("gas_force", gas_force), ("friction", friction)):
+            real(name, value)
+        text, direction, is_doubtful = _native.import_peaks(
+            os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, gas_force, friction
+        )
+        if is_doubtful:
+            warnings.warn(as_arguments(direction), stacklevel=2)
+        return cls(text, _named_after(path))
 
     def write(self, path: Path, *, force: bool = False) -> None:
         """Writes the model file, whole or not at all, never over a file of another kind. Reports and FMUs call the model by this name from then on.
@@ -303,6 +346,56 @@ class Model:
         ready = self if for_step is None else Model(text, self._name)
         return replace(found, told=tuple(as_arguments(line) for line in told), _ready=ready)
 
+    def export_adams(
+        self,
+        folder: Path,
+        *,
+        length: float | str = 0.4,
+        library: Path | None = None,
+        host_step: float = 1e-3,
+        wheel_mass: float = 40.0,
+        for_step: float | None = None,
+        force: bool = False,
+    ) -> list[str]:
+        """Writes everything that a run folder of Adams needs: model file, library, commands, a test rig; as ``dashpot export adams``.
+
+        :param folder: folder to write to; made if it is not there. It begins with ``README.txt``.
+        :param length: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
+        :param library: the library to hand out; if not given, those that this package was built with.
+        :param host_step: step, s, of a program that Adams is coupled to, at which chatter is judged.
+        :param wheel_mass: the lightest mass that the damper moves, kg.
+        :param for_step: step, s, of such a program: friction that chatters there is replaced by presliding friction.
+        :param force: also over files of another kind, or write-protected ones; the command's ``--force``.
+        :returns: what is to be known of it, in sentences.
+        :raises ExportError: for a length that no damper has, a step or mass that cannot be, or a library without the routines.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        """
+        for name, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+            real(name, value)
+        with watched():
+            return _said_of(
+                _native.export_adams(
+                    self._native, os.fspath(folder), length_of("length", length), None if library is None else os.fspath(library),
+                    host_step, wheel_mass, for_step, force,
+                )
+            )  # fmt: skip
+
+    def export_dpr(self, path: Path, *, model_curve: bool = False, force: bool = False) -> list[str]:
+        """Writes the FV curve as a damper property file of Adams Car; as ``dashpot export dpr``.
+
+        It holds a curve alone, so it gets the plain FV curve that the fit left in the model file, the best that a curve can do; without one, or
+        where the numbers were changed since, the model's own curve, without friction.
+
+        :param path: where to write; a name that ends in ``.xml`` gets the XML form, which holds the gas preload too.
+        :param model_curve: the model's own curve, which is that of its valves without friction, also where there is a plain one of a fit.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :returns: whose curve it is, and what is left out, in sentences; the file has them as comments.
+        :raises ExportError: where the model has no curve.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        """
+        _, remarks = _native.export_dpr(self._native, os.fspath(path), os.path.basename(self._name), model_curve, force)
+        return _said_of(remarks)
+
     def export_fmu(
         self,
         path: Path,
@@ -384,6 +477,15 @@ class Model:
 
     def __repr__(self) -> str:
         return f"<dashpot.Model of {', '.join(self.elements)}>"
+
+
+def _named_after(path: Path) -> str:
+    """What a model is called that was made from a file of another kind."""
+    return os.path.splitext(os.path.basename(os.fspath(path)))[0] + ".toml"
+
+
+def _said_of(notes: Sequence[str]) -> list[str]:
+    return [as_arguments(note) for note in notes]
 
 
 class FittedModel(Model):

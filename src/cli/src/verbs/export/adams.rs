@@ -1,9 +1,9 @@
 //! `dashpot export adams`: a run folder for Adams.
 
-use super::damper_length::in_millimetres;
 use crate::verbs::host_step::HostArgs;
 use crate::verbs::model;
 use anyhow::Context as _;
+use dashpot_hosts::damper_length::in_millimetres;
 use dashpot_hosts::handed_out;
 use dashpot_identification::model_file;
 use dashpot_report::replace_file;
@@ -34,12 +34,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let ready = args.host.ready(&model::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;
-    let libraries = libraries(args.library.as_deref())?;
+    let libraries = handed_out::adams_libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),
         None => std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?,
     };
-    std::fs::create_dir_all(&args.output).with_context(|| format!("making the folder {}", args.output.display()))?;
+    dashpot_output::make_folder(&args.output)?;
     let put = |name: &str, bytes: &[u8]| {
         let path = args.output.join(name);
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
@@ -73,14 +73,4 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         )?;
     }
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
-}
-
-/// Names and contents of the libraries to write.
-fn libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    if let Some(path) = named {
-        let content = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-        let name = handed_out::adams_library_name(&content).with_context(|| path.display().to_string())?;
-        return Ok(vec![(name.into(), content)]);
-    }
-    handed_out::adams_libraries()
 }

@@ -1,10 +1,8 @@
 //! `dashpot export adm`: dampers of a compiled Adams Car model replaced by the routine.
 
-use super::damper_length;
-use crate::verbs::model;
-use anyhow::{Context as _, anyhow};
-use dashpot_hosts::adams::patch::{self, Damper};
-use std::path::{Path, PathBuf};
+use dashpot_hosts::adams::replaced::{Named, replaced};
+use dashpot_hosts::damper_length;
+use std::path::PathBuf;
 
 /// Replace dampers in a compiled Adams Car model by the model, leaving every other byte alone
 #[derive(clap::Args)]
@@ -30,14 +28,6 @@ pub struct Args {
     replace_preload: bool,
 }
 
-/// A damper as it is named: what its length is shows in the model.
-#[derive(Clone)]
-struct Named {
-    name: String,
-    length: String,
-    model_file: String,
-}
-
 fn damper(text: &str) -> Result<Named, String> {
     let (name, length) = text.split_once('=').ok_or("say NAME=LENGTH")?;
     let (length, model_file) = length.split_once(',').unwrap_or((length, ""));
@@ -60,19 +50,11 @@ fn damper(text: &str) -> Result<Named, String> {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
-    let named = || args.input.display().to_string();
-    let adm = std::fs::read(&args.input).with_context(|| format!("cannot read {}", named()))?;
-    let unit = patch::length_unit(&adm).with_context(named)?;
-    let damper = |damper: &Named| {
-        // Without UNITS the numbers of a model have no unit; what Adams Car writes has them.
-        let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
-        let length =
-            damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
-        let model_file = if damper.model_file.is_empty() { &args.model_file } else { &damper.model_file };
-        Ok(Damper { name: damper.name.clone(), length, model_file: model_file.clone() })
-    };
-    let dampers: Vec<Damper> = args.dampers.iter().map(damper).collect::<anyhow::Result<_>>()?;
-    let patched = patch::patch(&adm, &dampers, args.replace_preload).with_context(named)?;
+    let mut dampers = args.dampers.clone();
+    for damper in dampers.iter_mut().filter(|damper| damper.model_file.is_empty()) {
+        damper.model_file.clone_from(&args.model_file);
+    }
+    let patched = replaced(&args.input, &args.output, &dampers, args.replace_preload)?;
     dashpot_output::write(&args.output, patched.model)?;
     dashpot_output::say(
         Some(&args.output),
@@ -83,26 +65,5 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             args.output.display()
         ),
     )?;
-    let mut notes = patched.notes;
-    if unit.is_none() {
-        notes.push("the model has no UNITS statement, so its lengths were taken as millimetres".to_owned());
-    }
-    let mut named: Vec<&str> = dampers.iter().map(|damper| damper.model_file.as_str()).collect();
-    named.sort_unstable();
-    named.dedup();
-    notes.extend(named.into_iter().filter_map(|path| not_there(path, &args.output)));
-    notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
-}
-
-/// What is to be said of a model file that does not lie where the solver, which runs beside its model as a rule, would find it, or that is none.
-/// It may be brought there later, so that is no error.
-fn not_there(path: &str, output: &Path) -> Option<String> {
-    let beside = output.parent().map(|folder| folder.join(path));
-    let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {
-        return Some(format!(
-            "there is no model file {path}, neither beside the new model nor here. The solver looks for it in the folder where it runs: put it \
-             there, or name another one"
-        ));
-    };
-    model::read(&found).err().map(|error| format!("the solver will refuse the model file: {error}"))
+    patched.notes.iter().try_for_each(|note| dashpot_output::say(Some(&args.output), &format!("  note: {note}")))
 }

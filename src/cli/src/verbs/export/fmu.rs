@@ -1,10 +1,10 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
 use super::super::host_step::HostArgs;
-use super::damper_length::in_metres;
 use crate::verbs::model;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
+use dashpot_hosts::damper_length::in_metres;
 use dashpot_hosts::fmu::{self, Binary, Scales, Version};
 use dashpot_hosts::plain_curve::PlainCurve;
 use dashpot_hosts::{handed_out, runtimes};

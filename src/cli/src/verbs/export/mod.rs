@@ -2,7 +2,6 @@
 
 mod adams;
 mod adm;
-mod damper_length;
 mod dpr;
 mod fmu;
 

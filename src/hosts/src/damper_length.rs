@@ -1,7 +1,7 @@
-//! The length of a damper as an option: Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is
+//! The length of a damper as users give it: Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is
 //! taken for one in the other unit and refused.
 
-use dashpot_hosts::fmu::LONGEST;
+use crate::fmu::LONGEST;
 
 /// Shortest damper, m: a model car's has 50 mm, with room.
 const SHORTEST: f64 = 0.03;
@@ -13,6 +13,9 @@ pub fn parts(text: &str) -> (&str, Option<&'static str>) {
 }
 
 /// A length in a model's own unit, which has a name and so many metres; the number alone is one.
+///
+/// # Errors
+/// What is no length of a damper.
 pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
     let (number, given) = parts(text);
     let Ok(value) = number.parse::<f64>() else {
@@ -41,11 +44,17 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
 }
 
 /// A length in mm; the number alone is one.
+///
+/// # Errors
+/// What is no length of a damper.
 pub fn in_millimetres(text: &str) -> Result<f64, String> {
     read(text, "mm")
 }
 
 /// A length in m; the number alone is one.
+///
+/// # Errors
+/// What is no length of a damper.
 pub fn in_metres(text: &str) -> Result<f64, String> {
     read(text, "m")
 }

@@ -1,0 +1,59 @@
+//! A compiled Adams Car model with dampers replaced, from the file and what a user says of each damper.
+
+use super::patch::{self, Damper};
+use crate::damper_length;
+use anyhow::{Context as _, anyhow};
+use dashpot_identification::model_file;
+use std::path::{Path, PathBuf};
+
+/// A damper as it is named: what its length is shows in the model.
+#[derive(Debug, Clone)]
+pub struct Named {
+    /// Name of its SFORCE, or `SFORCE/id`.
+    pub name: String,
+    /// Its length at zero displacement: a number in the unit of the model, or with its own behind it.
+    pub length: String,
+    /// Path of its model file, as the solver will find it.
+    pub model_file: String,
+}
+
+/// The model in `input` with these dampers replaced, and what is to be known of it; it goes to `output`, which decides whether a model file
+/// lies where the solver looks for it. `with_preload` replaces also a force at rest.
+///
+/// # Errors
+/// What cannot be read, a length that no damper has, and what [`patch::patch`] refuses.
+pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool) -> anyhow::Result<patch::Patched> {
+    let file = || input.display().to_string();
+    let adm = std::fs::read(input).with_context(|| format!("cannot read {}", file()))?;
+    let unit = patch::length_unit(&adm).with_context(file)?;
+    let damper = |damper: &Named| {
+        // Without UNITS the numbers of a model have no unit; what Adams Car writes has them.
+        let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
+        let length =
+            damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
+        Ok(Damper { name: damper.name.clone(), length, model_file: damper.model_file.clone() })
+    };
+    let dampers: Vec<Damper> = named.iter().map(damper).collect::<anyhow::Result<_>>()?;
+    let mut patched = patch::patch(&adm, &dampers, with_preload).with_context(file)?;
+    if unit.is_none() {
+        patched.notes.push("the model has no UNITS statement, so its lengths were taken as millimetres".to_owned());
+    }
+    let mut files: Vec<&str> = dampers.iter().map(|damper| damper.model_file.as_str()).collect();
+    files.sort_unstable();
+    files.dedup();
+    patched.notes.extend(files.into_iter().filter_map(|path| not_there(path, output)));
+    Ok(patched)
+}
+
+/// What is to be said of a model file that does not lie where the solver, which runs beside its model as a rule, would find it, or that is none.
+/// It may be brought there later, so that is no error.
+fn not_there(path: &str, output: &Path) -> Option<String> {
+    let beside = output.parent().map(|folder| folder.join(path));
+    let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {
+        return Some(format!(
+            "there is no model file {path}, neither beside the new model nor here. The solver looks for it in the folder where it runs: put it \
+             there, or name another one"
+        ));
+    };
+    model_file::read(&found).err().map(|error| format!("the solver will refuse the model file: {error}"))
+}

@@ -1,0 +1,171 @@
+//! A model to begin with, from a table of peak force over peak velocity (PVP, CVP). Gas force and friction, which such a table holds without
+//! naming them, are taken out where they are given.
+
+use crate::model_file::{self, NoModel, prepared};
+use dashpot_core::{Params, element, list, number};
+use dashpot_records::{PeakOptions, Peaks, Positive, RecordError, Stroke, Taken, Told, read_peaks};
+use std::path::Path;
+
+/// Why a table makes no model.
+#[derive(Debug, thiserror::Error)]
+pub enum OfPeaksError {
+    /// The table cannot be read.
+    #[error(transparent)]
+    Table(#[from] RecordError),
+    /// A force that is none.
+    #[error("{name} is {value}; it must be 0 N or more")]
+    Negative {
+        /// The option.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The force falls where the speed grows.
+    #[error(
+        "{file}, line {line}: at {velocity} m/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
+         check the row, or give --gas-force and --friction as they are in the table"
+    )]
+    Weaker {
+        /// The table.
+        file: String,
+        /// Its line.
+        line: usize,
+        /// Velocity there, m/s.
+        velocity: f64,
+        /// Force there, N.
+        force: f64,
+        /// Force at the next lower speed, N.
+        end: f64,
+    },
+    /// A number that no damper has.
+    #[error("{file}: {name} {reason}")]
+    Refused {
+        /// The table.
+        file: String,
+        /// The parameter.
+        name: &'static str,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// The numbers go together in no model.
+    #[error("{file}")]
+    NoModel {
+        /// The table.
+        file: String,
+        /// Why.
+        source: NoModel,
+    },
+}
+
+/// A model file made from a table.
+#[derive(Debug, Clone)]
+pub struct Begun {
+    /// Its text.
+    pub text: String,
+    /// Points of its curve.
+    pub points: usize,
+    /// Which columns were taken for what.
+    pub columns: String,
+    /// Which side was taken as rebound, and whether its forces speak for that.
+    pub direction: String,
+    /// Whether they speak against it.
+    pub is_doubtful: bool,
+}
+
+/// Makes a model file of a table; gas force and friction in its forces, N, are taken out.
+///
+/// # Errors
+/// [`OfPeaksError`].
+pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Begun, OfPeaksError> {
+    for (name, value) in [("--gas-force", gas_force), ("--friction", friction)] {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(OfPeaksError::Negative { name, value });
+        }
+    }
+    let file = || path.display().to_string();
+    let peaks = read_peaks(path, options)?;
+    let points = &peaks.points;
+    let hydraulic = |force: f64, velocity: f64| force + gas_force - friction * velocity.signum();
+    let mut velocities = vec![0.0];
+    let mut forces = vec![0.0];
+    for p in points.iter().rev().filter(|p| p.velocity_m_s < 0.0).chain(points.iter().filter(|p| p.velocity_m_s > 0.0))
+    {
+        let (force, velocity) = (hydraulic(p.force_n, p.velocity_m_s), p.velocity_m_s);
+        let (end, place) = if velocity < 0.0 { (forces[0], 0) } else { (forces[forces.len() - 1], forces.len()) };
+        if (force - end) * velocity < 0.0 {
+            return Err(OfPeaksError::Weaker { file: file(), line: p.line, velocity, force, end });
+        }
+        velocities.insert(place, velocity);
+        forces.insert(place, force);
+    }
+    let mut params = Params::new();
+    params.disable_all();
+    params.enable(element!("fv_curve"), true);
+    let refused = |name: &'static str, fault: &dashpot_core::Fault| OfPeaksError::Refused {
+        file: file(),
+        name,
+        reason: fault.reason.text(),
+    };
+    for (list, values) in [(list!("fv_velocity"), &velocities), (list!("fv_force"), &forces)] {
+        params.set_list(list, values).map_err(|fault| refused(list.name(), &fault))?;
+    }
+    for (element, number, value) in [
+        (element!("gas_preload"), number!("gas_force"), gas_force),
+        (element!("coulomb_friction"), number!("coulomb_force"), friction),
+    ] {
+        if value > 0.0 {
+            params.enable(element, true);
+            params.set(number, value).map_err(|fault| refused(number.name(), &fault))?;
+        }
+    }
+    prepared(&params).map_err(|source| OfPeaksError::NoModel { file: file(), source })?;
+    let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let (direction, is_doubtful) = direction(&peaks);
+    Ok(Begun {
+        text: format!("# Read from {}.\n\n{flat}", name.escape_debug()),
+        points: velocities.len(),
+        columns: columns(&peaks),
+        direction,
+        is_doubtful,
+    })
+}
+
+/// Which columns were taken for what.
+fn columns(peaks: &Peaks) -> String {
+    let pairs = peaks.pairs.iter().map(|pair| {
+        let stroke = pair.stroke.map_or("both strokes", Stroke::name);
+        let column = |taken: &Taken| match taken.heading.as_str() {
+            "" => format!("column {} in {}", taken.index + 1, taken.unit),
+            heading => format!("'{}' in {}", heading.escape_debug(), taken.unit),
+        };
+        format!("{stroke} from {} over {}", column(&pair.force), column(&pair.velocity))
+    });
+    pairs.collect::<Vec<_>>().join(", ")
+}
+
+/// Which side was taken as rebound, and whether its forces speak for that.
+fn direction(peaks: &Peaks) -> (String, bool) {
+    /// How much stronger the compression must be to be remarked: dampers that resist both alike scatter by less.
+    const CLEARLY: f64 = 1.2;
+    let taken = match peaks.told {
+        Told::Headings => "rebound and compression taken as the headings name them",
+        Told::Given(Positive::Rebound) => "positive velocities and forces taken as rebound, as given",
+        Told::Given(Positive::Compression) => "negative velocities and forces taken as rebound, as given",
+        Told::Assumed => {
+            "positive velocities and forces taken as rebound (--positive compression takes the negative ones)"
+        }
+    };
+    let Some((velocity, ratio)) = peaks.asymmetry() else { return (taken.to_owned(), false) };
+    let found =
+        format!("{taken}; at {velocity:.3} m/s the force in rebound is {ratio:.2} times the force in compression");
+    if ratio * CLEARLY > 1.0 {
+        return (found, false);
+    }
+    let check = match peaks.told {
+        Told::Headings => "check the headings",
+        Told::Given(Positive::Compression) => "check whether --positive rebound is right",
+        _ => "if the table counts compression positive, give --positive compression",
+    };
+    (format!("{found}. Most dampers resist rebound more: {check}"), true)
+}

@@ -1,0 +1,156 @@
+//! Files of Adams, and models from them and from tables of peak forces.
+
+use crate::errors::{ExportError, ModelError, OutputError, raise, say};
+use crate::model::Model;
+use dashpot_core::Params;
+use dashpot_hosts::adams::imported::of_property_file;
+use dashpot_hosts::adams::replaced::{Named, replaced};
+use dashpot_hosts::damper_length::{in_metres, in_millimetres};
+use dashpot_hosts::handed_out;
+use dashpot_identification::model_file;
+use dashpot_identification::of_peaks::of_peaks;
+use dashpot_output::as_a_run;
+use dashpot_records::PeakOptions;
+use dashpot_simulation::chatter::{Host, Ready, remarks};
+use pyo3::prelude::*;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A length in mm from a text that has its unit behind it, or is a number in m.
+fn millimetres(length: &str) -> Result<f64, String> {
+    // Its refusal says that a number alone is in m.
+    in_metres(length)?;
+    let has_unit = length.trim_end().ends_with('m');
+    in_millimetres(&if has_unit { length.to_owned() } else { format!("{length}m") })
+}
+
+/// Writes a run folder of Adams; returns what is to be known of it.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+pub fn export_adams(
+    py: Python<'_>,
+    model: &Model,
+    folder: PathBuf,
+    length: &str,
+    library: Option<PathBuf>,
+    host_step: f64,
+    wheel_mass: f64,
+    for_step: Option<f64>,
+    force: bool,
+) -> PyResult<Vec<String>> {
+    let length = millimetres(length).map_err(say::<ExportError>)?;
+    let made = py.detach(|| -> anyhow::Result<_> {
+        let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
+        let prepared = model_file::prepared(&ready.params)?;
+        let libraries = handed_out::adams_libraries(library.as_deref())?;
+        let missing = libraries.is_empty();
+        let text = match ready.softened {
+            Some(_) => model_file::plain(&ready.params, &ready.told()),
+            None => model.text_of_file().to_owned(),
+        };
+        let (replaced, chatters) = (ready.replaced(), ready.chatters());
+        let folder =
+            handed_out::run_folder(&ready.params, &prepared, text.as_bytes(), length, libraries, &replaced, &chatters);
+        Ok((folder, missing, replaced, chatters))
+    });
+    let (made, missing, replaced, chatters) = made.map_err(raise::<ExportError>)?;
+    let written = as_a_run(force, library.as_deref(), || {
+        dashpot_output::make_folder(&folder)?;
+        made.files.iter().try_for_each(|(name, content)| dashpot_output::write(&folder.join(name), content))
+    });
+    written.map_err(raise::<OutputError>)?;
+    let mut notes = Vec::new();
+    if let Some(reason) = made.no_native {
+        notes.push(format!("no native.adm, because {reason}"));
+        if folder.join("native.adm").exists() {
+            let path = folder.join("native.adm");
+            notes.push(format!("{} is of an earlier export and not of this model: delete it", path.display()));
+        }
+    }
+    if missing {
+        notes.push(format!("the library is not in the folder. {}", handed_out::no_adams_library()));
+    }
+    notes.extend(replaced);
+    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
+    let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
+    notes.extend(chatters.into_iter().map(|note| format!("{coupled}: {note}")));
+    Ok(notes)
+}
+
+/// Writes the FV curve as a property file of Adams Car; `name` is what the model is called. Returns the points in it and what is to be known of it.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn export_dpr(
+    model: &Model,
+    path: PathBuf,
+    name: &str,
+    model_curve: bool,
+    force: bool,
+) -> PyResult<(usize, Vec<String>)> {
+    let chatters = |curve: &Params| remarks(curve, Host::USUAL);
+    let of = (name, model.text_of_file().as_bytes());
+    let made = handed_out::property_file(&model.file, model_curve, &path, of, &chatters);
+    let made = made.map_err(raise::<ExportError>)?;
+    let written = as_a_run(force, [], || {
+        dashpot_output::check([path.as_path()])?;
+        dashpot_output::write(&path, &made.text)
+    });
+    written.map_err(raise::<OutputError>)?;
+    Ok((made.points, made.remarks))
+}
+
+/// Writes a compiled Adams Car model with dampers replaced: name of its SFORCE, length, model file. Returns what is to be known of it.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn export_adm(
+    source: PathBuf,
+    path: PathBuf,
+    dampers: Vec<(String, String, String)>,
+    replace_preload: bool,
+    force: bool,
+) -> PyResult<Vec<String>> {
+    let named: Vec<Named> =
+        dampers.into_iter().map(|(name, length, model_file)| Named { name, length, model_file }).collect();
+    let made = replaced(&source, &path, &named, replace_preload).map_err(raise::<ExportError>)?;
+    let written = as_a_run(force, [source.as_path()], || {
+        dashpot_output::check([path.as_path()])?;
+        dashpot_output::write(&path, &made.model)
+    });
+    written.map_err(raise::<OutputError>)?;
+    Ok(made.notes)
+}
+
+/// The model of a property file of Adams Car: the text of its file.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn import_dpr(path: PathBuf) -> PyResult<String> {
+    of_property_file(&path).map(|made| made.text).map_err(raise::<ModelError>)
+}
+
+/// The model of a table of peak forces: the text of its file, which side was taken as rebound, and whether the table's forces speak against that.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn import_peaks(
+    path: PathBuf,
+    positive: Option<&str>,
+    units: BTreeMap<String, String>,
+    columns: BTreeMap<String, String>,
+    gas_force: f64,
+    friction: f64,
+) -> PyResult<(String, String, bool)> {
+    let said = |name: &str, why: String| say::<ModelError>(format!("{name}: {why}"));
+    let mut options = PeakOptions::default();
+    if let Some(text) = positive {
+        options.positive = Some(text.parse().map_err(|why| said("positive", why))?);
+    }
+    for (channel, unit) in &units {
+        let channel = channel.parse().map_err(|why| said("units", why))?;
+        options.unit_of(channel, unit).map_err(|why| said("units", why))?;
+    }
+    for (column, heading) in columns {
+        options.columns.insert(column.parse().map_err(|why| said("columns", why))?, heading);
+    }
+    let path: &Path = &path;
+    let begun = of_peaks(path, &options, gas_force, friction).map_err(raise::<ModelError>)?;
+    Ok((begun.text, begun.direction, begun.is_doubtful))
+}
