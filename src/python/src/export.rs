@@ -1,57 +1,130 @@
-//! Models as files for other programs.
+//! Models as functional mock-up units.
 
-use crate::errors::{ExportError, OutputError, raise};
+use crate::errors::{ExportError, OutputError, raise, say};
 use crate::model::Model;
+use anyhow::{Context as _, bail};
 use dashpot_core::Params;
-use dashpot_hosts::fmu::{self, Options, Scales, Version};
+use dashpot_hosts::damper_length::in_metres;
+use dashpot_hosts::fmu::{self, Binary, Scales, Version};
+use dashpot_hosts::plain_curve::PlainCurve;
 use dashpot_output::{Kind, as_a_run};
-use dashpot_simulation::chatter::{self, Host};
+use dashpot_simulation::chatter::Ready;
 use dashpot_simulation::stiffness;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Writes a functional mock-up unit; returns the platforms that it runs on.
-#[pyfunction]
-#[pyo3(signature = (models, path, name, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters, library, force))]
-#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
-pub fn export_fmu(
-    py: Python<'_>,
-    models: Vec<Py<Model>>,
-    path: PathBuf,
-    name: &str,
+/// What goes into an FMU, and for which host.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Wanted {
+    /// Name of the model in it.
+    name: String,
+    /// Name of the first model file, without its folder.
+    model_file: String,
     fmi: u32,
     four: bool,
     motion_scale: Option<f64>,
     force_scale: Option<f64>,
     position_offset: f64,
+    /// Length of the damper for `CarMaker`: a number in m, or with its unit.
+    carmaker: Option<String>,
+    /// For its equilibrium, the model's own curve.
+    model_curve: bool,
     sources: bool,
     hide_parameters: bool,
     library: Option<PathBuf>,
+    /// Binaries for further platforms.
+    binaries: Vec<(String, PathBuf)>,
+    host_step: f64,
+    wheel_mass: f64,
+    for_step: Option<f64>,
     force: bool,
-) -> PyResult<Vec<String>> {
-    let reads = || library.as_deref();
-    as_a_run(force, reads(), || dashpot_output::check_kinds([(Some(path.as_path()), Kind::Fmu)]))
-        .map_err(raise::<OutputError>)?;
-    let version = match fmi {
-        2 => Version::Two,
-        3 => Version::Three,
-        other => return Err(raise::<ExportError>(anyhow::anyhow!("there is no FMI {other} here; it is 2 or 3"))),
-    };
-    let params: Vec<Params> = models.iter().map(|m| m.get().file.params).collect();
-    let made = py.detach(|| -> anyhow::Result<fmu::Made> {
-        let corners = fmu::corners(&params, four)?;
-        let scales = Scales::checked(corners.len(), motion_scale, force_scale, position_offset)?;
-        let from_source = library.as_deref();
-        let of_one = |p: &Params| chatter::remarks(p, Host::USUAL).into_iter().chain(stiffness::remarks(p));
-        let mut remarks: Vec<String> = params.iter().flat_map(of_one).collect();
-        remarks.dedup();
-        let more = &[];
-        fmu::fmu(
+}
+
+/// An FMU, and beside it what tells `CarMaker` of it.
+struct Files {
+    made: fmu::Made,
+    plug_info: Option<String>,
+}
+
+impl Wanted {
+    /// Made before anything is written, since it may be refused.
+    fn files(&self, models: &[&Model], stem: &str) -> anyhow::Result<Files> {
+        let version = match self.fmi {
+            2 => Version::Two,
+            3 => Version::Three,
+            other => bail!("there is no FMI {other} here; it is 2 or 3"),
+        };
+        if self.carmaker.is_some() && models.len() > 1 {
+            bail!("carmaker takes one model: CarMaker has one FMU for each kind of damper");
+        }
+        let (mut remarks, mut ready) = (Vec::new(), Vec::<Params>::new());
+        for model in models {
+            let one = Ready::of(&model.file.params, self.host_step, self.wheel_mass, self.for_step)?;
+            remarks.extend(one.notes());
+            remarks.extend(stiffness::remarks(&one.params));
+            ready.push(one.params);
+        }
+        let corners = fmu::corners(&ready, self.four)?;
+        let scales = match &self.carmaker {
+            Some(length) => Scales::carmaker(in_metres(length).map_err(anyhow::Error::msg)?)?,
+            None => Scales::checked(corners.len(), self.motion_scale, self.force_scale, self.position_offset)?,
+        };
+        let binary = |(platform, file): &(String, PathBuf)| Binary::read(platform, file);
+        let more: Vec<Binary> = self.binaries.iter().map(binary).collect::<anyhow::Result<_>>().context("binaries")?;
+        let made = fmu::fmu(
             &corners,
-            &Options { version, scales, name, from_source, sources, hide_parameters, more, remarks: &remarks },
-        )
+            &fmu::Options {
+                version,
+                scales,
+                name: &self.name,
+                from_source: self.library.as_deref(),
+                sources: self.sources,
+                hide_parameters: self.hide_parameters,
+                more: &more,
+                remarks: &remarks,
+            },
+        )?;
+        if self.carmaker.is_none() {
+            return Ok(Files { made, plug_info: None });
+        }
+        // Where the numbers are hidden, no curve shows them.
+        let curve = if self.hide_parameters { None } else { PlainCurve::of(&models[0].file, self.model_curve)? };
+        let written = format!(
+            "{}{} from {}. It belongs to {stem}.fmu.",
+            dashpot_output::WRITTEN,
+            env!("CARGO_PKG_VERSION"),
+            self.model_file
+        );
+        let plug_info = fmu::plug_info(stem, &made.guid, curve.as_ref(), &written)?;
+        Ok(Files { made, plug_info: Some(plug_info) })
+    }
+}
+
+/// Writes a functional mock-up unit, and beside it how `CarMaker` takes it where that is wanted; returns the platforms that it runs on.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn export_fmu(py: Python<'_>, models: Vec<Py<Model>>, path: PathBuf, wanted: Wanted) -> PyResult<Vec<String>> {
+    let plug_info = wanted.carmaker.as_ref().map(|_| path.with_extension("pluginfo"));
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let reads = || wanted.library.iter().chain(wanted.binaries.iter().map(|b| &b.1)).map(PathBuf::as_path);
+    if plug_info.as_ref() == Some(&path) {
+        return Err(say::<OutputError>(format!(
+            "{} is the name of the file beside the FMU; name the FMU otherwise, such as damper.fmu",
+            path.display()
+        )));
+    }
+    let outputs = || [(Some(path.as_path()), Kind::Fmu), (plug_info.as_deref(), Kind::PlugInfo)];
+    as_a_run(wanted.force, reads(), || dashpot_output::check_kinds(outputs())).map_err(raise::<OutputError>)?;
+    let of_python: Vec<&Model> = models.iter().map(Py::get).collect();
+    let files = py.detach(|| wanted.files(&of_python, &stem)).map_err(raise::<ExportError>)?;
+    let written = as_a_run(wanted.force, reads(), || {
+        dashpot_output::write(&path, &files.made.bytes)?;
+        match (&plug_info, &files.plug_info) {
+            (Some(path), Some(text)) => dashpot_output::write(path, text),
+            _ => Ok(()),
+        }
     });
-    let made = made.map_err(raise::<ExportError>)?;
-    as_a_run(force, reads(), || dashpot_output::write(&path, &made.bytes)).map_err(raise::<OutputError>)?;
-    Ok(made.platforms)
+    written.map_err(raise::<OutputError>)?;
+    Ok(files.made.platforms)
 }

@@ -14,7 +14,7 @@
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
 //! | `papers` | reports, workbooks, certificates, figures |
-//! | `rig` | the virtual rig |
+//! | `rig` | the virtual rig, and matrices of tests |
 //! | `errors` | exceptions with the sentences of the command |
 //! | `work` | long work without the interpreter's lock, on threads of its own, ended by Ctrl-C |
 //! | `progress` | calls back into Python meanwhile |
@@ -68,7 +68,7 @@ mod _native {
     #[pymodule_export]
     use crate::papers::{write_diagnosis, write_fit, write_next_tests, write_validation};
     #[pymodule_export]
-    use crate::rig::measure;
+    use crate::rig::{measure, test_matrix};
     #[pymodule_export]
     use crate::work::set_threads;
 

@@ -1,34 +1,120 @@
-//! The virtual rig: records to try things on.
+//! The virtual rig: records to try things on, and matrices of tests.
 
-use crate::errors::{OutputError, RigError, raise};
+use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
 use dashpot_output::FolderLock;
-use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan};
+use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Measures a test matrix on the virtual rig; returns the number of tests. `hide` names effects with their strengths.
+/// Which tests: of a file, of a plan, or the thesis's, varied.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Tests {
+    matrix: Option<PathBuf>,
+    plan: Option<String>,
+    amplitudes_m: Option<Vec<f64>>,
+    peak_velocities_m_s: Option<Vec<f64>>,
+    frequency_limit_hz: Option<f64>,
+    slow_tests: bool,
+}
+
+impl Tests {
+    /// The thesis's tests with what is given put in their place.
+    fn of_thesis(&self) -> Result<Matrix, Refusal> {
+        let usual = MatrixOptions::default();
+        Matrix::thesis(&MatrixOptions {
+            amplitudes_m: self.amplitudes_m.clone().unwrap_or(usual.amplitudes_m),
+            peak_velocities_m_s: self.peak_velocities_m_s.clone().unwrap_or(usual.peak_velocities_m_s),
+            frequency_limit_hz: self.frequency_limit_hz.unwrap_or(usual.frequency_limit_hz),
+            slow_tests: self.slow_tests,
+        })
+    }
+
+    fn is_varied(&self) -> bool {
+        let lists = self.amplitudes_m.is_some() || self.peak_velocities_m_s.is_some();
+        lists || self.frequency_limit_hz.is_some() || !self.slow_tests
+    }
+
+    /// The tests that a campaign is measured by; where nothing is said, the plan that shows hidden effects, or the thesis's tests.
+    fn chosen(&self, hides: bool, order: u64) -> Result<Matrix, Refusal> {
+        if let Some(file) = &self.matrix {
+            return Matrix::read(file);
+        }
+        match &self.plan {
+            Some(name) => Ok(Plan::named(name)?.matrix(order)),
+            None if hides && !self.is_varied() => Ok(Plan::default().matrix(order)),
+            None => self.of_thesis(),
+        }
+    }
+}
+
+/// The rig and its sensors.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Bench {
+    seed: u64,
+    noise_percent: f64,
+    sample_rate_hz: Option<f64>,
+    noise_colour: f64,
+    hum_n: f64,
+    bits: Option<u32>,
+    side_force: bool,
+    temperature: bool,
+    start_temperature_c: Option<f64>,
+    order: Option<u64>,
+}
+
+/// What the rig calls its options, and the arguments that they are here.
+const ARGUMENTS: [(&str, &str); 8] = [
+    ("amplitudes", "amplitudes_m"),
+    ("peak velocities", "peak_velocities_m_s"),
+    ("frequency limit", "frequency_limit_hz"),
+    ("noise", "noise_percent"),
+    ("noise colour", "noise_colour"),
+    ("hum", "hum_n"),
+    ("start temperature", "start_temperature_c"),
+    ("sample rate", "sample_rate_hz"),
+];
+
+/// A refusal of the rig, in the words of arguments.
+fn refused(error: anyhow::Error) -> PyErr {
+    match error.downcast_ref::<Refusal>() {
+        Some(Refusal::Option { option, problem }) => {
+            let argument = ARGUMENTS.iter().find(|known| known.0 == *option).map_or(*option, |known| known.1);
+            say::<RigError>(format!("{argument}: {problem}"))
+        }
+        _ => raise::<RigError>(error),
+    }
+}
+
+/// Measures tests on the virtual rig; returns their number. `hide` names effects with their strengths.
 #[pyfunction]
-#[pyo3(signature = (folder, amplitudes, peak_velocities, seed, noise_percent, hide, progress=None))]
-#[allow(clippy::too_many_arguments)]
+#[pyo3(signature = (folder, tests, bench, hide, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
 pub fn measure(
     py: Python<'_>,
     folder: PathBuf,
-    amplitudes: Option<Vec<f64>>,
-    peak_velocities: Option<Vec<f64>>,
-    seed: u64,
-    noise_percent: f64,
+    tests: Tests,
+    bench: Bench,
     hide: Option<Vec<(String, f64)>>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<usize> {
-    let usual = MatrixOptions::default();
-    let matrix = Matrix::thesis(&MatrixOptions {
-        amplitudes_m: amplitudes.unwrap_or_else(|| usual.amplitudes_m.clone()),
-        peak_velocities_m_s: peak_velocities.unwrap_or_else(|| usual.peak_velocities_m_s.clone()),
-        ..usual
-    })
-    .map_err(raise::<RigError>)?;
-    let options = Options { seed, noise_percent, ..Options::default() };
+    let options = Options {
+        seed: bench.seed,
+        noise_percent: bench.noise_percent,
+        sample_rate_hz: bench.sample_rate_hz,
+        noise_colour: bench.noise_colour,
+        hum_n: bench.hum_n,
+        bits: bench.bits,
+        side_force_channel: bench.side_force,
+        temperature_channel: bench.temperature,
+        start_temperature_c: bench.start_temperature_c,
+        order: bench.order,
+        ..Options::default()
+    };
+    let matrix =
+        tests.chosen(hide.is_some(), bench.order.unwrap_or(bench.seed)).map_err(|error| refused(error.into()))?;
     let held = FolderLock::take(&folder).map_err(raise::<OutputError>)?;
     let measured = work::run(py, progress, |progress| -> anyhow::Result<usize> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "measuring");
@@ -42,5 +128,13 @@ pub fn measure(
         Ok(outcome.campaign.records.len())
     });
     drop(held);
-    measured?.map_err(raise::<RigError>)
+    measured?.map_err(refused)
+}
+
+/// The rig's test matrix as the text of a CSV file, and its tests.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn test_matrix(tests: Tests) -> PyResult<(String, usize)> {
+    let matrix = tests.of_thesis().map_err(|error| refused(error.into()))?;
+    Ok((matrix.to_csv(), matrix.points().len()))
 }

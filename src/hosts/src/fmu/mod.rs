@@ -32,6 +32,21 @@ pub struct Binary {
 }
 
 impl Binary {
+    /// A library for a platform.
+    ///
+    /// # Errors
+    /// Where that is no platform, or the file cannot be read.
+    pub fn read(platform: &str, file: &Path) -> anyhow::Result<Binary> {
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if platform.is_empty() || !platform.chars().all(plain) {
+            bail!(
+                "{platform:?} is no platform; FMI 2.0 has win64, linux64 and darwin64, FMI 3.0 x86_64-windows and so on"
+            );
+        }
+        let content = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+        Ok(Binary { platform: platform.to_owned(), content })
+    }
+
     fn suffix(&self) -> &'static str {
         match self.platform.as_str() {
             p if p.starts_with("win") || p.ends_with("-windows") => ".dll",

@@ -39,7 +39,7 @@ from .damper import Damper
 from .identification import diagnose, fit
 from .limits import Limit, Limits, read_limits
 from .model import FittedModel, Model, Parameter, Response
-from .rig import measure_virtual
+from .rig import measure_virtual, write_test_matrix
 from .results import Certificate, Diagnosis, FitResult, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
@@ -79,6 +79,7 @@ __all__ = [
     "measure_virtual",
     "read_limits",
     "set_threads",
+    "write_test_matrix",
 ]
 
 

@@ -36,6 +36,8 @@ _NAMES = {
     "wheel-mass": "wheel_mass",
     "for-step": "for_step",
     "force": "force=True",
+    "carmaker": "carmaker",
+    "binary": "binaries",
     "library": "library",
     "gas-force": "gas_force",
     "friction": "friction",

@@ -18,3 +18,51 @@ class Page(TypedDict):
     data: str
     command: Sequence[str]
     files: Sequence[str]
+
+
+class Tests(TypedDict):
+    """Which tests the virtual rig runs."""
+
+    matrix: str | None
+    plan: str | None
+    amplitudes_m: Sequence[float] | None
+    peak_velocities_m_s: Sequence[float] | None
+    frequency_limit_hz: float | None
+    slow_tests: bool
+
+
+class Bench(TypedDict):
+    """The virtual rig and its sensors."""
+
+    seed: int
+    noise_percent: float
+    sample_rate_hz: float | None
+    noise_colour: float
+    hum_n: float
+    bits: int | None
+    side_force: bool
+    temperature: bool
+    start_temperature_c: float | None
+    order: int | None
+
+
+class Fmu(TypedDict):
+    """What goes into an FMU, and for which host."""
+
+    name: str
+    model_file: str
+    fmi: int
+    four: bool
+    motion_scale: float | None
+    force_scale: float | None
+    position_offset: float
+    carmaker: str | None
+    model_curve: bool
+    sources: bool
+    hide_parameters: bool
+    library: str | None
+    binaries: Sequence[tuple[str, str]]
+    host_step: float
+    wheel_mass: float
+    for_step: float | None
+    force: bool

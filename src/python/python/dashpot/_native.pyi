@@ -6,7 +6,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from ._given import Page
+from ._given import Bench, Fmu, Page, Tests
 
 _Array = npt.NDArray[np.float64]
 _Progress = Callable[[float, str], object] | None
@@ -151,28 +151,14 @@ def write_next_tests(path: str, found: Diagnosed, force: bool) -> int: ...
 def write_fit(path: str, page: Page, found: Fitted) -> None: ...
 def measure(
     folder: str,
-    amplitudes: Sequence[float] | None,
-    peak_velocities: Sequence[float] | None,
-    seed: int,
-    noise_percent: float,
+    tests: Tests,
+    bench: Bench,
     hide: Sequence[tuple[str, float]] | None,
     progress: _Progress = None,
 ) -> int: ...
+def test_matrix(tests: Tests) -> tuple[str, int]: ...
 def write(path: str, text: str, force: bool) -> None: ...
-def export_fmu(
-    models: Sequence[Model],
-    path: str,
-    name: str,
-    fmi: int,
-    four: bool,
-    motion_scale: float | None,
-    force_scale: float | None,
-    position_offset: float,
-    sources: bool,
-    hide_parameters: bool,
-    library: str | None,
-    force: bool,
-) -> list[str]: ...
+def export_fmu(models: Sequence[Model], path: str, wanted: Fmu) -> list[str]: ...
 def export_adams(
     model: Model,
     folder: str,

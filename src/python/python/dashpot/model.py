@@ -406,9 +406,15 @@ class Model:
         motion_scale: float | None = None,
         force_scale: float | None = None,
         position_offset: float = 0.0,
+        carmaker: float | str | None = None,
+        model_curve: bool = False,
         sources: bool = True,
         hide_parameters: bool = False,
         library: Path | None = None,
+        binaries: Mapping[str, Path] | None = None,
+        host_step: float = 1e-3,
+        wheel_mass: float = 40.0,
+        for_step: float | None = None,
         name: str | None = None,
         force: bool = False,
     ) -> list[str]:
@@ -421,16 +427,32 @@ class Model:
             FMU declares that unit, and none where a motion ratio is in the scale.
         :param force_scale: the host's force per N of tension, such as 0.001 for kN; 1 for one damper, -1 for a vehicle. As for the motion.
         :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
+        :param carmaker: for IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the ``.pluginfo`` file by which it takes it.
+            The length of the damper at which the displacement in the records was 0, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
+        :param model_curve: with ``carmaker``: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without
+            friction, also where the model file has the plain FV curve that was fitted to the same tests.
         :param sources: whether the sources of kernel and FMU go inside.
         :param hide_parameters: no number of the damper is a variable of the FMU or can be read off its files; a veil and no lock, see
             ``dashpot export fmu --help``.
         :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
             Without it the runtimes that this package was built with are put inside.
+        :param binaries: library files for further platforms, compiled from this FMU's own sources: ``{"darwin64": "dashpot_damper.dylib"}``.
+        :param host_step: step of the host, s, at which chatter is judged; what is to be known of it stands on the FMU's page.
+        :param wheel_mass: the lightest mass that the damper moves, kg.
+        :param for_step: step of a host, s: friction that chatters there is replaced by presliding friction (:meth:`check` says what that changes).
         :param name: name of the model in the FMU.
         :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
         :returns: the platforms that it runs on.
-        :raises ExportError: where there is no runtime, or the compiler refuses.
+        :raises ExportError: where there is no runtime, the compiler refuses, or a length, step or mass cannot be.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: where ``carmaker``, which sets signs and zero, stands beside what sets them too, or ``model_curve`` stands without it.
         """
+        if carmaker is not None and (four or motion_scale is not None or force_scale is not None or position_offset != 0.0):
+            raise ValueError("carmaker sets signs, units and zero; give it without four, motion_scale, force_scale and position_offset")
+        if model_curve and carmaker is None:
+            raise ValueError("model_curve chooses the curve for CarMaker's equilibrium; give carmaker, the length of the damper, too")
+        for number, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+            real(number, value)
         beside = [others] if isinstance(others, Model) else list(others)
         for other in beside:
             if not isinstance(other, Model):
@@ -441,9 +463,28 @@ class Model:
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
         with watched():
             return _native.export_fmu(
-                models, os.fspath(path), name or usual, fmi, four, motion_scale, force_scale, position_offset, sources, hide_parameters,
-                None if library is None else os.fspath(library), force,
-            )  # fmt: skip
+                models,
+                os.fspath(path),
+                {
+                    "name": name or usual,
+                    "model_file": os.path.basename(self._name),
+                    "fmi": fmi,
+                    "four": four,
+                    "motion_scale": motion_scale,
+                    "force_scale": force_scale,
+                    "position_offset": position_offset,
+                    "carmaker": None if carmaker is None else length_of("carmaker", carmaker),
+                    "model_curve": model_curve,
+                    "sources": sources,
+                    "hide_parameters": hide_parameters,
+                    "library": None if library is None else os.fspath(library),
+                    "binaries": [(platform, os.fspath(file)) for platform, file in (binaries or {}).items()],
+                    "host_step": host_step,
+                    "wheel_mass": wheel_mass,
+                    "for_step": for_step,
+                    "force": bool(force),
+                },
+            )
 
     def to_dict(self) -> dict[str, Any]:
         """Elements, parameters, and what the fit left behind."""

@@ -1,4 +1,4 @@
-"""The virtual rig: records to try things on."""
+"""The virtual rig: records to try things on, and matrices of tests."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import os
 from collections.abc import Mapping, Sequence
 
 from . import _native
+from ._given import Bench, Tests
+from ._numbers import real
 from ._work import watched
 from .campaign import Campaign, Path, Progress
 
@@ -15,30 +17,113 @@ def measure_virtual(
     *,
     amplitudes_m: Sequence[float] | None = None,
     peak_velocities_m_s: Sequence[float] | None = None,
+    frequency_limit_hz: float | None = None,
+    slow_tests: bool = True,
+    matrix: Path | None = None,
+    plan: str | None = None,
     seed: int = 0,
     noise_percent: float = 1.0,
+    noise_colour: float = 0.0,
+    hum_n: float = 0.0,
+    bits: int | None = None,
+    sample_rate_hz: float | None = None,
+    side_force: bool = True,
+    temperature: bool = True,
     hide: Mapping[str, float] | None = None,
+    start_temperature_c: float | None = None,
+    order: int | None = None,
     progress: Progress | None = None,
 ) -> Campaign:
     """Measures a campaign on the virtual rig, writes its records into a folder, and reads them; as ``dashpot rig``.
 
     The damper is a physical one that shares nothing with the model. With ``hide``, a neutral damper of the model's own topology
-    instead, in which effects are hidden: names with strengths, 1 being a typical strong case; an empty mapping hides nothing.
+    instead, in which effects are hidden: names with strengths, 1 being a typical strong case (as ``dashpot rig --strength``); an empty mapping
+    hides nothing. Its tests are those of the plan ``"diagnosis"`` if nothing is said of them, else those of the thesis.
 
     :param amplitudes_m: amplitudes of the tests, m; the thesis's if not given.
     :param peak_velocities_m_s: peak velocities of the tests, m/s; the thesis's if not given.
+    :param frequency_limit_hz: highest frequency, Hz; what lies above is left out. That of the thesis's rig if not given.
+    :param slow_tests: whether slow cycles for friction and gas force are among them.
+    :param matrix: a test matrix (CSV) in their place, such as :func:`write_test_matrix` writes, or :meth:`Diagnosis.write_next_tests`.
+    :param plan: a plan in their place: ``"diagnosis"``, ``"thesis"``, or a poor one, ``"one-amplitude"``, ``"one-frequency"``,
+        ``"no-slow-tests"``, ``"centred"``, ``"no-side-force"``.
     :param seed: which damper, and which noise; 0 is the default damper.
-    :param noise_percent: noise of the force, percent of each test's root-mean-square force.
-    :raises RigError: where a test or an effect cannot be.
+    :param noise_percent: noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal.
+    :param noise_colour: correlation of that noise from one sample to the next; 0 is white.
+    :param hum_n: amplitude of mains hum on the force, N.
+    :param bits: bits of the force channel's converter; not rounded if not given.
+    :param sample_rate_hz: samples per second; chosen by frequency if not given.
+    :param side_force: whether the side force is recorded where it is applied.
+    :param temperature: whether the temperature of the damper's body is recorded, which a damper with ``hide`` alone knows.
+    :param start_temperature_c: with ``hide``: temperature of the damper before the first test, °C; that of the laboratory, 22 °C, if not given.
+    :param order: with ``hide``: another order of a plan's tests, hence another thermal history.
+    :raises RigError: where a test, an effect or a sensor cannot be.
+    :raises ValueError: where tests are said in two ways, or ``order`` or ``start_temperature_c`` is given without ``hide``.
     """
+    tests = _tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests)
+    varied = amplitudes_m is not None or peak_velocities_m_s is not None or frequency_limit_hz is not None or not slow_tests
+    if (matrix is not None) + (plan is not None) + varied > 1:
+        raise ValueError("matrix, plan and what varies the thesis's tests (amplitudes_m, peak_velocities_m_s, ...) exclude each other; give one")
+    if hide is None:
+        for name, value in (("start_temperature_c", start_temperature_c), ("order", order)):
+            if value is not None:
+                raise ValueError(f"{name} is of a damper in which effects are hidden; give hide, such as hide={{}} for none")
+    for name, number in (("noise_percent", noise_percent), ("noise_colour", noise_colour), ("hum_n", hum_n)):
+        real(name, number)
+    tests["matrix"] = None if matrix is None else os.fspath(matrix)
+    tests["plan"] = plan
+    bench: Bench = {
+        "seed": seed,
+        "noise_percent": noise_percent,
+        "sample_rate_hz": sample_rate_hz,
+        "noise_colour": noise_colour,
+        "hum_n": hum_n,
+        "bits": bits,
+        "side_force": side_force,
+        "temperature": temperature,
+        "start_temperature_c": start_temperature_c,
+        "order": order,
+    }
     with watched(progress) as told:
-        _native.measure(
-            os.fspath(folder),
-            None if amplitudes_m is None else list(amplitudes_m),
-            None if peak_velocities_m_s is None else list(peak_velocities_m_s),
-            seed,
-            noise_percent,
-            None if hide is None else list(hide.items()),
-            told,
-        )
+        _native.measure(os.fspath(folder), tests, bench, None if hide is None else list(hide.items()), told)
     return Campaign.read(folder)
+
+
+def write_test_matrix(
+    path: Path,
+    *,
+    amplitudes_m: Sequence[float] | None = None,
+    peak_velocities_m_s: Sequence[float] | None = None,
+    frequency_limit_hz: float | None = None,
+    slow_tests: bool = True,
+    force: bool = False,
+) -> int:
+    """Writes a test matrix for a rig as CSV, by default the thesis's; as ``dashpot matrix``.
+
+    Every amplitude is driven at every peak velocity up to the frequency limit, then come slow cycles for friction.
+
+    :param amplitudes_m: amplitudes, m.
+    :param peak_velocities_m_s: peak velocities, m/s.
+    :param frequency_limit_hz: highest frequency that the rig can run, Hz.
+    :param slow_tests: whether slow cycles for friction and gas force come last.
+    :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+    :returns: the number of tests.
+    :raises RigError: where a number is none of a rig, or no test is left.
+    :raises OutputError: where it cannot be written, or would take another file's place.
+    """
+    text, count = _native.test_matrix(_tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests))
+    _native.write(os.fspath(path), text, force)
+    return count
+
+
+def _tests(
+    amplitudes_m: Sequence[float] | None, peak_velocities_m_s: Sequence[float] | None, frequency_limit_hz: float | None, slow_tests: bool
+) -> Tests:
+    return {
+        "matrix": None,
+        "plan": None,
+        "amplitudes_m": None if amplitudes_m is None else [float(a) for a in amplitudes_m],
+        "peak_velocities_m_s": None if peak_velocities_m_s is None else [float(v) for v in peak_velocities_m_s],
+        "frequency_limit_hz": frequency_limit_hz,
+        "slow_tests": bool(slow_tests),
+    }

@@ -172,14 +172,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     let Some((platform, file)) = text.split_once('=') else {
         bail!("--binary is given as PLATFORM=FILE, such as win64=dashpot_damper.dll, not {text}");
     };
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if platform.is_empty() || !platform.chars().all(plain) {
-        bail!(
-            "--binary: {platform:?} is no platform; FMI 2.0 has win64, linux64 and darwin64, FMI 3.0 x86_64-windows and so on"
-        );
-    }
-    let content = std::fs::read(file).with_context(|| format!("--binary: cannot read {file}"))?;
-    Ok(Binary { platform: platform.to_owned(), content })
+    Binary::read(platform, Path::new(file)).context("--binary")
 }
 
 /// The static library: as named, or where cargo or a package puts it.
