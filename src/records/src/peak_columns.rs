@@ -202,7 +202,14 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        let has = |force: bool| candidates.iter().any(|c| c.what.force == force);
+        // A line is the heading as well where the user names a column by what stands in it: RO and CO say nothing by themselves.
+        let asked = |(what, text): (&PeakColumn, &String), force: bool| {
+            what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
+        };
+        let has = |force: bool| {
+            candidates.iter().any(|c| c.what.force == force)
+                || options.columns.iter().any(|column| asked(column, force))
+        };
         if !(has(false) && has(true)) {
             continue;
         }
@@ -313,6 +320,11 @@ fn candidate(
     Candidate { index, what, unit: given.or(own), plain }
 }
 
+/// Whether a column is headed by what the user calls it, its unit aside.
+fn is_headed(cell: &str, wanted: &str) -> bool {
+    cell.trim().eq_ignore_ascii_case(wanted.trim()) || without_unit(cell) == without_unit(wanted)
+}
+
 /// The candidates with those that the user names in the place of others of their kind.
 fn named(
     mut candidates: Vec<Candidate>,
@@ -322,9 +334,7 @@ fn named(
 ) -> Result<Vec<Candidate>, String> {
     for (what, text) in &options.columns {
         let wanted = text.trim();
-        let same =
-            |cell: &&String| cell.trim().eq_ignore_ascii_case(wanted) || without_unit(cell) == without_unit(wanted);
-        let of_name: Vec<usize> = (0..cells.len()).filter(|&k| same(&&cells[k])).collect();
+        let of_name: Vec<usize> = (0..cells.len()).filter(|&k| is_headed(&cells[k], wanted)).collect();
         let of_number = || wanted.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).filter(|k| *k < cells.len());
         let index = match of_name[..] {
             [one] => one,

@@ -244,6 +244,8 @@ mod tests {
         assert_eq!(points(&said(many, &by_number, &pounds).unwrap()), wanted);
         let by_name = [("velocity", "speed"), ("rebound_force", "ro"), ("compression_force", "CO")];
         assert_eq!(points(&said("Speed,Force,CO,RO\n10,7,100,200\n", &by_name, &pounds).unwrap()), wanted);
+        // A line that names nothing but by what the user calls it is the heading, whatever stands above.
+        assert_eq!(points(&said("Damper 7,front,left\nSpeed,CO,RO\n10,100,200\n", &by_name, &pounds).unwrap()), wanted);
         assert_eq!(
             points(
                 &said(
