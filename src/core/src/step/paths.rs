@@ -445,31 +445,17 @@ const THROWN: f64 = 2.0;
 /// The same beside the size of those forces: where they hardly spread, an end so near is no throw.
 const BESIDE: f64 = 0.02;
 
-/// A force over the stages before the last: what its end is held against.
-#[derive(Clone, Copy)]
-struct Watched {
-    least: f64,
-    most: f64,
-    /// That of the latest stage.
-    latest: f64,
-}
-
-impl Watched {
-    const NOTHING: Watched = Watched { least: f64::INFINITY, most: f64::NEG_INFINITY, latest: 0.0 };
-
-    #[inline(always)]
-    fn sees(&mut self, force: f64, is_latest: bool) {
-        self.least = if force < self.least { force } else { self.least };
-        self.most = if force > self.most { force } else { self.most };
-        self.latest = if is_latest { force } else { self.latest };
+/// Whether the `stages` before the last account for a force at the `end`. A force that is no number is not accounted for.
+#[inline(always)]
+fn is_near(stages: &[f64], end: f64, method: &Table) -> bool {
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for force in stages {
+        least = if *force < least { *force } else { least };
+        most = if *force > most { *force } else { most };
     }
-
-    /// Whether the stages account for an end there. A force that is no number is not near.
-    #[inline(always)]
-    fn is_near(&self, end: f64, method: &Table) -> bool {
-        let near = THROWN * method.goes_on * (self.most - self.least) + BESIDE * (self.most.abs() + self.least.abs());
-        (end - self.latest).abs() <= near
-    }
+    let near = THROWN * method.goes_on * (most - least) + BESIDE * (most.abs() + least.abs());
+    let latest = stages.get(method.latest).copied().unwrap_or(end);
+    (end - latest).abs() <= near
 }
 
 /// What a substep came to.
@@ -488,10 +474,13 @@ impl Substep<'_> {
     /// # What keeps the force near
     /// Each stage has an answer (see [`crate::paths::solve`]) and its own force is one that the elements make. What a method
     /// puts together from its stages need not be: the last row of the one of fourth order weighs them by up to 31. Where
-    /// the force at the end, or that of the valves, which a strong damping of the series path hides, lies further from that of
-    /// the latest stage than those of all stages account for, the substep is done again by the method of second order, which
-    /// is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979): two motions of a damper that only
-    /// takes energy do not part in it, however sharply its elements turn.
+    /// the force at the end lies further from that of the latest stage than those of all stages account for, the substep is done
+    /// again by the method of second order, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16,
+    /// 1979): two motions of a damper that only takes energy do not part in it, however sharply its elements turn.
+    ///
+    /// The same is asked of the force of the valves where a column of two chambers counts the stroke that it has taken up: put
+    /// together from stages on both sides of rest, where the chambers' lengths differ, that may stand for a force of neither,
+    /// and a strong damping of the series path, whose own force spreads far, hides it.
     #[inline(always)]
     fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl EachStage) -> Now {
         let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(&from);
@@ -524,7 +513,7 @@ impl Substep<'_> {
         let mut strokes = [MovedFrom::NOWHERE; MOST_STAGES];
         let mut now = *from;
         let mut overshot = false;
-        let mut watched = [Watched::NOTHING; 2];
+        let (mut forces, mut valves) = ([0.0; MOST_STAGES], [0.0; MOST_STAGES]);
         let Rows { gamma, weights, c } = method.rows;
         for (index, ((row, place_of), gamma)) in weights.iter().zip(c).zip(gamma).enumerate().take(method.stages) {
             let g = gamma * h;
@@ -555,15 +544,23 @@ impl Substep<'_> {
             let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
-                watched[0].sees(balance.force, index == method.latest);
-                watched[1].sees(balance.primary, index == method.latest);
+                if let Some(force) = forces.get_mut(index) {
+                    *force = balance.force;
+                }
+                if let Some(primary) = valves.get_mut(index)
+                    && acts::<ON>(e, LENGTH)
+                {
+                    *primary = balance.primary;
+                }
             } else if WATCHED {
                 let void = from.states[place::VOID];
                 if acts::<ON>(e, CAVITATION) && void > 0.0 && (overshot || balance.states[place::VOID] < CLOSING) {
                     return Ended::VoidClosed;
                 }
-                let [force, valves] = &watched;
-                let near = force.is_near(balance.force, method) && valves.is_near(balance.primary, method);
+                let mut near = is_near(forces.get(..index).unwrap_or(&[]), balance.force, method);
+                if acts::<ON>(e, LENGTH) && e.counts_stroke() {
+                    near &= is_near(valves.get(..index).unwrap_or(&[]), balance.primary, method);
+                }
                 if method.latest > 0 && !near {
                     return Ended::Thrown;
                 }
