@@ -103,6 +103,12 @@ mod tests {
 
     #[test]
     fn the_sources_of_this_build_are_found() {
-        assert_eq!(of_the_code(), of_the_code());
+        let mut files = Vec::new();
+        for folder in SOURCES {
+            list(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files).unwrap();
+        }
+        for source in ["core/src/step.rs", "support/src/seeds.rs"] {
+            assert!(files.iter().any(|file| file.ends_with(source)), "{source} among {} files", files.len());
+        }
     }
 }
