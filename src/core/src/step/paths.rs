@@ -50,7 +50,7 @@ struct Known<'a> {
     kept: u32,
 }
 
-/// Where a stage moves the driven end from, X: what it does to a column whose length changes with the place is s(x) − s(X).
+/// Where a stage moves the driven end from, X: what it does to a column that counts stroke is s(x) − s(X).
 ///
 /// X is put together from the stages before as the states are, so that in a whole step a column whose pressure holds has been moved by the
 /// stroke, whatever the speeds were at which the stages looked. By their speeds, X = x − g v, the cheapest method did not move it at all in a
@@ -509,7 +509,8 @@ impl Substep<'_> {
         let h = self.path.length() * self.part;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
-        let start = if acts::<ON>(e, LENGTH) { MovedFrom::at(&self.path.at(self.theta)) } else { MovedFrom::NOWHERE };
+        let counts_stroke = acts::<ON>(e, LENGTH) && e.counts_stroke();
+        let start = if counts_stroke { MovedFrom::at(&self.path.at(self.theta)) } else { MovedFrom::NOWHERE };
         let mut strokes = [MovedFrom::NOWHERE; MOST_STAGES];
         let mut now = *from;
         let mut overshot = false;
@@ -530,14 +531,12 @@ impl Substep<'_> {
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
             let guess = now.oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
-            let moved_from = match acts::<ON>(e, LENGTH) {
-                true => MovedFrom::of(&start, row, &strokes, index),
-                false => MovedFrom::NOWHERE,
-            };
-            if let Some(stroke) = strokes.get_mut(index)
-                && acts::<ON>(e, LENGTH)
-            {
-                *stroke = moved_from.to(&point);
+            let mut moved_from = start;
+            if counts_stroke {
+                moved_from = MovedFrom::of(&start, row, &strokes, index);
+                if let Some(stroke) = strokes.get_mut(index) {
+                    *stroke = moved_from.to(&point);
+                }
             }
             let known =
                 Known { index, last, row, g, moved_from, since, valve_jumps, raised: now.raised, states: known, kept };
@@ -548,7 +547,7 @@ impl Substep<'_> {
                     *force = balance.force;
                 }
                 if let Some(primary) = valves.get_mut(index)
-                    && acts::<ON>(e, LENGTH)
+                    && counts_stroke
                 {
                     *primary = balance.primary;
                 }
@@ -558,7 +557,7 @@ impl Substep<'_> {
                     return Ended::VoidClosed;
                 }
                 let mut near = is_near(forces.get(..index).unwrap_or(&[]), balance.force, method);
-                if acts::<ON>(e, LENGTH) && e.counts_stroke() {
+                if counts_stroke {
                     near &= is_near(valves.get(..index).unwrap_or(&[]), balance.primary, method);
                 }
                 if method.latest > 0 && !near {
