@@ -166,6 +166,34 @@ pub struct RunFolder {
     pub files: Vec<(String, Vec<u8>)>,
     /// Why there is no native.adm, where there is none.
     pub no_native: Option<String>,
+    has_library: bool,
+    replaced: Vec<String>,
+    chatters: Vec<String>,
+}
+
+impl RunFolder {
+    /// What is to be known of it, written into `folder`.
+    pub fn notes(&self, folder: &Path) -> Vec<String> {
+        let mut notes = Vec::new();
+        if let Some(reason) = &self.no_native {
+            notes.push(format!("no native.adm, because {reason}"));
+            let old = folder.join("native.adm");
+            if old.exists() {
+                notes.push(format!("{} is of an earlier export and not of this model: delete it", old.display()));
+            }
+        }
+        if !self.has_library {
+            notes.push(format!("the library is not in the folder. {}", no_adams_library()));
+        }
+        notes.extend_from_slice(&self.replaced);
+        notes
+    }
+
+    /// What is to be known of it by who couples Adams to a program of fixed steps. Adams itself solves for the force with its slopes.
+    pub fn if_coupled(&self) -> impl Iterator<Item = String> {
+        let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
+        self.chatters.iter().map(move |note| format!("{coupled}: {note}"))
+    }
 }
 
 /// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm. In README.txt, what was
@@ -176,27 +204,25 @@ pub fn run_folder(
     text: &[u8],
     length: f64,
     libraries: Vec<(String, Vec<u8>)>,
-    replaced: &[String],
-    chatters: &[String],
+    replaced: Vec<String>,
+    chatters: Vec<String>,
 ) -> RunFolder {
     let (texts, no_native) = folder::files(params, model, "damper.toml", length, &Matrix::default());
-    let missing = if libraries.is_empty() {
-        format!("THE LIBRARY IS NOT HERE. {}\n\n", no_adams_library())
-    } else {
-        String::new()
-    };
+    let has_library = !libraries.is_empty();
+    let missing =
+        if has_library { String::new() } else { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_adams_library()) };
     let mut files = vec![("damper.toml".to_owned(), text.to_vec())];
     for file in texts {
         let is_first = file.name == "README.txt";
         let text = if is_first {
-            folder::above(replaced, &(missing.clone() + &folder::below(&file.text, chatters)))
+            folder::above(&replaced, &(missing.clone() + &folder::below(&file.text, &chatters)))
         } else {
             file.text
         };
         files.push((file.name.to_owned(), text.into_bytes()));
     }
     files.extend(libraries);
-    RunFolder { files, no_native }
+    RunFolder { files, no_native, has_library, replaced, chatters }
 }
 
 #[cfg(test)]

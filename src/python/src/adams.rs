@@ -43,37 +43,21 @@ pub fn export_adams(
         let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
         let prepared = model_file::prepared(&ready.params)?;
         let libraries = handed_out::adams_libraries(library.as_deref())?;
-        let missing = libraries.is_empty();
         let text = match ready.softened {
             Some(_) => model_file::plain(&ready.params, &ready.told()),
             None => model.text_of_file().to_owned(),
         };
         let (replaced, chatters) = (ready.replaced(), ready.chatters());
-        let folder =
-            handed_out::run_folder(&ready.params, &prepared, text.as_bytes(), length, libraries, &replaced, &chatters);
-        Ok((folder, missing, replaced, chatters))
+        Ok(handed_out::run_folder(&ready.params, &prepared, text.as_bytes(), length, libraries, replaced, chatters))
     });
-    let (made, missing, replaced, chatters) = made.map_err(raise::<ExportError>)?;
+    let made = made.map_err(raise::<ExportError>)?;
     let written = as_a_run(force, library.as_deref(), || {
         dashpot_output::make_folder(&folder)?;
         made.files.iter().try_for_each(|(name, content)| dashpot_output::write(&folder.join(name), content))
     });
     written.map_err(raise::<OutputError>)?;
-    let mut notes = Vec::new();
-    if let Some(reason) = made.no_native {
-        notes.push(format!("no native.adm, because {reason}"));
-        if folder.join("native.adm").exists() {
-            let path = folder.join("native.adm");
-            notes.push(format!("{} is of an earlier export and not of this model: delete it", path.display()));
-        }
-    }
-    if missing {
-        notes.push(format!("the library is not in the folder. {}", handed_out::no_adams_library()));
-    }
-    notes.extend(replaced);
-    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
-    let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
-    notes.extend(chatters.into_iter().map(|note| format!("{coupled}: {note}")));
+    let mut notes = made.notes(&folder);
+    notes.extend(made.if_coupled());
     Ok(notes)
 }
 

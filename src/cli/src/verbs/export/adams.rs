@@ -44,33 +44,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let path = args.output.join(name);
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
-    let missing = libraries.is_empty();
     let folder =
-        handed_out::run_folder(&params, &model, &text, args.length, libraries, &ready.replaced(), &ready.chatters());
+        handed_out::run_folder(&params, &model, &text, args.length, libraries, ready.replaced(), ready.chatters());
     folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
-    if let Some(reason) = folder.no_native {
-        dashpot_output::say(None, &format!("note: no native.adm, because {reason}"))?;
-        if args.output.join("native.adm").exists() {
-            let path = args.output.join("native.adm");
-            let stale = format!("note: {} is of an earlier export and not of this model: delete it", path.display());
-            dashpot_output::say(None, &stale)?;
-        }
-    }
-    if missing {
-        let how = handed_out::no_adams_library();
-        dashpot_output::say(None, &format!("note: the library is not in the folder. {how}"))?;
-    }
-    for note in &ready.replaced() {
-        dashpot_output::say(None, &format!("note: {note}"))?;
-    }
-    // Adams solves for the force with its slopes; who couples it to a fixed-step program reads what that does.
-    for note in &ready.chatters() {
-        dashpot_output::say(
-            None,
-            &format!(
-                "note, if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned): {note}"
-            ),
-        )?;
-    }
+    let notes = folder.notes(&args.output).into_iter().map(|note| format!("note: {note}"));
+    let coupled = folder.if_coupled().map(|note| format!("note, {note}"));
+    notes.chain(coupled).try_for_each(|note| dashpot_output::say(None, &note))?;
     dashpot_output::say(None, &format!("{}: start with README.txt", Path::new(&args.output).display()))
 }
