@@ -20,6 +20,9 @@ type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 /// Name of a model of the literature, and its forces at the samples of every test, N.
 type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
 
+/// The figures as JSON, the forces of every test, the records as they were compared, what is to be told of the models beside, and their forces.
+type Validated<'py> = (String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>);
+
 /// Tests beside forces that are at hand.
 pub fn compared<'a>(
     file: &ModelFile,
@@ -69,7 +72,7 @@ pub fn validate<'py>(
     progress: Option<Py<PyAny>>,
     limits: Option<Vec<limits::Row>>,
     against: Vec<String>,
-) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>)> {
+) -> PyResult<Validated<'py>> {
     rivals::named(&against).map_err(raise::<ValidationError>)?;
     let windows = limits.map(limits::of_rows).transpose()?;
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {

@@ -230,10 +230,10 @@ def test_papers_of_what_changed(command: Command, beside: Path) -> None:
     found = dashpot.diagnose(dashpot.Model.read("poor.toml"), old, candidates=few, max_effects=1)
     rows = found.write_next_tests("p.csv")
     assert rows == len(Path("p.csv").read_text().splitlines()) - 1 > 0 and Path("p.csv").read_bytes() == Path("c.csv").read_bytes()
-    Path("mine.csv").write_text("a,b\n1,2\n")
-    with pytest.raises(dashpot.OutputError, match="mine.csv is there already and holds a table"):
-        found.write_next_tests("mine.csv")
-    assert found.write_next_tests("mine.csv", force=True) == rows
+    Path("foreign.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(dashpot.OutputError, match="foreign.csv is there already and holds a table"):
+        found.write_next_tests("foreign.csv")
+    assert found.write_next_tests("foreign.csv", force=True) == rows
 
 
 def test_papers_take_no_other_files_place(command: Command, beside: Path) -> None:

@@ -11,7 +11,10 @@ from ._numbers import several
 from .campaign import Campaign, Record
 
 if TYPE_CHECKING:
+    import pathlib
+
     from ._given import Page
+    from .campaign import Path
     from .model import Model
 
 
@@ -73,6 +76,31 @@ def page(
         "command": command,
         "files": list(source.files),
     }
+
+
+class Papers:
+    """What results can write beside their report."""
+
+    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as the command's ``--excel``.
+
+        Parameters and errors as of :meth:`write_report`.
+        """
+        self._write("workbook", path, language, date, force)
+
+    def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
+        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as the command's ``--svg``.
+
+        Parameters and errors as of :meth:`write_report`.
+
+        :returns: the files, in the order of the report.
+        """
+        return self._write("figures", folder, language, None, force)
+
+    def _write(
+        self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
+    ) -> list[pathlib.Path]:
+        raise NotImplementedError
 
 
 def figures_alone(by: str, lost: str) -> ValueError:

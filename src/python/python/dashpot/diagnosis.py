@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._papers import Origin, figures_alone, page
+from ._papers import Origin, Papers, figures_alone, page
 from ._result import Result, Row, folded, table
 from ._work import watched
 from .reading import Unusable
@@ -218,7 +218,7 @@ class OverWholeRecords(Result):
 
 
 @dataclass(frozen=True, repr=False)
-class Diagnosis(Result):
+class Diagnosis(Papers, Result):
     """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
 
     verdict: str
@@ -287,22 +287,6 @@ class Diagnosis(Result):
         :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
         """
         self._write("report", path, language, date, force, full)
-
-    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as ``dashpot diagnose --excel``.
-
-        Parameters and errors as of :meth:`write_report`.
-        """
-        self._write("workbook", path, language, date, force)
-
-    def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
-        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as ``dashpot diagnose --svg``.
-
-        Parameters and errors as of :meth:`write_report`.
-
-        :returns: the files, in the order of the report.
-        """
-        return self._write("figures", folder, language, None, force)
 
     def write_next_tests(self, path: Path, *, force: bool = False) -> int:
         """Writes the tests that would tell more as a test matrix for the rig (CSV); as ``dashpot diagnose --next-tests``.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._papers import Origin, figures_alone, page
+from ._papers import Origin, Papers, figures_alone, page
 from ._result import Result, Row, folded, held, table
 from ._work import watched
 from .certificate import Certificate
@@ -201,7 +201,7 @@ class Compared:
 
 
 @dataclass(frozen=True, repr=False)
-class Validation(Result):
+class Validation(Papers, Result):
     """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
 
     tests: tuple[TestValidation, ...]
@@ -253,22 +253,6 @@ class Validation(Result):
         :raises ValueError: of a language that there is not, and of a result that was made from a dictionary.
         """
         self._write("report", path, language, date, force, full)
-
-    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as ``dashpot validate --excel``.
-
-        Parameters and errors as of :meth:`write_report`.
-        """
-        self._write("workbook", path, language, date, force)
-
-    def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
-        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as ``dashpot validate --svg``.
-
-        Parameters and errors as of :meth:`write_report`.
-
-        :returns: the files, in the order of the report.
-        """
-        return self._write("figures", folder, language, None, force)
 
     def _write(
         self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
