@@ -65,8 +65,10 @@ check "Windows: C program with Microsoft's import library, linked by mingw" micr
 if [ -e "$here/packages/$linux_name.tar.gz" ]; then
     mkdir -p "$here/linux" && tar -xzf "$here/packages/$linux_name.tar.gz" -C "$here/linux"
     linux=$here/linux/$linux_name/bin/dashpot
-    same_fit() { "$linux" fit demo/records -o linux.toml && same_model own.toml linux.toml 1e-6; }
-    check "Windows: the same records give Linux's model within a millionth" same_fit
+    same_fit() { "$linux" fit demo/records -o linux.toml && same_model own.toml linux.toml 0; }
+    check "Windows: the same records give Linux's model, to the last digit" same_fit
+    same_diagnosis() { "$linux" diagnose good.toml worn --reference good --json linux.json && tr -d '\r' <d.json | cmp - linux.json; }
+    check "Windows: the same records give Linux's diagnosis, to the last digit" same_diagnosis
     linux_program() {
         cc -O2 -I "$here/linux/$linux_name/include" "$here/linux/$linux_name/share/dashpot/examples/damper.c" "$here/linux/$linux_name/lib/libdashpot.a" -o damper &&
             printf '0.1\n0.2\n-0.3\n' | ./damper demo/damper.toml 0.001 -0.02 | cmp - libdashpot.dll.a.forces

@@ -37,7 +37,7 @@ pub fn typed(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
-    let exponent = value.abs().log10().floor();
+    let exponent = libm::log10(value.abs()).floor();
     if !(-5.0..7.0).contains(&exponent) {
         return format!("{value:.4e}");
     }

@@ -38,10 +38,10 @@ pub fn confidence(suspected: f64, sure: f64, against: bool) -> f64 {
 
 /// The same before it is held to what was right where it was surest: from one half on a name is more likely right than not.
 pub fn before_limit(suspected: f64, sure: f64) -> f64 {
-    let odds = |p: f64| (p.max(1e-12) / (1.0 - p).max(1e-12)).ln().clamp(-MOST, MOST);
+    let odds = |p: f64| libm::log(p.max(1e-12) / (1.0 - p).max(1e-12)).clamp(-MOST, MOST);
     let c = &*CALIBRATION;
     let log = c.constant + c.by_suspected * odds(suspected) + c.by_sure * odds(sure);
-    1.0 / (1.0 + (-log).exp())
+    1.0 / (1.0 + libm::exp(-log))
 }
 
 #[cfg(test)]

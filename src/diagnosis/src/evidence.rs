@@ -77,10 +77,10 @@ impl Weighed {
             .map(|k| {
                 let form = most * (k as f64 / GRID as f64).powi(3);
                 let v = 1.0 + form * form;
-                -0.5 * count * (v.ln() + mean / v)
+                -0.5 * count * (libm::log(v) + mean / v)
             })
             .collect();
-        log_mean_exp(&logs) - 0.5 * self.numbers * count.max(1.0).ln() - self.implausibility
+        log_mean_exp(&logs) - 0.5 * self.numbers * libm::log(count.max(1.0)) - self.implausibility
     }
 }
 
@@ -93,7 +93,7 @@ pub fn log_mean_exp(logs: &[f64]) -> f64 {
     if most == f64::NEG_INFINITY {
         return most;
     }
-    most + (logs.iter().map(|l| (l - most).exp()).sum::<f64>() / logs.len() as f64).ln()
+    most + libm::log(logs.iter().map(|l| libm::exp(l - most)).sum::<f64>() / logs.len() as f64)
 }
 
 /// What noise adds to the χ² of a test.

@@ -71,9 +71,9 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
         Free::Cooling | Free::HeatCapacity => {
             let heat = Scale::of(base).force();
             let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0 * heat, 1e5 * heat) };
-            let start = value.ln();
+            let start = libm::log(value);
             let prior = fresh.deviation.map(|d| (start, d));
-            Number { free: fresh.free.clone(), start, step: 0.3, bounds: (low.ln(), high.ln()), prior }
+            Number { free: fresh.free.clone(), start, step: 0.3, bounds: (libm::log(low), libm::log(high)), prior }
         }
     }
 }
@@ -83,7 +83,9 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     for number in &mut to.numbers {
         let (low, high) = number.bounds;
         match &number.free {
-            Free::Model(Unknown::Log(n)) if *n == which => number.start = (number.start + factor.ln()).clamp(low, high),
+            Free::Model(Unknown::Log(n)) if *n == which => {
+                number.start = (number.start + libm::log(factor)).clamp(low, high)
+            }
             Free::Model(Unknown::Linear(n)) if *n == which => number.start = (number.start * factor).clamp(low, high),
             _ => {}
         }

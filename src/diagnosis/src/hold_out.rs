@@ -20,7 +20,7 @@ pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let side = |r: &Record| {
         r.side_force.as_ref().map_or(0.0, |c| c.iter().map(|f| f.abs()).sum::<f64>() / c.len().max(1) as f64)
     };
-    let band = |x: f64| if x > 0.0 { (2.0 * x.log2()).round() } else { -1000.0 };
+    let band = |x: f64| if x > 0.0 { (2.0 * libm::log2(x)).round() } else { -1000.0 };
     let key = |r: &Record| {
         [(side(r) / 100.0).round(), (r.mean_displacement / 0.01).round(), band(r.amplitude), r.peak_velocity]
     };

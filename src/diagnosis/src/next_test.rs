@@ -69,8 +69,8 @@ fn sine(d: &Design) -> Test {
         .map(|i| {
             let t = (i as f64 - lead as f64 + 0.37) * dt;
             Input {
-                displacement: Some(d.mean + d.amplitude * (w * t).sin()),
-                velocity: d.amplitude * w * (w * t).cos(),
+                displacement: Some(d.mean + d.amplitude * libm::sin(w * t)),
+                velocity: d.amplitude * w * libm::cos(w * t),
                 side_force: d.side_force,
                 temperature: 20.0,
             }

@@ -44,7 +44,7 @@ fn is_same(a: &At, b: &At) -> bool {
 fn phase(input: &Input, at: &At) -> f64 {
     let x = (input.displacement.unwrap_or(at.mean) - at.mean) / at.amplitude;
     let v = input.velocity / (TAU * at.frequency * at.amplitude);
-    x.atan2(v).rem_euclid(TAU)
+    libm::atan2(x, v).rem_euclid(TAU)
 }
 
 /// What is left of one cycle over its phase.
@@ -105,7 +105,7 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
                 *allowed = (*allowed * *allowed + noise * noise / test.independence.max(1e-3)).sqrt();
             }
         }
-        test.mean_noise = test.mean_noise.hypot(noise);
+        test.mean_noise = libm::hypot(test.mean_noise, noise);
         kept.push(test);
     }
     missing.sort();
@@ -122,7 +122,7 @@ mod tests {
         let n = 100;
         let angle = |k: usize| start + TAU * k as f64 / n as f64;
         let input = (0..n)
-            .map(|k| Input::motion(amplitude * angle(k).sin(), amplitude * TAU * frequency * angle(k).cos()))
+            .map(|k| Input::motion(amplitude * libm::sin(angle(k)), amplitude * TAU * frequency * libm::cos(angle(k))))
             .collect();
         Test {
             record: 0,
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn what_both_share_goes_whatever_the_phase_at_which_a_cycle_begins_and_what_has_no_counterpart_is_told() {
-        let shared = |angle: f64| 20.0 * (2.0 * angle).sin();
+        let shared = |angle: f64| 20.0 * libm::sin(2.0 * angle);
         let good = sine(0.01, 2.0, 0.3, shared);
         let residual = vec![good.segment.force.clone()];
         let worn = sine(0.01, 2.0, 4.1, |angle| shared(angle) + 7.0);

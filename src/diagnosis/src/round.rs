@@ -117,16 +117,16 @@ impl Round {
         forms.retain(|_, logs| logs.iter().any(|log| *log > without_any));
         let (nothing, with_name) =
             if self.is_later { (NOTHING_MORE, 1.0 - NOTHING_MORE - WITHOUT_NAME) } else { (NOTHING, WITH_NAME) };
-        let nothing = nothing.ln() + self.before.log_evidence_of_nothing(samples, self.named_so_far);
-        let without_name = WITHOUT_NAME.ln() + log_mean_exp(&nameless);
-        let each = (with_name / self.choice.max(1) as f64).ln();
+        let nothing = libm::log(nothing) + self.before.log_evidence_of_nothing(samples, self.named_so_far);
+        let without_name = libm::log(WITHOUT_NAME) + log_mean_exp(&nameless);
+        let each = libm::log(with_name / self.choice.max(1) as f64);
         let logs: Vec<(&'static str, f64)> =
             forms.iter().map(|(effect, logs)| (*effect, each + log_mean_exp(logs))).collect();
         let most = logs.iter().map(|l| l.1).fold(nothing.max(without_name), f64::max);
-        let sum = (nothing - most).exp()
-            + (without_name - most).exp()
-            + logs.iter().map(|(_, log)| (log - most).exp()).sum::<f64>();
-        let share = |log: f64| (log - most).exp() / sum;
+        let sum = libm::exp(nothing - most)
+            + libm::exp(without_name - most)
+            + logs.iter().map(|(_, log)| libm::exp(log - most)).sum::<f64>();
+        let share = |log: f64| libm::exp(log - most) / sum;
         Odds {
             nothing: share(nothing),
             without_name: share(without_name),

@@ -231,7 +231,7 @@ impl Search {
         let base = Explained::nothing_added(&self.base);
         let choice = self.rounds[0].choice.max(1) as f64;
         let (first_name, second_name) =
-            ((WITH_NAME / choice).ln(), ((1.0 - NOTHING_MORE - WITHOUT_NAME) / choice).ln());
+            (libm::log(WITH_NAME / choice), libm::log((1.0 - NOTHING_MORE - WITHOUT_NAME) / choice));
         let mut best: Option<(f64, Explained)> = None;
         for one in &first {
             let Some(with_one) = base.with(one, ground.tests, 0) else { continue };
@@ -246,7 +246,7 @@ impl Search {
         let Some((log, both)) = best else { return };
         let round = &self.rounds[0];
         let single = round.named().first().map_or(f64::NEG_INFINITY, |t| t.weighed.log_evidence(SUSPECTED));
-        let nameless = round.before.log_evidence(SUSPECTED) + WITHOUT_NAME.ln();
+        let nameless = round.before.log_evidence(SUSPECTED) + libm::log(WITHOUT_NAME);
         if log + first_name + second_name > nameless.max(single + first_name) {
             self.found = both;
             self.last_look = None;
@@ -318,7 +318,7 @@ impl Search {
 /// A number in the unit that people use.
 pub fn physical(free: &Free, value: f64) -> f64 {
     match free {
-        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => value.exp(),
+        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => libm::exp(value),
         _ => value,
     }
 }

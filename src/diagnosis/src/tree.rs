@@ -47,11 +47,11 @@ pub fn tree(round: &Round, samples: f64) -> Vec<Branch> {
         let of: Vec<_> = round.tried.iter().filter(|t| t.candidate.effect == effect).collect();
         let logs: Vec<f64> = of.iter().map(|t| t.weighed.log_evidence(samples)).collect();
         let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let sum: f64 = logs.iter().map(|l| (l - most).exp()).sum();
+        let sum: f64 = logs.iter().map(|l| libm::exp(l - most)).sum();
         let branch = |(t, log): (&&super::round::Tried, &f64)| Branch {
             name: t.candidate.form.to_owned(),
             level: "form",
-            probability: whole * (log - most).exp() / sum,
+            probability: whole * libm::exp(log - most) / sum,
             branches: Vec::new(),
         };
         sorted(of.iter().zip(&logs).map(branch).collect())

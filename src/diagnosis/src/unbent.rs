@@ -62,7 +62,7 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
             None => (straightened(hypothesis, tests, &best.theta), Effort::COMPARE),
             Some(times) => {
                 let mut start = best.theta.clone();
-                start[stiffness] += f64::ln(times);
+                start[stiffness] += libm::log(times);
                 set_damping(hypothesis, &mut start);
                 (start, Effort::LOOK)
             }
@@ -98,7 +98,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     if let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) {
         let k = most(tests, |t| t.segment.top) / (STRAIGHT * most(tests, |t| t.segment.amplitude)).max(1e-9);
         let (low, high) = hypothesis.numbers[stiffness].bounds;
-        start[stiffness] = k.ln().clamp(low, high);
+        start[stiffness] = libm::log(k).clamp(low, high);
     }
     set_damping(hypothesis, &mut start);
     let (velocity, force) = (model.list(list!("fv_velocity")).to_vec(), model.list(list!("fv_force")).to_vec());
@@ -130,7 +130,7 @@ mod tests {
             let dt = 1.0 / (80.0 * frequency);
             let motion = |k: usize| {
                 let phase = omega * dt * k as f64;
-                Input::motion(amplitude * phase.sin(), amplitude * omega * phase.cos())
+                Input::motion(amplitude * libm::sin(phase), amplitude * omega * libm::cos(phase))
             };
             Test {
                 record: 0,
@@ -173,7 +173,7 @@ mod tests {
         let (stiffness, damping) =
             (place(Unknown::Log(number!("series_stiffness"))), place(Unknown::Linear(number!("series_damping"))));
         let mut bent = truth.start();
-        bent[stiffness] -= f64::ln(40.0);
+        bent[stiffness] -= libm::log(40.0);
         bent[damping] = 2e4;
         assert!(is_bent(&truth, &tests, &bent));
         let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::LOOK }).unwrap();

@@ -92,7 +92,7 @@ mod tests {
         Segment {
             name: String::new(),
             dt: (0..n).map(|k| if k == 0 { 0.0 } else { h }).collect(),
-            input: (0..n).map(|k| Input::motion(0.01 * at(k).sin(), 0.01 * omega * at(k).cos())).collect(),
+            input: (0..n).map(|k| Input::motion(0.01 * libm::sin(at(k)), 0.01 * omega * libm::cos(at(k)))).collect(),
             force: vec![0.0; n],
             from: 60,
             scale: 1.0,

@@ -1,7 +1,8 @@
 //! How far the records leave the numbers of a refit open.
 
+use super::gram::gram;
 use super::hypothesis::Hypothesis;
-use super::refit::{Refit, gram};
+use super::refit::Refit;
 use nalgebra::DMatrix;
 
 /// Standard deviations of the numbers of a refit, widened where more than noise is left.

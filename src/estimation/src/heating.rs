@@ -61,7 +61,7 @@ impl Heating {
             if end <= *begin {
                 return 0.0;
             }
-            power / cooling * ((-cooling * (t - end)).exp() - (-cooling * (t - begin)).exp())
+            power / cooling * (libm::exp(-cooling * (t - end)) - libm::exp(-cooling * (t - begin)))
         };
         if self.continues {
             self.inputs.iter().map(of).sum()

@@ -106,7 +106,7 @@ impl Hypothesis {
 
     /// A number that is given by its logarithm, where it is free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
-        self.place_of(free).map(|place| theta[place].exp())
+        self.place_of(free).map(|place| libm::exp(theta[place]))
     }
 
     /// A number of the rig.

@@ -16,7 +16,7 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
         let (number, value) = match number.free {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
-            Free::HeatCapacity => (number!("heat_capacity"), value.exp()),
+            Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
             Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
         if let Some(usual) = of(number, scale) {

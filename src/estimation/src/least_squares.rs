@@ -302,7 +302,7 @@ mod tests {
                     name: format!("{k}"),
                     dt: vec![std::f64::consts::TAU / omega / n as f64; n],
                     input: (0..n)
-                        .map(|i| Input::motion(amplitude * at(i).sin(), amplitude * omega * at(i).cos()))
+                        .map(|i| Input::motion(amplitude * libm::sin(at(i)), amplitude * omega * libm::cos(at(i))))
                         .collect(),
                     force: vec![0.0; n],
                     from: 20,
@@ -312,9 +312,9 @@ mod tests {
                     amplitude,
                     clock: 0.0,
                 };
-                let off = 6.0 * (f64::from(k) * 2.4).sin();
+                let off = 6.0 * libm::sin(f64::from(k) * 2.4);
                 segment.force = run.forces(&segment);
-                segment.force.iter_mut().enumerate().for_each(|(i, f)| *f += off + 3.0 * (7.1 * i as f64).sin());
+                segment.force.iter_mut().enumerate().for_each(|(i, f)| *f += off + 3.0 * libm::sin(7.1 * i as f64));
                 segment
             })
             .collect();
@@ -350,7 +350,7 @@ mod tests {
         })
         .take(400)
         .collect();
-        let slow: Vec<f64> = (0..400).map(|i| (f64::from(i) * 0.03).sin()).collect();
+        let slow: Vec<f64> = (0..400).map(|i| libm::sin(f64::from(i) * 0.03)).collect();
         assert!(correlation_factor(&noise) < 2.0, "{}", correlation_factor(&noise));
         assert!(correlation_factor(&slow) > 20.0);
         assert!(held([noise.as_slice()].into_iter()) < 2.0);
@@ -371,8 +371,8 @@ mod tests {
             .map(|seed| {
                 let mut other = segments.clone();
                 for (k, segment) in other.iter_mut().enumerate() {
-                    let old = 6.0 * (k as f64 * 2.4).sin();
-                    let new = 6.0 * ((k as f64 + 1.0) * f64::from(seed) * 2.4).sin();
+                    let old = 6.0 * libm::sin(k as f64 * 2.4);
+                    let new = 6.0 * libm::sin((k as f64 + 1.0) * f64::from(seed) * 2.4);
                     segment.force.iter_mut().for_each(|f| *f += new - old);
                 }
                 solve(&other.iter().collect::<Vec<_>>(), &unknowns, &common.theta, Effort::FINE).theta[place]

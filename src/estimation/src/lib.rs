@@ -27,6 +27,7 @@ pub mod cancel;
 pub mod curve_weights;
 pub mod deviations;
 pub mod gap;
+pub mod gram;
 pub mod heating;
 pub mod hypothesis;
 pub mod implausibility;

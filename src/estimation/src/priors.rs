@@ -130,7 +130,7 @@ const FREEDOM: f64 = 4.0;
 
 /// Fall of the logarithm of the odds by a number so many standard deviations off.
 pub fn price(off: f64) -> f64 {
-    0.5 * (FREEDOM + 1.0) * (off * off / FREEDOM).ln_1p()
+    0.5 * (FREEDOM + 1.0) * libm::log1p(off * off / FREEDOM)
 }
 
 /// What the model's numbers in a fit cost it, in units of the logarithm of the odds.

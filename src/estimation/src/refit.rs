@@ -8,7 +8,7 @@ use super::hypothesis::{Hypothesis, Residual};
 use super::samples::Test;
 use crate::sensitivity::Accuracy;
 use crate::solve::{Bounds, Loss, Options, Prior, Residuals, Rows, Slopes, solve_knowing};
-use nalgebra::{DMatrix, Dyn, Matrix, Storage};
+use nalgebra::DMatrix;
 
 /// Weighted residual beyond which a sample counts linearly.
 pub const HUBER: f64 = 4.0;
@@ -144,12 +144,6 @@ pub fn refit_by(
     let mut found = solve_knowing(&problem, start, jacobian.map(|j| vec![j]), &Bounds { low, high }, &options);
     let Rows { residual, jacobian } = found.rows.pop()?;
     found.cost.is_finite().then(|| Refit::at(hypothesis, found.x, -residual, jacobian))
-}
-
-/// Products of all columns of a matrix with each other.
-pub fn gram<S: Storage<f64, Dyn, Dyn>>(columns: &Matrix<f64, Dyn, Dyn, S>) -> DMatrix<f64> {
-    // A product of matrices is computed in blocks; `tr_mul` goes by columns and takes several times as long.
-    columns.transpose() * columns
 }
 
 /// Square roots of Huber's weights.

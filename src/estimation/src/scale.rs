@@ -36,8 +36,8 @@ impl Scale {
             return Scale::CAR;
         }
         let beyond = largest / largest.clamp(low, high);
-        let share = (beyond.ln().abs() / PASSAGE.ln()).min(1.0);
-        Scale((largest / TYPICAL).powf(share))
+        let share = (libm::log(beyond).abs() / libm::log(PASSAGE)).min(1.0);
+        Scale(libm::pow(largest / TYPICAL, share))
     }
 
     /// Of the damper that a model is of: from its curve, its friction and its gas force, which are there before anything else is known.
@@ -70,7 +70,7 @@ impl Scale {
         }
         if number == number!("fsd_flow") || number == number!("bypass_flow") {
             // Stated at a force of 1 kN, through an orifice: the same passage lets a force of a hundredth drive a tenth.
-            self.0.powf(-0.5)
+            libm::pow(self.0, -0.5)
         } else {
             self.of_unit(number.parameter().unit)
         }

@@ -448,7 +448,7 @@ impl Run {
         for (column, unknown) in unknowns.list.iter().enumerate() {
             let direct = self.columns.contains(&column);
             if let (Unknown::Log(_), true) = (unknown, direct) {
-                rows.row_mut(column).scale_mut(theta[column].exp());
+                rows.row_mut(column).scale_mut(libm::exp(theta[column]));
             }
         }
         (forces, rows)
@@ -475,7 +475,7 @@ mod tests {
 
     fn segment(amplitude: f64, frequency: f64) -> Segment {
         let w = std::f64::consts::TAU * frequency;
-        let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
+        let motion = |t: f64| (-amplitude * libm::cos(w * t), amplitude * w * libm::sin(w * t));
         let dt = 1.0 / frequency / 100.0;
         let n = 150;
         let input = (0..n)

@@ -37,7 +37,7 @@ impl SmoothCurve {
         let of = |point: usize| {
             let inner = towards_zero(point, zero);
             let near = if inner == zero { 0.0 } else { velocity[inner].abs() };
-            let usual = velocity[point].abs().powf(POWER) - near.powf(POWER);
+            let usual = libm::pow(velocity[point].abs(), POWER) - libm::pow(near, POWER);
             (usual > 0.0).then(|| Some((place_of(point)?, usual)))?
         };
         let pairs = (0..velocity.len()).filter(|point| *point != zero).filter_map(|point| {

@@ -95,7 +95,7 @@ impl Unknowns {
         self.list
             .iter()
             .map(|unknown| match unknown {
-                Unknown::Log(number) => self.base.number(*number).max(1e-12).ln(),
+                Unknown::Log(number) => libm::log(self.base.number(*number).max(1e-12)),
                 Unknown::Linear(number) => self.base.number(*number),
                 Unknown::Above(number, below) => self.base.number(*number) / self.base.number(*below).max(1e-9) - 1.0,
                 Unknown::Entry(list, i) => self.base.list(*list)[*i],
@@ -120,7 +120,7 @@ impl Unknowns {
                     let (low, high) = scale.reach(*number);
                     // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
                     let high = if WIDTHS.contains(number) { high.min(STRIBECK_WIDEST) } else { high };
-                    (low.max(1e-6 * scale.of_number(*number)).ln(), high.ln())
+                    (libm::log(low.max(1e-6 * scale.of_number(*number))), libm::log(high))
                 }
                 Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                 Unknown::Linear(number) => scale.reach(*number),
@@ -173,7 +173,7 @@ impl Unknowns {
         }
         for (unknown, t) in self.list.iter().zip(theta) {
             match unknown {
-                Unknown::Log(number) => set_inside(&mut params, *number, t.exp()),
+                Unknown::Log(number) => set_inside(&mut params, *number, libm::exp(*t)),
                 Unknown::Linear(number) => set_inside(&mut params, *number, *t),
                 Unknown::Entry(list, i) => {
                     let mut values = params.list(*list).to_vec();

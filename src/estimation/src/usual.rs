@@ -19,12 +19,14 @@ impl Usual {
     /// Mean and standard deviation in the coordinate in which a search moves: the logarithm, or the number itself.
     pub fn in_search(self, logarithm: bool) -> (f64, f64) {
         match (self, logarithm) {
-            (Usual::Size(median, factor) | Usual::Strength(median, factor), true) => (median.ln(), factor.ln()),
+            (Usual::Size(median, factor) | Usual::Strength(median, factor), true) => {
+                (libm::log(median), libm::log(factor))
+            }
             (Usual::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Usual::Strength(median, factor), false) => (0.0, FREE * median * factor),
             (Usual::Place(mean, deviation), false) => (mean, deviation),
             (Usual::Place(mean, deviation), true) => {
-                (mean.abs().max(1e-12).ln(), (1.0 + deviation / mean.abs().max(1e-12)).ln())
+                (libm::log(mean.abs().max(1e-12)), libm::log(1.0 + deviation / mean.abs().max(1e-12)))
             }
         }
     }
@@ -32,8 +34,8 @@ impl Usual {
     /// How many standard deviations a value is from what is usual; 0 for a strength below its median.
     pub fn off(self, value: f64) -> f64 {
         match self {
-            Usual::Size(median, factor) => (value.abs().max(1e-300) / median).ln() / factor.ln(),
-            Usual::Strength(median, factor) => ((value.abs() / median).max(1.0)).ln() / factor.ln(),
+            Usual::Size(median, factor) => libm::log(value.abs().max(1e-300) / median) / libm::log(factor),
+            Usual::Strength(median, factor) => libm::log((value.abs() / median).max(1.0)) / libm::log(factor),
             Usual::Place(mean, deviation) => (value - mean) / deviation,
         }
     }

@@ -63,9 +63,9 @@ mod tests {
         let time: Vec<f64> = (0..500).map(|k| k as f64 / (100.0 * frequency)).collect();
         Record {
             name: format!("{frequency}"),
-            displacement: time.iter().map(|t| 0.01 * (omega * t).sin()).collect(),
-            velocity: time.iter().map(|t| 0.01 * omega * (omega * t).cos()).collect(),
-            force: time.iter().map(|t| -2.0 * 0.01 * omega * omega * (omega * t).sin()).collect(),
+            displacement: time.iter().map(|t| 0.01 * libm::sin(omega * t)).collect(),
+            velocity: time.iter().map(|t| 0.01 * omega * libm::cos(omega * t)).collect(),
+            force: time.iter().map(|t| -2.0 * 0.01 * omega * omega * libm::sin(omega * t)).collect(),
             time,
             amplitude: 0.01,
             frequency,

@@ -87,9 +87,9 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
         let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
         // Tests that creep throughout show friction; a straight line is all the FV curve they can carry.
         let first = SMALLEST.min(top);
-        let steps = ((top / first).ln() / RATIO.ln()).round() as usize;
+        let steps = (libm::log(top / first) / libm::log(RATIO)).round() as usize;
         for k in 0..=steps {
-            points.push(if k == steps { top } else { first * (top / first).powf(k as f64 / steps as f64) });
+            points.push(if k == steps { top } else { first * libm::pow(top / first, k as f64 / steps as f64) });
         }
         let mut kept: Vec<f64> = Vec::new();
         for (k, v) in points.iter().enumerate() {

@@ -738,9 +738,10 @@ mod tests {
         let n = 1000;
         let time: Vec<f64> = (0..n).map(|i| i as f64 * 0.01).collect();
         let phase = |t: f64| TAU * 0.9 * t;
-        let displacement: Vec<f64> = time.iter().map(|t| 0.012 * phase(*t).sin()).collect();
-        let velocity: Vec<f64> = time.iter().map(|t| 0.012 * TAU * 0.9 * phase(*t).cos()).collect();
-        let force = displacement.iter().zip(&velocity).map(|(x, v)| 1700.0 * x + 800.0 * v + 55.0 * (300.0 * v).tanh());
+        let displacement: Vec<f64> = time.iter().map(|t| 0.012 * libm::sin(phase(*t))).collect();
+        let velocity: Vec<f64> = time.iter().map(|t| 0.012 * TAU * 0.9 * libm::cos(phase(*t))).collect();
+        let force =
+            displacement.iter().zip(&velocity).map(|(x, v)| 1700.0 * x + 800.0 * v + 55.0 * libm::tanh(300.0 * v));
         Record {
             name: "slow".to_owned(),
             force: force.collect(),

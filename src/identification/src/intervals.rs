@@ -82,7 +82,7 @@ pub fn estimates(
             Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
                 let value = params.number(*number);
                 let (a, b) = match unknown {
-                    Unknown::Log(_) => (value * (-Z * sd).exp(), value * (Z * sd).exp()),
+                    Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
                     Unknown::Above(_, below) => {
                         // level (1 + share): both are uncertain.
                         let level = params.number(*below);

@@ -49,7 +49,7 @@ fn bumps(structure: Structure, from: &Params, segments: &[Segment]) -> Option<Ve
                 continue;
             }
             let (a, b) = (velocity[k - 1].abs(), velocity[k].abs());
-            let place = (here / a).ln() / (b / a).ln();
+            let place = libm::log(here / a) / libm::log(b / a);
             let part = usize::from(place > 0.25) + usize::from(place > 0.75);
             let sum = &mut sums[k - 1][usize::from(next < before)][part];
             *sum = (sum.0 + segment.force[i] - model, sum.1 + 1);
@@ -85,7 +85,7 @@ pub fn with_points_at_knees(structure: Structure, from: &Params, segments: &[Seg
     let v = from.list(list!("fv_velocity"));
     let part = |k: usize| {
         let (a, b) = (v[k], v[k + 1]);
-        (1..parts).map(move |i| a * (b / a).powf(i as f64 / parts as f64))
+        (1..parts).map(move |i| a * libm::pow(b / a, i as f64 / parts as f64))
     };
     with_points(from, bumps(structure, from, segments)?.into_iter().flat_map(part))
 }

@@ -229,7 +229,7 @@ impl Measured {
     pub fn and(self, rest: Measured) -> Measured {
         let value = self.value + rest.value;
         let half = |m: &Measured| 0.5 * (m.high - m.low);
-        let half = half(&self).hypot(half(&rest));
+        let half = libm::hypot(half(&self), half(&rest));
         Measured { value, low: value - half, high: value + half, ..self }
     }
 

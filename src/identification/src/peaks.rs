@@ -67,11 +67,11 @@ mod tests {
             let phase = std::f64::consts::TAU * i as f64 / n as f64;
             let noise = ((i * 7919) % 101) as f64 / 101.0 - 0.5;
             record.time.push(phase / w);
-            record.displacement.push(0.05 * phase.sin());
-            record.velocity.push(0.5 * phase.cos() + 0.01 * noise);
+            record.displacement.push(0.05 * libm::sin(phase));
+            record.velocity.push(0.5 * libm::cos(phase) + 0.01 * noise);
             // A loop about the curve: it cancels, as a peak is passed from both sides.
-            let force = if phase.cos() > 0.0 { 2000.0 } else { 800.0 } * 0.5 * phase.cos();
-            record.force.push(force + 60.0 * phase.sin() + 20.0 * noise);
+            let force = if libm::cos(phase) > 0.0 { 2000.0 } else { 800.0 } * 0.5 * libm::cos(phase);
+            record.force.push(force + 60.0 * libm::sin(phase) + 20.0 * noise);
         }
         let [rebound, compression] = AtPeak::of(&record).unwrap().pick(&record.force);
         assert!((rebound.velocity_m_s - 0.4965).abs() < 2e-3, "{rebound:?}");

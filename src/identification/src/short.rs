@@ -2,7 +2,7 @@
 
 /// Decimals of four significant digits; negative where the digits end before the point.
 fn decimals(value: f64) -> i32 {
-    3 - value.abs().log10().floor() as i32
+    3 - libm::log10(value.abs()).floor() as i32
 }
 
 /// Four significant digits, as code writes them: enough for a comment.

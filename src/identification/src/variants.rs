@@ -562,8 +562,8 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     let mean = |of: &dyn Fn(&f64) -> f64, k: usize| judged[k].errors.iter().map(of).sum::<f64>() / n;
     // Two views of a test's error: its square, in which the worst tests count, and its logarithm, in which each counts by the factor.
     let square = |square: &f64| *square;
-    let logarithm = |square: &f64| 0.5 * square.max(LEAST * LEAST).ln();
-    let typical = |k: usize| mean(&logarithm, k).exp();
+    let logarithm = |square: &f64| 0.5 * libm::log(square.max(LEAST * LEAST));
+    let typical = |k: usize| libm::exp(mean(&logarithm, k));
     let best_by =
         |priced: &dyn Fn(usize) -> f64| places.clone().min_by(|a, b| priced(*a).total_cmp(&priced(*b))).unwrap_or(0);
     let tie = |of: &dyn Fn(&f64) -> f64, best: usize, k: usize| {
@@ -574,7 +574,7 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     let likelihood = |k: usize| {
         let less_than_none = judged[k].rig.has_less_than_no_mass();
         let unusual = judged[k].unusual + if less_than_none { LESS_THAN_NO_MASS } else { 0.0 };
-        n * mean(&logarithm, k) + 0.5 * judged[k].unknowns as f64 * n.ln() + unusual
+        n * mean(&logarithm, k) + 0.5 * judged[k].unknowns as f64 * libm::log(n) + unusual
     };
     // Among those that explain the records alike, one that every host can run.
     let simplest = |among: &dyn Fn(usize) -> bool| {
@@ -622,7 +622,7 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     let open = late.filter(|k| keep == Keep::First && kept == 0 && likelihood(0) - likelihood(*k) > TOLD).map(|k| {
         let stiffness = |k: usize| format!("{:.3e}", judged[k].params.number(number!("series_stiffness")));
         Sentence::from(phrases::PERHAPS_LATE)
-            .with("odds", format!("{:.1}", (likelihood(0) - likelihood(k)).exp()))
+            .with("odds", format!("{:.1}", libm::exp(likelihood(0) - likelihood(k))))
             .with("delay", format!("{:.2}", 1e3 * judged[k].rig.delay_found()))
             .with("with", stiffness(k))
             .with("without", stiffness(0))

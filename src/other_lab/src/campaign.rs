@@ -171,7 +171,7 @@ impl Case {
             // Runs that nobody records, sines alone; then a pause in which it cools.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
-            oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * (-(seconds + PAUSE_S) * COOLING / CAPACITY).exp();
+            oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);
             clock += seconds + PAUSE_S;
         }
         self.measure(&mut records);

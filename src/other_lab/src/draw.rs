@@ -34,7 +34,7 @@ impl Draw {
 
     /// Evenly on a logarithmic scale between two positive numbers.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.share())
+        low * libm::pow(high / low, self.share())
     }
 
     /// One of `count`.

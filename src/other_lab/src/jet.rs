@@ -32,7 +32,7 @@ impl Jet {
 
     /// Sine.
     pub fn sin(self) -> Jet {
-        let (s, c) = self.x.sin_cos();
+        let (s, c) = libm::sincos(self.x);
         self.through(s, c, -s)
     }
 
@@ -40,12 +40,12 @@ impl Jet {
     pub fn asin(self) -> Jet {
         let rest = 1.0 - self.x * self.x;
         let root = rest.sqrt();
-        self.through(self.x.asin(), 1.0 / root, self.x / (rest * root))
+        self.through(libm::asin(self.x), 1.0 / root, self.x / (rest * root))
     }
 
     /// A power.
     pub fn powf(self, p: f64) -> Jet {
-        let f = self.x.powf(p);
+        let f = libm::pow(self.x, p);
         self.through(f, p * f / self.x, p * (p - 1.0) * f / (self.x * self.x))
     }
 

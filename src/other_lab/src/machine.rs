@@ -177,7 +177,7 @@ impl Equations for Machine<'_> {
         r[X] = y[V];
         r[BRISTLE] = plant.seal.rate(here.v, y[BRISTLE]);
 
-        let warmth = (-plant.slight.warmth * THINS * (self.around.oil_c - REFERENCE_C)).exp();
+        let warmth = libm::exp(-plant.slight.warmth * THINS * (self.around.oil_c - REFERENCE_C));
         let mut around =
             Beside { taken: 0.0, compliance: 0.0, gain: 1.0 + plant.slight.position * y[X], viscosity: warmth };
         for (i, effect) in self.hidden.iter().enumerate() {

@@ -44,7 +44,7 @@ impl Sensors<'_> {
 
     fn rounded(&self, range: f64, values: &mut [f64]) {
         if let Some(bits) = self.protocol.bits {
-            let step = 2.0 * range / f64::from(bits).exp2();
+            let step = 2.0 * range / libm::exp2(f64::from(bits));
             values.iter_mut().for_each(|value| *value = step * (*value / step).round());
         }
     }
@@ -65,7 +65,7 @@ impl Sensors<'_> {
         }
         let phase = self.draw("hum").share();
         for (value, t) in force.iter_mut().zip(time) {
-            *value += p.force_offset_n + p.hum_n * (TAU * (HUM_HZ * t + phase)).sin();
+            *value += p.force_offset_n + p.hum_n * libm::sin(TAU * (HUM_HZ * t + phase));
         }
         self.rounded(RESERVE * self.peak_n, force);
     }

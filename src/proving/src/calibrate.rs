@@ -59,7 +59,7 @@ const STEPS: usize = 50;
 const SETTLED: f64 = 1e-10;
 
 fn row(given: &Given) -> Vector3<f64> {
-    let odds = |p: f64| (p.max(1e-12) / (1.0 - p).max(1e-12)).ln().clamp(-MOST, MOST);
+    let odds = |p: f64| libm::log(p.max(1e-12) / (1.0 - p).max(1e-12)).clamp(-MOST, MOST);
     Vector3::new(1.0, odds(given.rule[0]), odds(given.rule[1]))
 }
 
@@ -98,7 +98,7 @@ pub fn fit(given: &[Given]) -> Option<Calibration> {
 /// Logarithm of the likelihood of weights, with what is usual of them.
 fn log_likelihood(given: &[Given], w: &Vector3<f64>) -> f64 {
     let usual: f64 = (0..3).map(|i| ((w[i] - USUAL[i]) / SPREAD[i]).powi(2)).sum();
-    let of = |g: &Given| -(if g.right { -w.dot(&row(g)) } else { w.dot(&row(g)) }).exp().ln_1p();
+    let of = |g: &Given| -libm::log1p(libm::exp(if g.right { -w.dot(&row(g)) } else { w.dot(&row(g)) }));
     given.iter().map(of).sum::<f64>() - 0.5 * usual
 }
 
@@ -112,7 +112,7 @@ fn slopes(given: &[Given], w: &Vector3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     }
     for g in given {
         let x = row(g);
-        let p = 1.0 / (1.0 + (-w.dot(&x)).exp());
+        let p = 1.0 / (1.0 + libm::exp(-w.dot(&x)));
         gradient += x * (f64::from(u8::from(g.right)) - p);
         hessian += x * x.transpose() * (p * (1.0 - p));
     }
@@ -144,10 +144,10 @@ mod tests {
         let mut all = Vec::new();
         for k in 0..40 {
             for j in 0..40 {
-                let of = |k: i32| 1.0 / (1.0 + (-(f64::from(k) - 20.0) / 5.0).exp());
+                let of = |k: i32| 1.0 / (1.0 + libm::exp(-(f64::from(k) - 20.0) / 5.0));
                 let rule = [of(k), of(j)];
                 let given = Given { rule, right: false, against_reference: k % 2 == 0 };
-                let p = 1.0 / (1.0 + (-Vector3::from(weights).dot(&row(&given))).exp());
+                let p = 1.0 / (1.0 + libm::exp(-Vector3::from(weights).dot(&row(&given))));
                 for n in 0..20 {
                     all.push(Given { right: (f64::from(n) + 0.5) / 20.0 < p, ..given });
                 }

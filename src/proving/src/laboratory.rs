@@ -217,23 +217,23 @@ impl Ground {
         let mut best = (f64::INFINITY, strength, 0.0);
         for _ in 0..TRIES {
             let found = self.severity(case, name, strength, wanted)?.max(1e-3);
-            let off = (found / wanted).ln();
+            let off = libm::log(found / wanted);
             if off.abs() < best.0 {
                 best = (off.abs(), strength, found);
             }
             if off.abs() < NEAR {
                 break;
             }
-            *(if off < 0.0 { &mut low } else { &mut high }) = Some((strength.ln(), off));
+            *(if off < 0.0 { &mut low } else { &mut high }) = Some((libm::log(strength), off));
             let next = match (low, high) {
                 // The trace is nearly straight on logarithms; kept inside what is known.
                 (Some((a, fa)), Some((b, fb))) => a + (b - a) * (fa / (fa - fb)).clamp(0.15, 0.85),
                 (Some((a, fa)), None) => a - fa.max(-2.0),
                 (None, Some((b, fb))) => b - fb.min(3.0),
-                (None, None) => strength.ln(),
+                (None, None) => libm::log(strength),
             };
-            let next = next.exp().clamp(STRENGTHS.0, STRENGTHS.1);
-            if (next / strength).ln().abs() < 1e-3 {
+            let next = libm::exp(next).clamp(STRENGTHS.0, STRENGTHS.1);
+            if libm::log(next / strength).abs() < 1e-3 {
                 break;
             }
             strength = next;

@@ -112,7 +112,7 @@ impl Ground {
         let mut best = (f64::INFINITY, strength, 0.0);
         for _ in 0..TRIES {
             let found = self.severity(&campaign(strength)?, wanted)?.max(1e-3);
-            let off = (found / wanted).ln();
+            let off = libm::log(found / wanted);
             if off.abs() < best.0 {
                 best = (off.abs(), strength, found);
             }
@@ -120,18 +120,18 @@ impl Ground {
                 return Ok(strength);
             }
             if off < 0.0 {
-                low = Some((strength.ln(), off));
+                low = Some((libm::log(strength), off));
             } else {
-                high = Some((strength.ln(), off));
+                high = Some((libm::log(strength), off));
             }
             let next = match (low, high) {
                 (Some((a, fa)), Some((b, fb))) => a + (b - a) * (-fa / (fb - fa)).clamp(0.15, 0.85),
                 (Some((a, fa)), None) => a - fa.max(-2.3),
                 (None, Some((b, fb))) => b - fb.min(3.5),
-                (None, None) => strength.ln(),
+                (None, None) => libm::log(strength),
             };
-            let next = next.exp().clamp(STRENGTHS.0, STRENGTHS.1);
-            if (next / strength).ln().abs() < 1e-3 {
+            let next = libm::exp(next).clamp(STRENGTHS.0, STRENGTHS.1);
+            if libm::log(next / strength).abs() < 1e-3 {
                 break;
             }
             strength = next;

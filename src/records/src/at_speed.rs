@@ -31,12 +31,12 @@ pub(crate) type Levels = BTreeMap<i32, Level>;
 
 /// How many levels lie between a velocity and another that is so many times as high.
 pub(crate) fn apart(times: f64) -> f64 {
-    times.ln() / STEP.ln()
+    libm::log(times) / libm::log(STEP)
 }
 
 /// The velocity in the middle of a level, m/s.
 pub(crate) fn velocity(level: i32) -> f64 {
-    FROM * STEP.powf(f64::from(level) + 0.5)
+    FROM * libm::pow(STEP, f64::from(level) + 0.5)
 }
 
 /// What a test shows at each velocity, from the samples at which `counts` holds.
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn a_sine_shows_force_against_motion_and_between_at_its_velocities() {
         let time: Vec<f64> = (0..4000).map(|i| 1e-3 * f64::from(i)).collect();
-        let velocity: Vec<f64> = time.iter().map(|t| 0.5 * (6.0 * t).sin()).collect();
+        let velocity: Vec<f64> = time.iter().map(|t| 0.5 * libm::sin(6.0 * t)).collect();
         let force = velocity.iter().map(|v| 1000.0 * v - 150.0 + if *v > 0.0 { 500.0 * v } else { 0.0 }).collect();
         let record = Record { time, velocity, force, peak_velocity: 0.5, ..Record::default() };
         let seen = levels(&record, |_| true);

@@ -143,7 +143,7 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
     let nyquist = 0.5 / step;
     let gain = |f: f64| {
         let omega = std::f64::consts::TAU * f;
-        weights.iter().enumerate().map(|(k, w)| w * (omega * (k as f64 - reach as f64) * step).sin()).sum::<f64>()
+        weights.iter().enumerate().map(|(k, w)| w * libm::sin(omega * (k as f64 - reach as f64) * step)).sum::<f64>()
             / omega
     };
     let count = 400;
@@ -187,8 +187,8 @@ mod tests {
 
     fn sine(frequency: f64, rate: f64, n: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let time: Vec<f64> = (0..n).map(|i| i as f64 / rate).collect();
-        let x = time.iter().map(|t| 0.05 * (TAU * frequency * t).sin()).collect();
-        let v = time.iter().map(|t| 0.05 * TAU * frequency * (TAU * frequency * t).cos()).collect();
+        let x = time.iter().map(|t| 0.05 * libm::sin(TAU * frequency * t)).collect();
+        let v = time.iter().map(|t| 0.05 * TAU * frequency * libm::cos(TAU * frequency * t)).collect();
         (time, x, v)
     }
 
@@ -247,7 +247,7 @@ mod tests {
         assert!(off(0.02) < 0.05 * speed && off(0.15) < 0.01 * speed, "{} {}", off(0.02), off(0.15));
         assert!(filter.shorter > 0.02 && filter.shorter < 0.5, "{filter:?}");
         // A sine with the same noise takes the longest window nearly everywhere.
-        let x: Vec<f64> = time.iter().map(|t| 0.05 * (TAU * frequency * t).sin() + 2e-6 * white()).collect();
+        let x: Vec<f64> = time.iter().map(|t| 0.05 * libm::sin(TAU * frequency * t) + 2e-6 * white()).collect();
         assert!(differentiate(&time, &x, 1.0 / (12.0 * frequency)).1.shorter < 2e-3);
     }
 

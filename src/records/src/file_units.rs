@@ -114,7 +114,7 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
         all: records.len(),
         shown: shown.record.name.clone(),
         at: (velocity(level), shown.levels[&level].against),
-        usual: (velocity(beside), others.curve[&beside].exp()),
+        usual: (velocity(beside), libm::exp(others.curve[&beside])),
         channel,
         written,
         likely,
@@ -148,7 +148,8 @@ fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
 }
 
 fn agree(one: &Levels, other: &Levels) -> bool {
-    let mut ratios: Vec<f64> = one.iter().filter_map(|(k, l)| Some((l.against / other.get(k)?.against).ln())).collect();
+    let mut ratios: Vec<f64> =
+        one.iter().filter_map(|(k, l)| Some(libm::log(l.against / other.get(k)?.against))).collect();
     !ratios.is_empty() && median(&mut ratios).abs() < AGREE
 }
 
@@ -166,7 +167,7 @@ impl<'a> Others<'a> {
         let mut at: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();
         for (k, Level { against, between }) in tests.iter().flat_map(|test| &test.levels) {
             let [forces, middles] = at.entry(*k).or_default();
-            forces.push(against.ln());
+            forces.push(libm::log(*against));
             middles.push(*between);
         }
         let (mut curve, mut between) = (BTreeMap::new(), BTreeMap::new());
@@ -199,7 +200,7 @@ impl<'a> Others<'a> {
     /// How far a test stands off the others, were its forces and velocities so many times what was read: logarithms at its velocities.
     fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
-        let at = |(k, l): (&i32, &Level)| Some((of_force * l.against).ln() - self.usual(f64::from(*k) + shift)?);
+        let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
     }
 
@@ -262,13 +263,13 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
     let beyond = factor.max(1.0 / factor) >= BEYOND_DAMPERS;
     let amplitude =
         if channel == Channel::Displacement { factor * test.record.amplitude } else { test.record.amplitude };
-    let steps = others.tests.iter().map(|t| t.step().ln());
+    let steps = others.tests.iter().map(|t| libm::log(t.step()));
     let usual_step = median(&mut steps.collect::<Vec<_>>());
-    let step = test.step().ln();
+    let step = libm::log(test.step());
     let fits = match channel {
         Channel::Force => !others.gas_speaks_against(test, factor),
         // In another unit of time the test is sampled as the others are; in another of displacement it is so already.
-        Channel::Time => (step + factor.ln() - usual_step).abs() < (step - usual_step).abs(),
+        Channel::Time => (step + libm::log(factor) - usual_step).abs() < (step - usual_step).abs(),
         _ => amplitude < LARGEST_AMPLITUDE,
     };
     let close = if beyond { CLOSE_BEYOND } else { CLOSE };
@@ -292,8 +293,8 @@ mod tests {
             // Up to 30 % softer for the oil is warm, and softer in short strokes.
             let warm = 1.0 - 0.3 * random.uniform();
             let share = amplitude / (amplitude + 3e-4);
-            let law = |v: f64| strength * if v > 0.0 { 1.6 * v.powf(0.8) } else { -0.8 * (-v).powf(0.8) };
-            sine_record(k, amplitude, speed, |_, v| warm * share * law(v) + 25.0 * (v / 0.002).tanh() - 180.0)
+            let law = |v: f64| strength * if v > 0.0 { 1.6 * libm::pow(v, 0.8) } else { -0.8 * libm::pow(-v, 0.8) };
+            sine_record(k, amplitude, speed, |_, v| warm * share * law(v) + 25.0 * libm::tanh(v / 0.002) - 180.0)
         };
         tests.iter().enumerate().map(test).collect()
     }

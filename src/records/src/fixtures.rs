@@ -23,7 +23,7 @@ impl Random {
     }
 
     pub fn normal(&mut self) -> f64 {
-        (-2.0 * self.uniform().max(1e-300).ln()).sqrt() * (TAU * self.uniform()).cos()
+        (-2.0 * libm::log(self.uniform().max(1e-300))).sqrt() * libm::cos(TAU * self.uniform())
     }
 }
 
@@ -31,8 +31,8 @@ impl Random {
 pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl FnMut(f64, f64) -> f64) -> Record {
     let omega = speed / amplitude;
     let time: Vec<f64> = (0..1500).map(|i| f64::from(i) * 0.002 * TAU / omega).collect();
-    let velocity: Vec<f64> = time.iter().map(|t| speed * (omega * t).cos()).collect();
-    let displacement: Vec<f64> = time.iter().map(|t| amplitude * (omega * t).sin()).collect();
+    let velocity: Vec<f64> = time.iter().map(|t| speed * libm::cos(omega * t)).collect();
+    let displacement: Vec<f64> = time.iter().map(|t| amplitude * libm::sin(omega * t)).collect();
     Record {
         name: format!("t{k}"),
         source: format!("t{k}.csv"),
@@ -107,7 +107,7 @@ impl Default for SineTest {
 /// Damping 1500 N s/m in rebound, 800 in compression, friction 40 N, gas spring 200 N/m.
 pub(crate) fn damper_force(x: f64, v: f64) -> f64 {
     let damping = if v > 0.0 { 1500.0 } else { 800.0 };
-    damping * v + 40.0 * (v / 0.002).tanh() + 200.0 * x
+    damping * v + 40.0 * libm::tanh(v / 0.002) + 200.0 * x
 }
 
 impl SineTest {
@@ -136,8 +136,9 @@ impl SineTest {
             } else {
                 0.0
             };
-            let displacement = self.mean + self.amplitude * envelope * (TAU * phase).sin();
-            let velocity = self.amplitude * (envelope * omega * (TAU * phase).cos() + slope * (TAU * phase).sin());
+            let displacement = self.mean + self.amplitude * envelope * libm::sin(TAU * phase);
+            let velocity =
+                self.amplitude * (envelope * omega * libm::cos(TAU * phase) + slope * libm::sin(TAU * phase));
             noise = self.lag1 * noise + (1.0 - self.lag1 * self.lag1).sqrt() * random.normal();
             time.push(i as f64 / self.per_cycle as f64 * self.period());
             x.push(displacement);

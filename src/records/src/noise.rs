@@ -235,7 +235,7 @@ mod tests {
     fn without_cycles_differences_of_samples_serve() {
         let mut random = Random::new(3);
         let time: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-3).collect();
-        let force: Vec<f64> = time.iter().map(|t| 800.0 * (9.0 * t).sin() + 6.0 * random.normal()).collect();
+        let force: Vec<f64> = time.iter().map(|t| 800.0 * libm::sin(9.0 * t) + 6.0 * random.normal()).collect();
         let found = floor(&time, &force, &[]);
         assert_eq!(found.from, NoiseSource::SampleDifferences);
         assert!((found.force_rms / 6.0 - 1.0).abs() < 0.08, "{found:?}");

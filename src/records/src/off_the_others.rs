@@ -145,7 +145,7 @@ mod tests {
             sine_record(k, amplitude, speed, |x, v| {
                 let damping = if v > 0.0 { 1600.0 } else { 1000.0 };
                 let stop = 4e5 * (x - 0.045).max(0.0);
-                damping * v + 20.0 * (v / 0.002).tanh() - gas + 300.0 * x + stop + 2.0 * (k as f64).sin()
+                damping * v + 20.0 * libm::tanh(v / 0.002) - gas + 300.0 * x + stop + 2.0 * libm::sin(k as f64)
             })
         };
         tests.iter().enumerate().map(test).collect()

@@ -117,7 +117,7 @@ impl Settings {
             let group = alike.iter_mut().find_map(|group| {
                 let (_, first) = *group.first()?;
                 let times = if motion.is_like(&motions[first]) { times(&seen[i], &seen[first])? } else { return None };
-                Some((group, times.ln()))
+                Some((group, libm::log(times)))
             });
             match group {
                 Some((group, times)) => group.push((times, i)),
@@ -127,7 +127,10 @@ impl Settings {
         alike.iter_mut().for_each(|group| group.sort_by(|a, b| a.0.total_cmp(&b.0)));
         let parted = |step: f64| -> Vec<Vec<Vec<usize>>> {
             let part = |group: &Vec<(f64, usize)>| {
-                group.chunk_by(|a, b| b.0 - a.0 <= step.ln()).map(|part| part.iter().map(|t| t.1).collect()).collect()
+                group
+                    .chunk_by(|a, b| b.0 - a.0 <= libm::log(step))
+                    .map(|part| part.iter().map(|t| t.1).collect())
+                    .collect()
             };
             alike.iter().map(part).collect()
         };
@@ -180,13 +183,13 @@ fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usiz
         .enumerate()
         .filter_map(|(k, tests)| {
             let mut ratios: Vec<f64> =
-                tests.iter().filter_map(|other| Some(times(&seen[test], &seen[*other])?.ln())).collect();
+                tests.iter().filter_map(|other| Some(libm::log(times(&seen[test], &seen[*other])?))).collect();
             (!ratios.is_empty()).then(|| (median(&mut ratios).abs(), k))
         })
         .collect();
     off.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (&(own, k), &(next, _)) = (off.first()?, off.get(1)?);
-    (off.len() == settings.len() && next > NEARER * own && next > STEPS[0].ln()).then_some(k)
+    (off.len() == settings.len() && next > NEARER * own && next > libm::log(STEPS[0])).then_some(k)
 }
 
 /// How a test moves, where, under which load and how warm: in the mean.
@@ -247,7 +250,7 @@ mod tests {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
         let test = |(k, (strength, amplitude, speed)): (usize, (f64, f64, f64))| {
-            sine_record(k, amplitude, speed, |_, v| strength * 1500.0 * v + 20.0 * (v / 0.002).tanh() - 150.0)
+            sine_record(k, amplitude, speed, |_, v| strength * 1500.0 * v + 20.0 * libm::tanh(v / 0.002) - 150.0)
         };
         all.enumerate().map(test).collect()
     }
@@ -305,7 +308,7 @@ mod tests {
     fn a_test_of_another_motion_belongs_where_its_forces_are() {
         let mut records = clicks(&[1.0, 1.6, 2.6]);
         let odd = |strength: f64, speed: f64| {
-            sine_record(99, 0.033, speed, |_, v| strength * 1500.0 * v + 20.0 * (v / 0.002).tanh() - 150.0)
+            sine_record(99, 0.033, speed, |_, v| strength * 1500.0 * v + 20.0 * libm::tanh(v / 0.002) - 150.0)
         };
         let named = |name: &str, record: Record| Record { name: name.into(), ..record };
         records.push(named("odd_c10", odd(1.6, 0.45)));

@@ -123,7 +123,7 @@ mod tests {
         Record {
             name: "a".into(),
             source: "a.csv".into(),
-            force: time.iter().map(|t| scale[1] * (6.0 * t).sin()).collect(),
+            force: time.iter().map(|t| scale[1] * libm::sin(6.0 * t)).collect(),
             displacement: vec![0.0; time.len()],
             velocity: vec![0.0; time.len()],
             time,

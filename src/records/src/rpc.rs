@@ -232,7 +232,7 @@ pub(crate) mod tests {
     }
 
     fn wave(n: usize, size: f64, phase: f64) -> Vec<f64> {
-        (0..n).map(|i| size * (0.1 * i as f64 + phase).sin()).collect()
+        (0..n).map(|i| size * libm::sin(0.1 * i as f64 + phase)).collect()
     }
 
     #[test]

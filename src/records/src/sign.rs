@@ -225,7 +225,7 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     let force_range = quantile(&mut force.to_vec(), 0.99) - quantile(&mut force.to_vec(), 0.01);
     let level_error = HYSTERESIS * 0.5 * force_range;
     let standstill = (top.len() >= 2 && bottom.len() >= 2)
-        .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), level_error.hypot(offset)));
+        .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), libm::hypot(level_error, offset)));
     Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 
@@ -296,7 +296,7 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
             let error = e.level_error.max(f64::MIN_POSITIVE);
             // What is within its error may be as large as that.
             let (positive, negative) = (positive.max(error), negative.max(error));
-            Some(((positive / negative).ln(), (error / positive).hypot(error / negative)))
+            Some((libm::log(positive / negative), libm::hypot(error / positive, error / negative)))
         })
         .collect();
     let mut errors: Vec<f64> = all.iter().map(|one| one.1).collect();
@@ -308,9 +308,9 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
 /// error that is normal. In one rig of [`TARED`] it tells nothing, so that it alone is never surer than that.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // The logistic curve that keeps within 0.01 of the normal one.
-    let tension = 1.0 / (1.0 + (1.702 * force / uncertainty).exp());
+    let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
     let told = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
-    (told(tension) / told(1.0 - tension)).ln()
+    libm::log(told(tension) / told(1.0 - tension))
 }
 
 /// Logarithm of the ratio of damping forces in the two directions.
@@ -325,7 +325,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
         (forces.len() >= 10).then(|| quantile(&mut forces, 0.95))
     };
     let (positive, negative) = (side(true)?, side(false)?);
-    (positive > 0.0 && negative > 0.0).then(|| (positive / negative).ln())
+    (positive > 0.0 && negative > 0.0).then(|| libm::log(positive / negative))
 }
 
 /// Which tests look exchanged, and by what.
@@ -433,8 +433,8 @@ fn direction(
             _ => phrases::TELLS_NOTHING,
         };
         let said = Sentence::from(phrases::ASYMMETRY)
-            .with("ratio", format!("{:.2}", ratio.exp()))
-            .with("error", format!("{:.1}", error.exp()))
+            .with("ratio", format!("{:.2}", libm::exp(ratio)))
+            .with("error", format!("{:.1}", libm::exp(error)))
             .with_said("verdict", verdict);
         reasons.push(said);
     }
@@ -447,7 +447,7 @@ fn direction(
     let odds = (gas + shape).clamp(-SUREST, SUREST);
     let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
     // The probability itself: 0.5 where nothing speaks for either.
-    let sure = 1.0 / (1.0 + (-odds.abs()).exp());
+    let sure = 1.0 / (1.0 + libm::exp(-odds.abs()));
     if options.positive.is_none() && sure < 0.8 {
         reasons.push(phrases::WEAK.into());
     }
@@ -475,7 +475,7 @@ fn direction(
         confidence,
         reasons,
         standstill_force: turn * standstill.map_or(0.0, |s| s.0),
-        asymmetry: ratio.map(|r| (turn * r).exp()),
+        asymmetry: ratio.map(|r| libm::exp(turn * r)),
     }
 }
 
@@ -686,7 +686,7 @@ mod tests {
     fn friction_tells_no_direction_however_unlike_its_sides_are() {
         for triangle in [false, true] {
             // Sixty percent more at positive velocity, and nearly the same at every speed.
-            let rubs = |v: f64| (if v > 0.0 { 800.0 } else { 500.0 }) * (v / 0.002).tanh() + 40.0 * v;
+            let rubs = |v: f64| (if v > 0.0 { 800.0 } else { 500.0 }) * libm::tanh(v / 0.002) + 40.0 * v;
             let finding = device(triangle, |v| rubs(v) - 150.0);
             assert!(finding.confidence < 0.62, "{triangle} {finding:?}");
             assert!(finding.reasons.iter().any(|r| r.to_string().contains("tells nothing")), "{finding:?}");

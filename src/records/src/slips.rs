@@ -111,11 +111,14 @@ mod tests {
                 let omega = speed / amplitude;
                 let time: Vec<f64> =
                     (0..1000).map(|i| f64::from(i) * 5.0 * std::f64::consts::TAU / omega / 1000.0).collect();
-                let v = |t: f64| speed * (omega * t).cos();
+                let v = |t: f64| speed * libm::cos(omega * t);
                 Record {
                     name: "a".into(),
                     source: "a.csv".into(),
-                    force: time.iter().map(|t| slip[2] * (force * v(*t) + friction * (v(*t) / 0.001).tanh())).collect(),
+                    force: time
+                        .iter()
+                        .map(|t| slip[2] * (force * v(*t) + friction * libm::tanh(v(*t) / 0.001)))
+                        .collect(),
                     velocity: time.iter().map(|t| slip[1] * v(*t) / slip[0]).collect(),
                     amplitude: slip[1] * amplitude,
                     peak_velocity: slip[1] * speed / slip[0],

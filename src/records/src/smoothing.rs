@@ -122,8 +122,8 @@ mod tests {
         let (a, f) = (0.005, 8.0);
         let w = TAU * f;
         let time: Vec<f64> = (0..800).map(|i| i as f64 * 1e-3).collect();
-        let x: Vec<f64> = time.iter().map(|t| a * (w * t).sin()).collect();
-        let v: Vec<f64> = time.iter().map(|t| a * w * (w * t).cos()).collect();
+        let x: Vec<f64> = time.iter().map(|t| a * libm::sin(w * t)).collect();
+        let v: Vec<f64> = time.iter().map(|t| a * w * libm::cos(w * t)).collect();
         // A fixed pseudo-random sequence, so that the test cannot depend on luck.
         let mut seed = 1u64;
         let mut random = || {

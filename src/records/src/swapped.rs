@@ -130,13 +130,13 @@ fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
         let (mut a, mut b) = (0.0, 0.0);
         for (t, value) in time.iter().zip(values) {
             let phase = turn * k as f64 * (t - cycle.start_time);
-            a += (value - mean) * phase.cos();
-            b += (value - mean) * phase.sin();
+            a += (value - mean) * libm::cos(phase);
+            b += (value - mean) * libm::sin(phase);
         }
-        a.hypot(b)
+        libm::hypot(a, b)
     };
     let ground = wave(1);
-    let over = (2..=HIGHEST).map(wave).fold(0.0, f64::hypot);
+    let over = (2..=HIGHEST).map(wave).fold(0.0, libm::hypot);
     (ground > 0.0).then(|| over / ground)
 }
 

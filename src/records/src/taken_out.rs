@@ -68,11 +68,11 @@ mod tests {
     fn a_record_is_what_it_was_before_it_went_wrong() {
         let (n, h, omega) = (400, 2e-3, 20.0);
         let time: Vec<f64> = (0..n).map(|i| 100.0 + h * i as f64).collect();
-        let x = |t: f64| 0.01 * (omega * t).sin();
-        let v = |t: f64| 0.01 * omega * (omega * t).cos();
+        let x = |t: f64| 0.01 * libm::sin(omega * t);
+        let v = |t: f64| 0.01 * omega * libm::cos(omega * t);
         let force = |t: f64| 3000.0 * v(t) + 2000.0 * x(t);
         let off = Off { delay_s: 3.3e-3, mass_kg: 3.0, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
-        let a = |t: f64| -0.01 * omega * omega * (omega * t).sin();
+        let a = |t: f64| -0.01 * omega * omega * libm::sin(omega * t);
         let read = Record {
             displacement: time.iter().map(|t| x(*t)).collect(),
             velocity: time.iter().map(|t| v(*t)).collect(),

@@ -41,8 +41,8 @@ fn rows() -> Vec<[f64; 3]> {
     (0..120)
         .map(|i| {
             let t = 0.01 * f64::from(i);
-            let v = 0.3 * (6.0 * t).cos();
-            [t, 50.0 * (6.0 * t).sin(), 1500.0 * v + 40.0 * (v / 0.01).tanh() + f64::from(i * i % 7)]
+            let v = 0.3 * libm::cos(6.0 * t);
+            [t, 50.0 * libm::sin(6.0 * t), 1500.0 * v + 40.0 * libm::tanh(v / 0.01) + f64::from(i * i % 7)]
         })
         .collect()
 }

@@ -13,9 +13,9 @@ const STEP: f64 = 0.001;
 /// Time, s, displacement, m, and force, N, of a damper that pushes its rod out with 90 N.
 fn truth(sample: usize) -> (f64, f64, f64) {
     let t = sample as f64 * STEP;
-    let v = AMPLITUDE * TAU * FREQUENCY * (TAU * FREQUENCY * t).cos();
+    let v = AMPLITUDE * TAU * FREQUENCY * libm::cos(TAU * FREQUENCY * t);
     let f = if v > 0.0 { 4000.0 } else { 2000.0 } * v / (1.0 + v.abs()) - 90.0;
-    (t, AMPLITUDE * (TAU * FREQUENCY * t).sin(), f)
+    (t, AMPLITUDE * libm::sin(TAU * FREQUENCY * t), f)
 }
 
 /// Rows of a file from time in s, displacement in mm and force in N.
@@ -53,11 +53,11 @@ fn check(what: &str, name: &str, bytes: &[u8], options: &Options) -> Campaign {
     let (mut worst, mut extreme) = (0.0_f64, 0.0_f64);
     for ((x, v), f) in record.displacement.iter().zip(&record.velocity).zip(&record.force) {
         let phase = if *v >= 0.0 {
-            (x / AMPLITUDE).clamp(-1.0, 1.0).asin()
+            libm::asin((x / AMPLITUDE).clamp(-1.0, 1.0))
         } else {
-            TAU / 2.0 - (x / AMPLITUDE).clamp(-1.0, 1.0).asin()
+            TAU / 2.0 - libm::asin((x / AMPLITUDE).clamp(-1.0, 1.0))
         };
-        let speed = AMPLITUDE * TAU * FREQUENCY * phase.cos();
+        let speed = AMPLITUDE * TAU * FREQUENCY * libm::cos(phase);
         let wanted = if speed > 0.0 { 4000.0 } else { 2000.0 } * speed / (1.0 + speed.abs()) - 90.0;
         // Near its ends the motion says little of the phase.
         if (x / AMPLITUDE).abs() < 0.95 {

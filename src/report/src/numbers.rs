@@ -48,7 +48,7 @@ pub fn digits(value: f64, significant: i32) -> String {
 /// A value with as many decimals as give `reference` three digits: figures compared with each other end at the same
 /// place, and what is nothing beside the reference reads as nothing.
 pub fn beside(value: f64, reference: f64) -> String {
-    let exponent = if reference == 0.0 { 0.0 } else { reference.abs().log10().floor() };
+    let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
@@ -66,8 +66,8 @@ pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words)
     let half = 0.5 * (high - low).abs();
     let write = |v: f64| match half {
         half if half.is_finite() && half > 0.0 && (1e-4..1e6).contains(&value.abs()) => {
-            let kept = (1.0 - half.log10().floor()) as i32;
-            let four = 3 - value.abs().log10().floor() as i32;
+            let kept = (1.0 - libm::log10(half).floor()) as i32;
+            let four = 3 - libm::log10(value.abs()).floor() as i32;
             number(v, kept.min(four).clamp(0, 9) as usize)
         }
         _ => digits(v, 4),

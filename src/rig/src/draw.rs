@@ -35,7 +35,7 @@ impl Draw {
 
     /// Between two positive values, every octave equally likely.
     pub fn ratio(&mut self, name: &str, low: f64, high: f64) -> f64 {
-        let value = low * (high / low).powf(self.unit());
+        let value = low * libm::pow(high / low, self.unit());
         self.drawn.push((name.into(), value));
         value
     }

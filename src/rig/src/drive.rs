@@ -102,7 +102,7 @@ impl Drive {
         };
         let (shape, shape_rate, shape_curvature) = match &self.road {
             None => {
-                let (sin, cos) = (self.omega * (time - start)).sin_cos();
+                let (sin, cos) = libm::sincos(self.omega * (time - start));
                 (sin, self.omega * cos, -self.omega * self.omega * sin)
             }
             Some(road) => road.shape(time),
@@ -134,9 +134,9 @@ impl Road {
         let mut waves: Vec<[f64; 3]> = (0..Self::WAVES)
             .map(|index| {
                 let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
-                let hz = low * (high / low).powf(place);
+                let hz = low * libm::pow(high / low, place);
                 // Body mode, then a plateau of velocity up to the wheel's resonance, then off.
-                let size = hz.powf(-1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
+                let size = libm::pow(hz, -1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
                 [size, TAU * hz, TAU * draw.unit()]
             })
             .collect();
@@ -156,7 +156,7 @@ impl Road {
 
     fn shape(&self, time: f64) -> (f64, f64, f64) {
         self.waves.iter().fold((0.0, 0.0, 0.0), |(x, v, a), [size, omega, phase]| {
-            let (sin, cos) = (omega * time + phase).sin_cos();
+            let (sin, cos) = libm::sincos(omega * time + phase);
             (x + size * sin, v + size * omega * cos, a - size * omega * omega * sin)
         })
     }

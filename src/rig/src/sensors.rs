@@ -88,7 +88,7 @@ impl<'a> Sensors<'a> {
     fn hum(&self, time_s: &[f64], force_n: &mut [f64]) {
         let phase = (fnv1a(self.test.as_bytes()) % 1000) as f64 / 1000.0;
         for (force, time) in force_n.iter_mut().zip(time_s) {
-            *force += self.options.hum_n * (TAU * (HUM_HZ * time + phase)).sin();
+            *force += self.options.hum_n * libm::sin(TAU * (HUM_HZ * time + phase));
         }
     }
 
@@ -128,7 +128,7 @@ impl<'a> Sensors<'a> {
 fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
     let wanted = RESERVE * peak_n;
     let range = RANGES_N.into_iter().find(|range| *range >= wanted).unwrap_or(wanted);
-    2.0 * range / f64::from(bits).exp2()
+    2.0 * range / libm::exp2(f64::from(bits))
 }
 
 impl Record {
@@ -218,7 +218,7 @@ mod tests {
         let mut force = vec![0.0; 1000];
         Sensors::new(&options, "a").hum(&time, &mut force);
         let part = |shift: f64| {
-            2.0 / 1000.0 * time.iter().zip(&force).map(|(t, f)| f * (TAU * 50.0 * t + shift).sin()).sum::<f64>()
+            2.0 / 1000.0 * time.iter().zip(&force).map(|(t, f)| f * libm::sin(TAU * 50.0 * t + shift)).sum::<f64>()
         };
         assert!((part(0.0).hypot(part(TAU / 4.0)) - 3.0).abs() < 1e-9);
     }
@@ -229,7 +229,7 @@ mod tests {
         let step = converter_step_n(12, 3000.0);
         assert!((step - 10_000.0 / 4096.0).abs() < 1e-12);
         let options = Options { noise_percent: 0.0, bits: Some(12), ..Options::default() };
-        let exact: Vec<f64> = (0..COUNT).map(|i| 3000.0 * (i as f64 * 0.618_034).sin()).collect();
+        let exact: Vec<f64> = (0..COUNT).map(|i| 3000.0 * libm::sin(i as f64 * 0.618_034)).collect();
         let mut rounded = exact.clone();
         Sensors::new(&options, "a").round(3000.0, &mut rounded);
         let errors: Vec<f64> = exact.iter().zip(&rounded).map(|(a, b)| b - a).collect();

@@ -282,8 +282,9 @@ mod tests {
     fn wave(n: usize) -> MotionRecord {
         let time: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
         let w = [3.0 * TAU, 11.0 * TAU];
-        let displacement = time.iter().map(|t| 0.03 * (w[0] * t).sin() + 0.002 * (w[1] * t).cos()).collect();
-        let velocity = time.iter().map(|t| 0.03 * w[0] * (w[0] * t).cos() - 0.002 * w[1] * (w[1] * t).sin()).collect();
+        let displacement = time.iter().map(|t| 0.03 * libm::sin(w[0] * t) + 0.002 * libm::cos(w[1] * t)).collect();
+        let velocity =
+            time.iter().map(|t| 0.03 * w[0] * libm::cos(w[0] * t) - 0.002 * w[1] * libm::sin(w[1] * t)).collect();
         MotionRecord { time, displacement: Some(displacement), velocity: Some(velocity), ..MotionRecord::default() }
     }
 

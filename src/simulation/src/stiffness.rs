@@ -26,7 +26,7 @@ pub fn fastest_rate(model: &Model) -> f64 {
             all.get(i).and_then(|row| row.get(j)).copied().filter(|slope| slope.is_finite()).unwrap_or(0.0)
         });
         let sizes = matrix.complex_eigenvalues();
-        fastest = sizes.iter().map(|value| value.norm()).fold(fastest, f64::max);
+        fastest = sizes.iter().map(|value| libm::hypot(value.re, value.im)).fold(fastest, f64::max);
     }
     fastest
 }
@@ -38,7 +38,7 @@ pub fn explicit_step(rate: f64) -> f64 {
 
 /// A limit in two digits, never 0.
 fn in_digits(limit: f64) -> String {
-    let digits = (1.0 - limit.log10().floor()).clamp(0.0, 12.0) as usize;
+    let digits = (1.0 - libm::log10(limit).floor()).clamp(0.0, 12.0) as usize;
     format!("{limit:.digits$}")
 }
 
@@ -91,7 +91,7 @@ mod tests {
         let model = model(3e6, 0.05);
         let told = explicit_step(fastest_rate(&model));
         let largest = |dt: f64| {
-            let motion = |t: f64| Input::motion(0.002 * (60.0 * t).sin(), 0.12 * (60.0 * t).cos());
+            let motion = |t: f64| Input::motion(0.002 * libm::sin(60.0 * t), 0.12 * libm::cos(60.0 * t));
             let mut state = model.settled(&motion(0.0));
             let mut most = 0.0f64;
             for k in 0..(0.05 / dt) as usize {

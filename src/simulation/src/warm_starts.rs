@@ -53,8 +53,8 @@ mod tests {
         let time: Vec<f64> = (0..5000).map(|k| 1e-3 * f64::from(k)).collect();
         let omega = TAU * 2.0;
         Record {
-            displacement: time.iter().map(|t| 0.05 * (omega * t).sin()).collect(),
-            velocity: time.iter().map(|t| 0.05 * omega * (omega * t).cos()).collect(),
+            displacement: time.iter().map(|t| 0.05 * libm::sin(omega * t)).collect(),
+            velocity: time.iter().map(|t| 0.05 * omega * libm::cos(omega * t)).collect(),
             force: vec![0.0; time.len()],
             amplitude: 0.05,
             frequency: 2.0,

@@ -45,7 +45,7 @@ fn clusters(mut values: Vec<f64>) -> Vec<f64> {
 }
 
 fn nearest(of: &[f64], value: f64) -> Option<usize> {
-    (0..of.len()).min_by(|a, b| (of[*a] / value).ln().abs().total_cmp(&(of[*b] / value).ln().abs()))
+    (0..of.len()).min_by(|a, b| libm::log(of[*a] / value).abs().total_cmp(&libm::log(of[*b] / value).abs()))
 }
 
 impl Grid {

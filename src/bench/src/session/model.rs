@@ -257,9 +257,11 @@ impl Reach {
         let p = row.parameter;
         let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));
         let (mut low, mut high, factors) = match usual {
-            Some(Usual::Size(median, factor)) => (median / factor.powf(SPREADS), median * factor.powf(SPREADS), true),
+            Some(Usual::Size(median, factor)) => {
+                (median / libm::pow(factor, SPREADS), median * libm::pow(factor, SPREADS), true)
+            }
             Some(Usual::Strength(median, factor)) => {
-                (median / (10.0 * factor.powf(SPREADS)), median * factor.powf(SPREADS), true)
+                (median / (10.0 * libm::pow(factor, SPREADS)), median * libm::pow(factor, SPREADS), true)
             }
             Some(Usual::Place(mean, deviation)) => (mean - SPREADS * deviation, mean + SPREADS * deviation, false),
             None => {
@@ -282,7 +284,7 @@ impl Reach {
 
     /// Place of a value on the slider, 0..1.
     pub fn place(&self, value: f64) -> f64 {
-        let of = |v: f64| if self.factors { v.max(1e-300).ln() } else { v };
+        let of = |v: f64| if self.factors { libm::log(v.max(1e-300)) } else { v };
         let (low, high) = (of(self.low), of(self.high));
         if high > low { ((of(value) - low) / (high - low)).clamp(0.0, 1.0) } else { 0.5 }
     }

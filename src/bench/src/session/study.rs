@@ -51,7 +51,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
     let [low, high] = question.range;
     let value = |k: usize| {
         let part = k as f64 / (question.count.max(2) - 1) as f64;
-        if question.factors && low > 0.0 { low * (high / low).powf(part) } else { low + part * (high - low) }
+        if question.factors && low > 0.0 { low * libm::pow(high / low, part) } else { low + part * (high - low) }
     };
     let cycle = &seen.cycle;
     let n = seen.cycle_samples;
@@ -105,8 +105,8 @@ mod tests {
     fn area_and_gap_of_a_known_loop() {
         let n = 2000;
         let phase = |i: usize| TAU * i as f64 / n as f64;
-        let x: Vec<f64> = (0..n).map(|i| 0.01 * phase(i).sin()).collect();
-        let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * phase(i).cos()).collect();
+        let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
+        let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
         // A viscous damper of 1000 N s/m at 1 Hz, with a spring of 5000 N/m: area π c ω X², gap from the spring alone.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
         let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;

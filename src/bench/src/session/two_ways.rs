@@ -54,8 +54,8 @@ mod tests {
     #[test]
     fn gas_and_drag_of_a_known_cycle_are_told_apart() {
         let phase = |i: usize| TAU * i as f64 / 300.0;
-        let x: Vec<f64> = (0..300).map(|i| 0.02 * phase(i).sin()).collect();
-        let v: Vec<f64> = (0..300).map(|i| 0.005 * phase(i).cos()).collect();
+        let x: Vec<f64> = (0..300).map(|i| 0.02 * libm::sin(phase(i))).collect();
+        let v: Vec<f64> = (0..300).map(|i| 0.005 * libm::cos(phase(i))).collect();
         // 150 N of gas that push the rod out and grow by 1000 N/m, 25 N of seal drag.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| -150.0 + 1000.0 * x + 25.0 * v.signum()).collect();
         let places = two_ways(&x, &v, &force);

@@ -19,7 +19,7 @@ pub fn lower(label: String, w: &'static Words) -> AxisHints<'static> {
 
 /// A number on an axis, with the decimals that its step needs.
 pub fn number(mark: GridMark, w: &Words) -> String {
-    w.fixed(mark.value, (-mark.step_size.log10().round()).max(0.0) as usize)
+    w.fixed(mark.value, (-libm::log10(mark.step_size).round()).max(0.0) as usize)
 }
 
 /// The lines of an axis whose numbers lie at least `apart` of the least distance from each other.
@@ -33,7 +33,7 @@ pub fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
 
 /// Steps of the fine lines, of those with numbers, and of every tenth of these.
 fn steps(least: f64) -> [f64; 3] {
-    let decade = 10f64.powf(least.abs().log10().floor());
+    let decade = libm::pow(10f64, libm::log10(least.abs()).floor());
     // A hair of slack: the logarithm of an exact power of ten may come out below it.
     let (step, parts) = [(1.0, 5.0), (2.0, 4.0), (5.0, 5.0), (10.0, 5.0)]
         .map(|(of, parts)| (of * decade, parts))

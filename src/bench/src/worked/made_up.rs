@@ -38,7 +38,7 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
         let dt = 1.0 / (frequency * SAMPLES as f64);
         let at = |i: usize| {
             let phase = TAU * frequency * dt * i as f64;
-            (amplitude * phase.sin(), TAU * frequency * amplitude * phase.cos())
+            (amplitude * libm::sin(phase), TAU * frequency * amplitude * libm::cos(phase))
         };
         let input = |i: usize| {
             let (x, v) = at(i);

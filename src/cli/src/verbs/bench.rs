@@ -163,8 +163,8 @@ fn road() -> Vec<Input> {
             let t = STEP * i as f64;
             let (a, b) = (9.4, 81.7);
             Input::motion(
-                0.03 * (a * t).sin() + 0.004 * (b * t + 1.0).sin(),
-                0.03 * a * (a * t).cos() + 0.004 * b * (b * t + 1.0).cos(),
+                0.03 * libm::sin(a * t) + 0.004 * libm::sin(b * t + 1.0),
+                0.03 * a * libm::cos(a * t) + 0.004 * b * libm::cos(b * t + 1.0),
             )
         })
         .collect()

@@ -66,7 +66,7 @@ impl Change {
         let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
         let of = |value: f64| match factor * value {
             0.0 => "0".to_owned(),
-            value => format!("{value:.*}", (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize),
+            value => format!("{value:.*}", (3 - libm::log10(value.abs()).floor() as i32).clamp(0, 12) as usize),
         };
         let said = match self.velocity_m_s {
             Some(v) if v > 0.0 => Sentence::from(phrases::OTHER_REBOUND).with("velocity", format!("{v:.3}")),
@@ -180,7 +180,7 @@ pub(super) fn changes(reference: (&Hypothesis, &Refit), own: (&Hypothesis, &Refi
     let numbers = there.hypothesis.numbers.iter().enumerate().filter_map(|(k, n)| {
         let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
         let place = here.hypothesis.place_of(&n.free)?;
-        let deviation = there.deviation(k).hypot(here.deviation(place));
+        let deviation = libm::hypot(there.deviation(k), here.deviation(place));
         let (before, after) = (there.theta[k], here.theta[place]);
         ((after - before).abs() > CHANGED * deviation).then(|| Change {
             parameter: number.name(),
@@ -209,7 +209,7 @@ fn points_of_the_curve(there: &Fitted, here: &Fitted, tests: &[Test]) -> [Vec<Po
         let reached = params.list(list!("fv_velocity")).iter().filter(|v| (1e-9..=reach).contains(&(side * **v)));
         let point = |v: &f64| {
             let ((before, of_there), (after, of_here)) = (there.curve(*v), here.curve(*v));
-            Point { velocity: *v, before, after, deviation: of_there.hypot(of_here) }
+            Point { velocity: *v, before, after, deviation: libm::hypot(of_there, of_here) }
         };
         reached.map(point).collect()
     })

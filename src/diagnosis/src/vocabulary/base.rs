@@ -20,7 +20,7 @@ fn internal_mass(base: &Params) -> FreeNumber {
     let own = base.number(number!("internal_mass")).max(least);
     let mut from = *base;
     let _ = from.set(number!("internal_mass"), own);
-    let bounds = ((own / NEAR).max(least).ln(), (own * NEAR).ln());
+    let bounds = (libm::log((own / NEAR).max(least)), libm::log(own * NEAR));
     FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 

@@ -6,7 +6,7 @@ pub(super) fn loop_over_force(share: f64, width: f64, forces: &mut [f64]) {
     for force in forces {
         let rise = *force - last;
         last = *force;
-        let stays = (-rise.abs() / width).exp();
+        let stays = libm::exp(-rise.abs() / width);
         way = way * stays + rise.signum() * (1.0 - stays);
         *force += share * force.abs() * way;
     }
@@ -20,7 +20,7 @@ mod tests {
     fn a_loop_over_force_does_not_know_the_speed_and_takes_energy_from_its_load() {
         let run = |per_cycle: usize| {
             let pure: Vec<f64> = (0..=2 * per_cycle)
-                .map(|i| 1000.0 * (std::f64::consts::TAU * i as f64 / per_cycle as f64).sin())
+                .map(|i| 1000.0 * libm::sin(std::f64::consts::TAU * i as f64 / per_cycle as f64))
                 .collect();
             let mut read = pure.clone();
             loop_over_force(0.03, 100.0, &mut read);

@@ -22,7 +22,7 @@ pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], force
     };
     for (force, input) in forces.iter_mut().zip(inputs) {
         let grows = if along { input.displacement.unwrap_or(0.0) } else { 1.0 };
-        *force += share * grows * (*force - rest).abs() * (input.velocity / TURNS).tanh();
+        *force += share * grows * (*force - rest).abs() * libm::tanh(input.velocity / TURNS);
     }
 }
 
@@ -42,7 +42,7 @@ mod tests {
         let inputs: Vec<Input> = (0..=400)
             .map(|k| {
                 let phase = std::f64::consts::TAU * (f64::from(k) + 0.5) / 200.0;
-                Input::motion(0.01 * phase.sin(), 0.5 * phase.cos())
+                Input::motion(0.01 * libm::sin(phase), 0.5 * libm::cos(phase))
             })
             .collect();
         let gas = -150.0;

@@ -40,13 +40,13 @@ mod tests {
                 .collect();
             let input: Vec<Input> = times
                 .iter()
-                .map(|t| Input::motion(0.01 * (omega * t).sin(), 0.01 * omega * (omega * t).cos()))
+                .map(|t| Input::motion(0.01 * libm::sin(omega * t), 0.01 * omega * libm::cos(omega * t)))
                 .collect();
             let mut forces = vec![100.0; n];
             inertia(2.0, &dt, &input, &mut forces);
             let top = 2.0 * 0.01 * omega * omega;
             for (force, t) in forces.iter().zip(&times).take(n - 1).skip(1) {
-                let wanted = 100.0 - top * (omega * t).sin();
+                let wanted = 100.0 - top * libm::sin(omega * t);
                 assert!((force - wanted).abs() < 2e-3 * top, "{force} {wanted}");
             }
         }

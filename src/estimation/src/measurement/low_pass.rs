@@ -21,7 +21,7 @@ mod tests {
     #[test]
     fn a_slow_force_comes_late_by_tau() {
         let (tau, h) = (1.2e-3, 5e-5);
-        let wave = |t: f64| 1000.0 * (30.0 * t).sin();
+        let wave = |t: f64| 1000.0 * libm::sin(30.0 * t);
         let mut forces: Vec<f64> = (0..8000).map(|k| wave(k as f64 * h)).collect();
         low_pass(tau, &vec![h; 8000], &mut forces);
         for (k, force) in forces.iter().enumerate().skip(4000) {

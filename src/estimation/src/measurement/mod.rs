@@ -142,7 +142,7 @@ impl Artefact {
             Artefact::Offset => Some(1.0),
             Artefact::Step(after) => Some(f64::from(u8::from(segment.clock > f64::from(after)))),
             Artefact::Drift => Some(segment.clock),
-            Artefact::WarmUp(time) => Some(1.0 - (-segment.clock / f64::from(time)).exp()),
+            Artefact::WarmUp(time) => Some(1.0 - libm::exp(-segment.clock / f64::from(time))),
         }
     }
 }

@@ -80,8 +80,8 @@ mod tests {
             dt: (0..n).map(|i| if i == 0 { 0.0 } else { h }).collect(),
             input: (0..n)
                 .map(|i| Input {
-                    displacement: Some(0.01 * at(i).sin()),
-                    velocity: 0.4 * at(i).cos(),
+                    displacement: Some(0.01 * libm::sin(at(i))),
+                    velocity: 0.4 * libm::cos(at(i)),
                     side_force: 0.0,
                     temperature: 20.0,
                 })

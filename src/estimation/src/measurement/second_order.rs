@@ -24,8 +24,8 @@ impl SecondOrder {
             // Most samples are equally far apart but for rounding, and the functions cost more than all else here.
             if !((h - at).abs() <= ALIKE * h) {
                 at = *h;
-                stays = (-falls * h).exp();
-                (sin, cos) = (turns * h).sin_cos();
+                stays = libm::exp(-falls * h);
+                (sin, cos) = libm::sincos(turns * h);
             }
             let slope = (*force - last) / h;
             // What is behind the ramp that the force is on, and its rate.
@@ -49,10 +49,10 @@ mod tests {
             let filter = SecondOrder { omega: std::f64::consts::TAU * frequency, damping };
             let w = std::f64::consts::TAU * driven;
             let (n, h) = (8000, 5e-5);
-            let mut forces: Vec<f64> = (0..n).map(|k| 1000.0 * (w * k as f64 * h).sin()).collect();
+            let mut forces: Vec<f64> = (0..n).map(|k| 1000.0 * libm::sin(w * k as f64 * h)).collect();
             let ratio = driven / frequency;
             let (real, imaginary) = (1.0 - ratio * ratio, 2.0 * damping * ratio);
-            let (size, lag) = (1000.0 / real.hypot(imaginary), imaginary.atan2(real));
+            let (size, lag) = (1000.0 / libm::hypot(real, imaginary), libm::atan2(imaginary, real));
             let mut k = 0;
             filter.follow(&vec![h; n], &mut forces, |_, y, rate| {
                 k += 1;

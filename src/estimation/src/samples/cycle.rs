@@ -138,7 +138,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         let lag1 = record.noise.lag1.clamp(0.0, 0.99);
         let apart = (in_cycle as f64 / count as f64).max(1.0);
         let mean_noise = record.noise.force_rms * (mean_variance(averaged, lag1) / bounds.len() as f64).sqrt();
-        Repeat { mean_noise, independence: independence(lag1.powf(apart)), growth: 0.0 }
+        Repeat { mean_noise, independence: independence(libm::pow(lag1, apart)), growth: 0.0 }
     });
     let cycles = bounds.len() as f64;
     let noise = mean_noise.powi(2) / independence;

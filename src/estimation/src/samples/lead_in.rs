@@ -108,7 +108,7 @@ mod tests {
         let dt = 1.0 / (frequency * COUNT as f64);
         let input = |k: usize| {
             let phase = TAU * (k as f64 / COUNT as f64 + 0.07);
-            let (x, v) = (1e-3 * phase.sin(), 1e-3 * TAU * frequency * phase.cos());
+            let (x, v) = (1e-3 * libm::sin(phase), 1e-3 * TAU * frequency * libm::cos(phase));
             Input { displacement: Some(x), ..Input::motion(x, v) }
         };
         let segment = Segment {

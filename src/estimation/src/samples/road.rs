@@ -85,8 +85,8 @@ mod tests {
                 .map(|(a, f, phase)| of(*a, std::f64::consts::TAU * f, std::f64::consts::TAU * f * t + phase))
                 .sum()
         };
-        let displacement: Vec<f64> = time.iter().map(|t| sum(*t, |a, _, angle| a * angle.sin())).collect();
-        let velocity: Vec<f64> = time.iter().map(|t| sum(*t, |a, w, angle| a * w * angle.cos())).collect();
+        let displacement: Vec<f64> = time.iter().map(|t| sum(*t, |a, _, angle| a * libm::sin(angle))).collect();
+        let velocity: Vec<f64> = time.iter().map(|t| sum(*t, |a, w, angle| a * w * libm::cos(angle))).collect();
         let mut record = Record {
             time,
             displacement,

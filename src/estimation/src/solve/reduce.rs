@@ -1,5 +1,6 @@
 //! As many rows as there are numbers, that say the same as all rows of a linear least-squares problem.
 
+use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
 
 /// Smallest share of a column that stands out from the columns before it at which squared (normal) equations keep enough digits:
@@ -27,8 +28,7 @@ pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>
 /// `None` where columns are not far enough apart.
 fn by_squares(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
     let n = jacobian.ncols();
-    // A product of matrices is computed in blocks; `tr_mul` goes by columns and takes several times as long.
-    let squares = jacobian.transpose() * jacobian;
+    let squares = gram(jacobian);
     let lengths = DVector::from_fn(n, |i, _| squares[(i, i)].sqrt());
     if lengths.iter().any(|l| !(*l > 0.0)) {
         return None;
@@ -56,9 +56,9 @@ mod tests {
         let jacobian = DMatrix::from_fn(40, 3, |i, c| match c {
             0 => 1e3,
             1 => 1e-2 * t(i),
-            _ => 1e-2 * t(i) + near * (9.0 * t(i)).sin(),
+            _ => 1e-2 * t(i) + near * libm::sin(9.0 * t(i)),
         });
-        (jacobian, DVector::from_fn(40, |i, _| (3.0 * t(i)).cos()))
+        (jacobian, DVector::from_fn(40, |i, _| libm::cos(3.0 * t(i))))
     }
 
     /// The solution and what the squares fall by are the same as of all rows, whichever way was taken.

@@ -68,7 +68,7 @@ impl Reader<'_> {
     /// As in Fortran: a power goes before a sign or a product, and of several the last first.
     fn power(&mut self) -> anyhow::Result<f64> {
         let base = self.atom()?;
-        if self.take("**") { Ok(base.powf(self.factor()?)) } else { Ok(base) }
+        if self.take("**") { Ok(libm::pow(base, self.factor()?)) } else { Ok(base) }
     }
 
     fn factor(&mut self) -> anyhow::Result<f64> {

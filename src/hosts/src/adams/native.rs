@@ -52,7 +52,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
             State { mass_displacement: 1e-3 * x, mass_velocity: 1e-3 * v, ..model.settled(&Input::motion(0.0, 0.0)) };
         force(model, &state, &Input::motion(1e-3 * x, 1e-3 * v))
     };
-    let velocities = spaced(|s| FINE * (s * (FASTEST / FINE).asinh()).sinh());
+    let velocities = spaced(|s| FINE * libm::sinh(s * libm::asinh(FASTEST / FINE)));
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);

@@ -272,7 +272,7 @@ fn usual(params: &Params) -> [f64; 11] {
     if let Ok(model) = Model::new(params) {
         let motion = |t: f64| {
             let phase = SPEED / AMPLITUDE * t;
-            Input::motion(-AMPLITUDE * phase.cos(), SPEED * phase.sin())
+            Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
         };
         let mut state = model.settled(&motion(0.0));
         for k in 1..=900 {

@@ -146,12 +146,12 @@ mod tests {
         for i in 0..n * cycles {
             // Half a step off, so that no sample stands still.
             let phase = TAU * (i as f64 + 0.5) / n as f64;
-            let v = peak * phase.cos();
+            let v = peak * libm::cos(phase);
             record.time.push(phase / w);
-            record.displacement.push(amplitude * phase.sin());
+            record.displacement.push(amplitude * libm::sin(phase));
             record.velocity.push(v);
             let damping = if v > 0.0 { 2000.0 } else { 800.0 };
-            record.force.push(damping * v + 30.0 * v.signum() - 150.0 + 40.0 * peak * phase.sin());
+            record.force.push(damping * v + 30.0 * v.signum() - 150.0 + 40.0 * peak * libm::sin(phase));
         }
         record
     }

@@ -48,7 +48,7 @@ impl Law for Dahl {
             if i > 0 {
                 let travel = (x[i] - x[i - 1]) / self.stick_distance_m;
                 let direction = travel.signum();
-                *z = direction + (*z - direction) * (-travel.abs()).exp();
+                *z = direction + (*z - direction) * libm::exp(-travel.abs());
             }
             self.stiffness_n_m * x[i] + self.damping_n_s_m * v[i] + self.friction_n * *z + self.offset_n
         })

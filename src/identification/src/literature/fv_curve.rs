@@ -107,8 +107,8 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     for v in points {
         if let Some(last) = divided.last().copied() {
             if last >= SMALLEST {
-                let parts = ((v / last).ln() / WIDEST.ln()).ceil().max(1.0);
-                divided.extend((1..parts as usize).map(|k| last * (v / last).powf(k as f64 / parts)));
+                let parts = (libm::log(v / last) / libm::log(WIDEST)).ceil().max(1.0);
+                divided.extend((1..parts as usize).map(|k| last * libm::pow(v / last, k as f64 / parts)));
             }
         }
         divided.push(v);

@@ -67,7 +67,7 @@ impl Law for Kwok {
             .iter()
             .zip(&motion.velocity)
             .map(|(x, v)| {
-                let loop_force = self.level_n * (self.steepness_s_m * v + self.width * sign(*x)).tanh();
+                let loop_force = self.level_n * libm::tanh(self.steepness_s_m * v + self.width * sign(*x));
                 self.stiffness_n_m * x + self.damping_n_s_m * v + loop_force + self.offset_n
             })
             .collect()

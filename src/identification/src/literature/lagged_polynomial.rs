@@ -174,7 +174,7 @@ impl LaggedPolynomial {
                     let (p0, p1) = (self.polynomial(at(k)), self.polynomial(at(k + 1)));
                     let lag = self.time_constant(0.5 * (at(k) + at(k + 1)));
                     let behind = (p1 - p0) / h * lag;
-                    *y = p1 - behind + (*y - p0 + behind) * (-h / lag).exp();
+                    *y = p1 - behind + (*y - p0 + behind) * libm::exp(-h / lag);
                 }
             }
             *y

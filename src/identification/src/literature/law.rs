@@ -48,7 +48,7 @@ impl Number {
 
     fn inner(self, value: f64) -> f64 {
         match self {
-            Number::Log { low, high } => value.clamp(low, high).ln(),
+            Number::Log { low, high } => libm::log(value.clamp(low, high)),
             Number::Linear { typical, low, high } | Number::Plain { typical, low, high } => {
                 value.clamp(low, high) / typical
             }
@@ -57,14 +57,14 @@ impl Number {
 
     fn outer(self, value: f64) -> f64 {
         match self {
-            Number::Log { .. } => value.exp(),
+            Number::Log { .. } => libm::exp(value),
             Number::Linear { typical, .. } | Number::Plain { typical, .. } => value * typical,
         }
     }
 
     fn bounds(self) -> (f64, f64) {
         match self {
-            Number::Log { low, high } => (low.ln(), high.ln()),
+            Number::Log { low, high } => (libm::log(low), libm::log(high)),
             Number::Linear { typical, low, high } | Number::Plain { typical, low, high } => {
                 (low / typical, high / typical)
             }

@@ -68,7 +68,7 @@ fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
     }
     for k in 0..NEURONS {
         let n = &w[5 * k..5 * k + 5];
-        let h = (n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]).tanh();
+        let h = libm::tanh(n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]);
         sum += n[4] * h;
         if let Some(by) = by.as_deref_mut() {
             let inner = n[4] * (1.0 - h * h);
@@ -147,7 +147,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
             let mut start = Vec::with_capacity(SIZE);
             for _ in 0..NEURONS {
                 // Steps at all velocities, steep and gentle, leaning on displacement and acceleration.
-                let steep = 10f64.powf(0.75 * (1.0 + next()));
+                let steep = libm::pow(10f64, 0.75 * (1.0 + next()));
                 start.extend([steep * 0.5 * next(), next(), steep, next(), 0.1 * next()]);
             }
             start.extend([0.0; 4]);
@@ -185,7 +185,7 @@ impl Network {
         self.inputs(motion, &acceleration(motion))
             .iter()
             .map(|u| {
-                let neuron = |n: &[f64; 5]| n[4] * (n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]).tanh();
+                let neuron = |n: &[f64; 5]| n[4] * libm::tanh(n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]);
                 let straight: f64 = self.straight.iter().zip(u).map(|(w, u)| w * u).sum();
                 self.output_scale_n * (self.bias + straight + self.neurons.iter().map(neuron).sum::<f64>())
             })

@@ -107,7 +107,9 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
                         let (own, own_right) = part(test, &of);
                         match solve(&(&square - &own), &(&right - &own_right)) {
                             // By ratios: one test beyond the reach of the others must not decide alone.
-                            Some(c) => (test.force - 2.0 * own_right.dot(&c) + c.dot(&(&own * &c))).max(1e-9).ln(),
+                            Some(c) => {
+                                libm::log((test.force - 2.0 * own_right.dot(&c) + c.dot(&(&own * &c))).max(1e-9))
+                            }
                             None => f64::INFINITY,
                         }
                     })

@@ -12,8 +12,8 @@ fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
             let t = |i: usize| i as f64 / 80.0 / frequency;
             let motion = Motion {
                 dt: (0..n).map(|i| if i == 0 { 0.0 } else { 1.0 / 80.0 / frequency }).collect(),
-                displacement: (0..n).map(|i| amplitude * (TAU * frequency * t(i)).sin() + 0.004).collect(),
-                velocity: (0..n).map(|i| amplitude * TAU * frequency * (TAU * frequency * t(i)).cos()).collect(),
+                displacement: (0..n).map(|i| amplitude * libm::sin(TAU * frequency * t(i)) + 0.004).collect(),
+                velocity: (0..n).map(|i| amplitude * TAU * frequency * libm::cos(TAU * frequency * t(i))).collect(),
                 returns: Some(160),
             };
             let force = model.forces(&motion);
@@ -204,7 +204,7 @@ fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
 #[test]
 fn the_curve_shows_the_friction_step_where_slow_tests_are_and_has_no_level_stretch() {
     // Friction of ±170 N that is fully there at 1 mm/s, on a degressive curve; peaks as in a schedule with slow tests.
-    let law = |v: f64| 170.0 * (v / 4e-4).tanh() + 2500.0 * v / (1.0 + (v / 0.3).abs()).sqrt() - 40.0;
+    let law = |v: f64| 170.0 * libm::tanh(v / 4e-4) + 2500.0 * v / (1.0 + (v / 0.3).abs()).sqrt() - 40.0;
     let plan = [(0.05, 0.00637), (0.05, 0.008), (0.05, 0.17), (0.05, 0.83), (0.05, 3.33), (0.01, 0.83), (0.01, 4.0)];
     let kwok = &examples()[5];
     let mut tests = tests_of(kwok, &plan);

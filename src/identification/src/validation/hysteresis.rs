@@ -214,7 +214,7 @@ mod tests {
         };
         for i in 0..cycles * per_cycle {
             let phase = 2.0 * PI * i as f64 / per_cycle as f64;
-            let (x, v) = (AMPLITUDE * phase.sin(), AMPLITUDE * omega * phase.cos());
+            let (x, v) = (AMPLITUDE * libm::sin(phase), AMPLITUDE * omega * libm::cos(phase));
             record.time.push(phase / omega);
             record.displacement.push(x + 0.03);
             record.velocity.push(v);
@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn a_function_of_velocity_alone_has_no_hysteresis() {
-        let got = measured(&sine(2, 1777, |_, v, _| 900.0 * v * v.abs() + 80.0 * (50.0 * v).tanh()));
+        let got = measured(&sine(2, 1777, |_, v, _| 900.0 * v * v.abs() + 80.0 * libm::tanh(50.0 * v)));
         assert!(got.max_gap_n.measured < 1.0, "{:?}", got.max_gap_n);
         assert!(got.area_n_m_s.measured.abs() < 1e-6, "{}", got.area_n_m_s.measured);
     }

@@ -160,7 +160,7 @@ fn mean_peak_velocity(tests: &[&TestValidation]) -> f64 {
 
 /// A positive value to three significant digits, without trailing zeros after the point.
 fn three_digits(value: f64) -> String {
-    let decimals = (2.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 6.0) as usize;
+    let decimals = (2.0 - libm::log10(value.abs().max(1e-9)).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -22,14 +22,14 @@ impl Hidden for Henry {
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         // The state is the share that is dissolved: 0 at rest.
-        let target = (here.hydraulic.abs() / self.dissolved).tanh();
+        let target = libm::tanh(here.hydraulic.abs() / self.dissolved);
         let short = target - s[0];
-        let quick = 0.5 * (1.0 + (short / 0.05).tanh());
+        let quick = 0.5 * (1.0 + libm::tanh(short / 0.05));
         r[0] = short * (quick / self.back + (1.0 - quick) / self.out);
     }
     fn column(&self, here: &Here, s: &[f64]) -> f64 {
         let r = here.hydraulic.abs() / self.force;
-        self.stroke / self.force * (1.0 - s[0]).max(0.0) * (1.0 + r).powf(-1.0 - 1.0 / 1.3)
+        self.stroke / self.force * (1.0 - s[0]).max(0.0) * libm::pow(1.0 + r, -1.0 - 1.0 / 1.3)
     }
 }
 
@@ -54,9 +54,9 @@ struct Pocket {
 
 impl Hidden for Pocket {
     fn column(&self, here: &Here, _: &[f64]) -> f64 {
-        let side = 0.5 * (1.0 + (here.hydraulic / 10.0).tanh());
+        let side = 0.5 * (1.0 + libm::tanh(here.hydraulic / 10.0));
         let share = side * self.sides[0] + (1.0 - side) * self.sides[1];
-        share * self.stroke / self.force * (-here.hydraulic.abs() / self.force).exp()
+        share * self.stroke / self.force * libm::exp(-here.hydraulic.abs() / self.force)
     }
 }
 

@@ -41,7 +41,7 @@ fn fractional(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     let times = std::array::from_fn(|i| 1e-3 * 8f64.powi(i as i32));
     Box::new(Fractional {
         compliance: strength * d.between(1.5, 3.0) / k,
-        stiffness: times.map(|t: f64| strength * first * scale.series_n_m * (t / 1e-3).powf(-alpha)),
+        stiffness: times.map(|t: f64| strength * first * scale.series_n_m * libm::pow(t / 1e-3, -alpha)),
         times,
     })
 }

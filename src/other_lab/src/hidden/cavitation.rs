@@ -34,7 +34,7 @@ impl GasRelease {
 }
 
 fn softplus(x: f64) -> f64 {
-    if x > 30.0 { x } else { x.exp().ln_1p() }
+    if x > 30.0 { x } else { libm::log1p(libm::exp(x)) }
 }
 
 impl Hidden for GasRelease {

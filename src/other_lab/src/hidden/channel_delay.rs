@@ -24,7 +24,7 @@ impl Hidden for Latency {
         for i in 1..time.len() {
             let h = time[i] - time[i - 1];
             // Exact for a force that runs straight between the instants.
-            let (e, slope) = ((-h / self.filter).exp(), (force[i] - force[i - 1]) / h);
+            let (e, slope) = (libm::exp(-h / self.filter), (force[i] - force[i - 1]) / h);
             state = force[i] - slope * self.filter + (state - force[i - 1] + slope * self.filter) * e;
             filtered[i] = state;
         }

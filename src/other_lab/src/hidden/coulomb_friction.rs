@@ -36,7 +36,7 @@ struct Logarithmic {
 
 impl Hidden for Logarithmic {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        self.force * self.share * (0.5 * here.v / self.speed * (1.0 / self.share).exp()).asinh()
+        self.force * self.share * libm::asinh(0.5 * here.v / self.speed * libm::exp(1.0 / self.share))
     }
 }
 

@@ -37,7 +37,7 @@ impl Hidden for Wander {
         self.waves
             .iter()
             .map(|[size, turns, phase]| {
-                size * ((std::f64::consts::TAU * turns * at.progress + phase).sin() - phase.sin())
+                size * (libm::sin(std::f64::consts::TAU * turns * at.progress + phase) - libm::sin(*phase))
             })
             .sum()
     }

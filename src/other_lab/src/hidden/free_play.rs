@@ -16,7 +16,7 @@ struct WornEye {
 
 impl Hidden for WornEye {
     fn series(&self, here: &Here, _: &[f64]) -> f64 {
-        let t = (here.mount / self.force).tanh();
+        let t = libm::tanh(here.mount / self.force);
         self.gap / self.force * (1.0 - t * t)
     }
 }
@@ -36,7 +36,7 @@ struct OffsetGap {
 impl Hidden for OffsetGap {
     fn series(&self, here: &Here, _: &[f64]) -> f64 {
         let r = (here.mount - self.at) / self.force;
-        2.0 * self.gap / (self.force * std::f64::consts::PI.sqrt()) * (-r * r).exp()
+        2.0 * self.gap / (self.force * std::f64::consts::PI.sqrt()) * libm::exp(-r * r)
     }
 }
 

@@ -73,7 +73,7 @@ impl Hidden for PilotChamber {
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         let by = here.hydraulic.abs() - s[0];
-        let filling = 0.5 * (1.0 + (by / (0.05 * self.force)).tanh());
+        let filling = 0.5 * (1.0 + libm::tanh(by / (0.05 * self.force)));
         r[0] = by * (filling / self.fills + (1.0 - filling) / self.empties);
     }
     fn gain(&self, here: &Here, s: &[f64]) -> f64 {

@@ -17,7 +17,7 @@ struct Leaking {
 
 impl Hidden for Leaking {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        -self.force * (1.0 - self.share + self.share * (-self.per_campaign * here.progress).exp())
+        -self.force * (1.0 - self.share + self.share * libm::exp(-self.per_campaign * here.progress))
     }
 }
 

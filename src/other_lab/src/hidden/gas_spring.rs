@@ -17,7 +17,7 @@ struct TwoColumns {
 
 impl Hidden for TwoColumns {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        let at = |length: f64, n: f64| (1.0 + here.x / length).max(0.15).powf(-n) - 1.0;
+        let at = |length: f64, n: f64| libm::pow((1.0 + here.x / length).max(0.15), -n) - 1.0;
         -self.force * (self.share * at(self.lengths[0], 1.0) + (1.0 - self.share) * at(self.lengths[1], 1.4))
     }
 }

@@ -51,7 +51,7 @@ struct GasLeavesTheOil {
 impl Hidden for GasLeavesTheOil {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
         let warmer = here.oil_c - REFERENCE_C;
-        -self.force * (warmer / (KELVIN + REFERENCE_C) + 1.0 - (-warmer / self.kelvin).exp())
+        -self.force * (warmer / (KELVIN + REFERENCE_C) + 1.0 - libm::exp(-warmer / self.kelvin))
     }
 }
 

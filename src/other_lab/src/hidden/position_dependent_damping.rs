@@ -53,7 +53,7 @@ impl Hidden for Needle {
     fn gain(&self, here: &Here, _: &[f64]) -> f64 {
         let bent = self.slope * here.x + self.curve * here.x * here.x;
         // Never shut: as the exponential for a narrow passage, straight for a wide one.
-        if bent < 0.0 { bent.exp() } else { 1.0 + bent }
+        if bent < 0.0 { libm::exp(bent) } else { 1.0 + bent }
     }
 }
 

@@ -38,8 +38,8 @@ impl Hidden for Iwan {
 fn iwan(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     let (shortest, longest) = (d.scale(6e-5, 1.5e-4), d.scale(0.8e-3, 2.5e-3));
     let chi = d.between(-0.4, 0.2);
-    let lengths = std::array::from_fn(|i| shortest * f64::powf(longest / shortest, i as f64 / (SLIDERS - 1) as f64));
-    let raw = lengths.map(|l: f64| (l / shortest).powf(chi));
+    let lengths = std::array::from_fn(|i| shortest * libm::pow(longest / shortest, i as f64 / (SLIDERS - 1) as f64));
+    let raw = lengths.map(|l: f64| libm::pow(l / shortest, chi));
     let sum: f64 = raw.iter().sum();
     let force = strength * scale.friction_n.max(25.0) * d.between(1.0, 2.2);
     Box::new(Iwan { force, lengths, shares: raw.map(|r| r / sum) })
@@ -62,7 +62,7 @@ impl Hidden for AsymmetricBoucWen {
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         let (v, z) = (here.v, s[0]);
-        let size = z.abs().powf(self.power);
+        let size = libm::pow(z.abs(), self.power);
         let psi = self.beta * (v * z).signum() + (1.0 - self.beta) + self.lean * v.signum();
         r[0] = v * (1.0 - size * psi) / self.length;
     }

@@ -17,7 +17,7 @@ struct HertzEye {
 impl Hidden for HertzEye {
     fn series(&self, here: &Here, _: &[f64]) -> f64 {
         let r = here.mount / self.force;
-        2.0 / 3.0 * self.deflection / self.force * (r * r + 3e-3).powf(-1.0 / 6.0)
+        2.0 / 3.0 * self.deflection / self.force * libm::pow(r * r + 3e-3, -1.0 / 6.0)
     }
 }
 
@@ -36,7 +36,7 @@ struct OneSided {
 
 impl Hidden for OneSided {
     fn series(&self, here: &Here, _: &[f64]) -> f64 {
-        let side = (2.0 / std::f64::consts::PI) * (here.mount / self.within).atan();
+        let side = (2.0 / std::f64::consts::PI) * libm::atan(here.mount / self.within);
         0.5 * (self.pull + self.push + (self.pull - self.push) * side)
     }
 }

@@ -25,7 +25,7 @@ impl Hidden for SinteredBush {
         r[0] = (here.v - here.v.abs() * s[0] * s[0].abs()) / self.length;
     }
     fn parallel(&self, here: &Here, s: &[f64]) -> f64 {
-        self.coefficient * 300.0 * (here.side.abs() / 300.0).powf(self.power) * s[0]
+        self.coefficient * 300.0 * libm::pow(here.side.abs() / 300.0, self.power) * s[0]
     }
 }
 
@@ -46,7 +46,7 @@ impl Hidden for EdgeContact {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
         let load = here.side.abs();
         let on_edge = (load - self.edge).max(0.0);
-        let normal = load + self.steeper * on_edge * (on_edge / self.edge).cbrt();
+        let normal = load + self.steeper * on_edge * libm::cbrt(on_edge / self.edge);
         let film = 1.0 + 0.5 / (1.0 + (here.v / self.stribeck).abs());
         self.coefficient * normal * film * soft_sign(here.v, 8e-4)
     }

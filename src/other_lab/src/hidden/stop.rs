@@ -20,7 +20,7 @@ pub(super) struct Foam {
 impl Foam {
     fn static_force(&self, depth: f64) -> f64 {
         let depth = depth.max(0.0);
-        self.plateau * ((depth / self.buckles).tanh() + (depth / self.closes).powi(4))
+        self.plateau * (libm::tanh(depth / self.buckles) + (depth / self.closes).powi(4))
     }
 }
 
@@ -75,7 +75,7 @@ impl Hidden for Holes {
         if depth <= 0.0 {
             return 0.0;
         }
-        let met = 1.0 - (-(depth / 4e-4).powi(2)).exp();
+        let met = 1.0 - libm::exp(-(depth / 4e-4).powi(2));
         let coil = self.preload * met + self.rate * depth;
         let covered: f64 = (0..HOLES)
             .map(|i| {
@@ -84,7 +84,7 @@ impl Hidden for Holes {
             })
             .sum();
         let inward = (self.side * here.v).max(0.0);
-        self.side * (coil + self.row * covered * inward.powf(1.75))
+        self.side * (coil + self.row * covered * libm::pow(inward, 1.75))
     }
 }
 

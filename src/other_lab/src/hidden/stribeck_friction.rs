@@ -16,7 +16,7 @@ struct Makkar {
 
 impl Hidden for Makkar {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        self.force * ((here.v / self.rises).tanh() - (here.v / self.falls).tanh())
+        self.force * (libm::tanh(here.v / self.rises) - libm::tanh(here.v / self.falls))
     }
 }
 
@@ -42,10 +42,10 @@ impl Hidden for FilmLag {
         &[1e-4]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        r[0] = (here.v.hypot(1e-4) - s[0]) / self.time;
+        r[0] = (libm::hypot(here.v, 1e-4) - s[0]) / self.time;
     }
     fn parallel(&self, here: &Here, s: &[f64]) -> f64 {
-        self.force * soft_sign(here.v, self.within) / (1.0 + (s[0] / self.stribeck).abs().powf(1.5))
+        self.force * soft_sign(here.v, self.within) / (1.0 + libm::pow((s[0] / self.stribeck).abs(), 1.5))
     }
 }
 

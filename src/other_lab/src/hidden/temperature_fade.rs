@@ -19,7 +19,7 @@ struct Andrade {
 
 impl Hidden for Andrade {
     fn viscosity(&self, here: &Here, _: &[f64]) -> f64 {
-        (self.kelvin * (1.0 / (here.oil_c + 273.15) - 1.0 / (REFERENCE_C + 273.15))).exp()
+        libm::exp(self.kelvin * (1.0 / (here.oil_c + 273.15) - 1.0 / (REFERENCE_C + 273.15)))
     }
 }
 

@@ -34,9 +34,9 @@ impl Hidden for PoppingPoppet {
         let lift = s[0];
         let r0 = self.load(here) / self.opens;
         // A lifted poppet offers more area, up to some lift.
-        let area = 1.0 + self.grows * (1.0 - (-(lift / 0.15).max(0.0)).exp());
+        let area = 1.0 + self.grows * (1.0 - libm::exp(-(lift / 0.15).max(0.0)));
         let push = (r0 * area - 1.0) / self.stiffness;
-        let end = 1.0 / (1.0 + push.max(0.0).powi(3)).cbrt();
+        let end = 1.0 / libm::cbrt(1.0 + push.max(0.0).powi(3));
         r[0] = (push.max(0.0) * end - lift) / self.time;
     }
     fn taken(&self, here: &Here, s: &[f64]) -> f64 {

@@ -16,7 +16,7 @@ struct CrossFilm {
 
 impl Hidden for CrossFilm {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        self.per_speed * here.v / (1.0 + (here.v.abs() / self.speed).powf(self.power))
+        self.per_speed * here.v / (1.0 + libm::pow(here.v.abs() / self.speed, self.power))
     }
 }
 
@@ -32,7 +32,7 @@ struct BlasiusDrag {
 
 impl Hidden for BlasiusDrag {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        self.factor * here.v * (here.v * here.v + 1e-6).powf(0.375)
+        self.factor * here.v * libm::pow(here.v * here.v + 1e-6, 0.375)
     }
 }
 

@@ -55,8 +55,8 @@ impl Valves {
         let p = d.between(0.55, 0.85);
         let exponent = d.between(1.0, 1.35);
         // What the bleed passes at h is missing from 0.5 m/s.
-        let rest = 0.5 - knee_speed * (h / knee).powf(p);
-        let open = rest.max(0.1) / ((h - knee) / knee).powf(exponent);
+        let rest = 0.5 - knee_speed * libm::pow(h / knee, p);
+        let open = rest.max(0.1) / libm::pow((h - knee) / knee, exponent);
         Valves::PowerAndBlowOff {
             bleed: [knee_speed, knee, p],
             blow_off: [knee, open, exponent, d.between(0.08, 0.25) * knee],
@@ -68,9 +68,9 @@ impl Valves {
         let (step, linear) = (d.between(0.3, 0.6), d.between(0.2, 0.4));
         let speed = d.between(0.05, 0.14);
         let (f1, c, q) = (step * h, linear * h / 0.5, (1.0 - step - linear) * h / 0.25);
-        let force = |w: f64| f1 * (w / speed).tanh() + c * w + q.max(0.0) * w * w;
+        let force = |w: f64| f1 * libm::tanh(w / speed) + c * w + q.max(0.0) * w * w;
         let table = (0..=POINTS).map(|i| FASTEST * (i as f64 / POINTS as f64).powi(3)).map(|w| {
-            let t = (w / speed).tanh();
+            let t = libm::tanh(w / speed);
             [force(w), 1.0 / (f1 / speed * (1.0 - t * t) + c + 2.0 * q.max(0.0) * w)]
         });
         Valves::Sum { table: table.collect() }
@@ -86,7 +86,7 @@ impl Valves {
         let opening = d.between(0.8, 2.0) * h;
         let lift = ramp(h - preload, 0.05 * preload) / opening;
         let missing = (0.5 - passage(h, a, b)).max(0.1);
-        let full = missing / (lift / (1.0 + lift.powi(4)).powf(0.25) * (h / 1e3).sqrt());
+        let full = missing / (lift / libm::pow(1.0 + lift.powi(4), 0.25) * (h / 1e3).sqrt());
         Valves::OrificeAndShim { bleed: [a, b], shim: [preload, opening, full] }
     }
 
@@ -105,15 +105,15 @@ impl Valves {
                 // The power law starts straight: no infinite slope at rest.
                 let low = 0.03;
                 let r = h / h1;
-                let bled = w * (r * (r * r + low * low).powf(0.5 * (p - 1.0))) / (0.4 + 0.6 * viscosity);
+                let bled = w * (r * libm::pow(r * r + low * low, 0.5 * (p - 1.0))) / (0.4 + 0.6 * viscosity);
                 let beyond = ramp(h - open_at, *width) - ramp(-open_at, *width);
-                bled + open * (beyond.max(0.0) / open_at).powf(*m)
+                bled + open * libm::pow(beyond.max(0.0) / open_at, *m)
             }
             Valves::Sum { table } => inverse(table, h / (0.6 + 0.4 * viscosity)),
             Valves::OrificeAndShim { bleed: [a, b], shim: [preload, opening, full] } => {
                 let width = 0.05 * preload;
                 let lift = (ramp(h - preload, width) - ramp(-preload, width)).max(0.0) / opening;
-                let lift = lift / (1.0 + lift.powi(4)).powf(0.25);
+                let lift = lift / libm::pow(1.0 + lift.powi(4), 0.25);
                 passage(h, a * viscosity, *b) + full * lift * (h / 1e3).max(0.0).sqrt()
             }
         }

@@ -62,7 +62,7 @@ impl Oil for Monotube {
     }
 
     fn rest(&self, x: f64, states: &mut [f64]) {
-        let p = self.gas[0] * (self.gas[1] / (self.gas[1] + self.rod * x)).powf(GAS);
+        let p = self.gas[0] * libm::pow(self.gas[1] / (self.gas[1] + self.rod * x), GAS);
         states.fill(p);
     }
 
@@ -85,7 +85,7 @@ impl Oil for Monotube {
         let q = area * (beside.gain * valves.velocity(h.abs(), beside.viscosity).copysign(h) + beside.taken);
         let above = area * (self.lengths[0] - x).max(0.01);
         let below = self.piston * (self.lengths[1] + x).max(0.01);
-        let gas = self.gas[1] * (self.gas[0] / p[1].max(0.2)).powf(1.0 / GAS) / (GAS * p[1].max(0.2));
+        let gas = self.gas[1] * libm::pow(self.gas[0] / p[1].max(0.2), 1.0 / GAS) / (GAS * p[1].max(0.2));
         let extra = beside.compliance * area * area * BAR;
         rates[0] = (area * v - q) / (above * self.fluid.compliance(p[0]) + extra);
         rates[1] = (q - self.piston * v) / (below * self.fluid.compliance(p[1]) + gas);

@@ -38,13 +38,13 @@ impl Seal {
 
     /// dz/dt.
     pub fn rate(&self, v: f64, z: f64) -> f64 {
-        let level = self.sliding + (self.breakaway - self.sliding) * (-(v / self.stribeck).powi(2)).exp();
+        let level = self.sliding + (self.breakaway - self.sliding) * libm::exp(-(v / self.stribeck).powi(2));
         v - v.abs() * z * self.stiffness / level
     }
 
     /// The friction.
     pub fn force(&self, v: f64, z: f64) -> f64 {
-        let fades = (-(v / self.stribeck).powi(2)).exp();
+        let fades = libm::exp(-(v / self.stribeck).powi(2));
         self.stiffness * z + self.damping * fades * self.rate(v, z)
     }
 }

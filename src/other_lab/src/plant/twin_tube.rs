@@ -36,7 +36,7 @@ impl Oil for TwinTube {
     }
 
     fn rest(&self, x: f64, states: &mut [f64]) {
-        let p = self.gas[0] * (self.gas[1] / (self.gas[1] + self.rod * x)).powf(GAS);
+        let p = self.gas[0] * libm::pow(self.gas[1] / (self.gas[1] + self.rod * x), GAS);
         states.fill(p);
     }
 
@@ -76,7 +76,7 @@ impl Oil for TwinTube {
         let below = area * (self.lengths[1] + x).max(0.01);
         let extra = beside.compliance * BAR;
         let reserve = p[2].max(0.2);
-        let gas = self.gas[1] * (self.gas[0] / reserve).powf(1.0 / GAS) / (GAS * reserve);
+        let gas = self.gas[1] * libm::pow(self.gas[0] / reserve, 1.0 / GAS) / (GAS * reserve);
         rates[0] = (self.annulus * v - q) / (above * self.fluid.compliance(p[0]) + extra * self.annulus * self.annulus);
         rates[1] = (q - out - area * v) / (below * self.fluid.compliance(p[1]) + extra * self.rod * self.rod);
         rates[2] = out / gas;

@@ -93,16 +93,16 @@ impl Motion {
         let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
         if let Motion::Road { displacement, velocity, seconds, seed } = *self {
             let mut d = Draw::new(seed, "road");
-            let ratio = (25.0f64 / 0.5).ln() / WAVES as f64;
+            let ratio = libm::log(25.0 / 0.5) / WAVES as f64;
             let drawn: Vec<[f64; 2]> =
-                (0..WAVES).map(|i| [0.5 * ((i as f64 + d.share()) * ratio).exp(), TAU * d.share()]).collect();
+                (0..WAVES).map(|i| [0.5 * libm::exp((i as f64 + d.share()) * ratio), TAU * d.share()]).collect();
             // A steeper spectrum moves further at the same velocity: the one that uses both limits is found by halving.
             let (mut flat, mut steep) = (-0.3, 1.5);
             for _ in 0..24 {
                 let power = 0.5 * (flat + steep);
                 ready.waves = drawn
                     .iter()
-                    .map(|[f, phase]| [f.powf(-power) / (1.0 + (f / 15.0).powi(4)), TAU * f, *phase])
+                    .map(|[f, phase]| [libm::pow(*f, -power) / (1.0 + (f / 15.0).powi(4)), TAU * f, *phase])
                     .collect();
                 let (mut x, mut v) = (0.0f64, 0.0f64);
                 for i in 0..(seconds * 100.0) as usize {
@@ -116,7 +116,7 @@ impl Motion {
                 } else {
                     flat = power;
                 }
-                if (displacement / x / (velocity / v)).ln().abs() < 0.01 {
+                if libm::log(displacement / x / (velocity / v)).abs() < 0.01 {
                     break;
                 }
             }
@@ -137,12 +137,12 @@ impl Ready {
                 since.times(TAU * frequency).sin().times(amplitude) * since.times(frequency).smooth_step()
             }
             Motion::Triangle { amplitude, frequency } => {
-                let wave = since.times(TAU * frequency).sin().times(SHARP).asin().times(amplitude / SHARP.asin());
+                let wave = since.times(TAU * frequency).sin().times(SHARP).asin().times(amplitude / libm::asin(SHARP));
                 wave * since.times(frequency).smooth_step()
             }
             Motion::Sweep { amplitude, frequencies: (from, to), seconds } => {
-                let rate = (to / from).ln() / seconds;
-                let growth = (rate * since.x).exp();
+                let rate = libm::log(to / from) / seconds;
+                let growth = libm::exp(rate * since.x);
                 let growth = since.times(rate).through(growth, growth, growth);
                 let phase = (growth - Jet::constant(1.0)).times(TAU * from / rate);
                 phase.sin() * growth.powf(-1.0).times(amplitude) * self.fades(since, seconds)

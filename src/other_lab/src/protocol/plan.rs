@@ -148,7 +148,7 @@ impl Plan {
                 .filter(|(_, f)| *f <= THESIS_FASTEST)
                 .map(|(stroke, f)| {
                     // Round to what a plan would state.
-                    let digits = 10f64.powf(3.0 - f.log10().ceil());
+                    let digits = libm::pow(10f64, 3.0 - libm::log10(f).ceil());
                     let prefix = if stroke == 30.0 || stroke == 2.0 { HELD_OUT } else { "" };
                     sine(prefix, row(stroke, (f * digits).round() / digits))
                 })

@@ -309,17 +309,17 @@ mod tests {
         let mut samples = SineTest::default().samples();
         let n = samples.len();
         // It turns within some sixteen samples: two would be taken for the step of the last digit.
-        let of = |t: f64| speed * (4.0 * (std::f64::consts::TAU * frequency * t).sin()).clamp(-1.0, 1.0);
+        let of = |t: f64| speed * (4.0 * libm::sin(std::f64::consts::TAU * frequency * t)).clamp(-1.0, 1.0);
         samples.time = (0..n).map(|i| i as f64 / rate).collect();
         let velocity: Vec<f64> = samples.time.iter().map(|t| of(*t)).collect();
         let moved = |v: &[f64]| v.iter().scan(0.0, |x, v| (*x += v / rate, Some(*x)).1).collect::<Vec<f64>>();
         samples.displacement = Some(moved(&velocity));
         samples.velocity = Some(velocity.clone());
-        samples.force = velocity.iter().map(|v| 1500.0 * v + (v * 7e3).sin()).collect();
+        samples.force = velocity.iter().map(|v| 1500.0 * v + libm::sin(v * 7e3)).collect();
         deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_some(), "{:?}", samples.notes);
         // The same channel where the damper went on faster than it shows.
-        let went_on = |t: f64| 4.0 * speed * (std::f64::consts::TAU * frequency * t).sin();
+        let went_on = |t: f64| 4.0 * speed * libm::sin(std::f64::consts::TAU * frequency * t);
         let real: Vec<f64> = samples.time.iter().map(|t| went_on(*t)).collect();
         samples.displacement = Some(moved(&real));
         samples.velocity = Some(real.iter().map(|v| v.clamp(-speed, speed)).collect());

@@ -327,7 +327,7 @@ mod tests {
         let mut samples = test.samples();
         let from = ((test.steady_from() + 4.2) * 200.0) as usize;
         for (k, force) in samples.force[from..from + 100].iter_mut().enumerate() {
-            *force += 80.0 * (k as f64).sin();
+            *force += 80.0 * libm::sin(k as f64);
         }
         let record = clean(samples, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 4);
@@ -361,7 +361,7 @@ mod tests {
     #[test]
     fn a_record_without_cycles_is_kept_whole() {
         let mut samples = SineTest::default().samples();
-        let x: Vec<f64> = samples.time.iter().map(|t| 0.02 * (t * t).sin() * (1.3 * t).cos()).collect();
+        let x: Vec<f64> = samples.time.iter().map(|t| 0.02 * libm::sin(t * t) * libm::cos(1.3 * t)).collect();
         samples.displacement = Some(x);
         samples.velocity = None;
         let n = samples.len();

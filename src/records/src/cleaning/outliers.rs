@@ -140,7 +140,7 @@ mod tests {
                 let mut last = 1.0;
                 let force: Vec<f64> = (0..6 * per_cycle)
                     .map(|i| {
-                        let v = (std::f64::consts::TAU * (f64::from(i) + 0.3) / f64::from(per_cycle)).cos();
+                        let v = libm::cos(std::f64::consts::TAU * (f64::from(i) + 0.3) / f64::from(per_cycle));
                         since_reversal = if v.signum() == last { since_reversal + 1 } else { 0 };
                         last = v.signum();
                         let friction = if since_reversal == 0 { 75.0 } else { 50.0 };

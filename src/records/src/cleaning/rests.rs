@@ -104,7 +104,7 @@ pub(super) fn part(
 
 /// A number to two figures, as it stands in a name.
 fn figures(value: f64) -> String {
-    let digits = (1.0 - value.abs().max(1e-6).log10().floor()).clamp(0.0, 6.0) as usize;
+    let digits = (1.0 - libm::log10(value.abs().max(1e-6)).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
@@ -281,7 +281,7 @@ mod tests {
 
         fn sine(mut self, amplitude: f64, frequency: f64, cycles: f64) -> Self {
             let n = (cycles / frequency * self.rate) as usize;
-            self.x.extend((0..n).map(|i| self.at + amplitude * (TAU * frequency * i as f64 / self.rate).sin()));
+            self.x.extend((0..n).map(|i| self.at + amplitude * libm::sin(TAU * frequency * i as f64 / self.rate)));
             self
         }
 
@@ -363,7 +363,8 @@ mod tests {
             let n = (5.0 * course.rate) as usize;
             course.x.extend((0..n).map(|i| {
                 let t = i as f64 / 500.0;
-                let swing = |w: &[f64; 3]| 5.0 * w[2] / w[0] * ((TAU * (w[0] * t + w[1])).sin() - (TAU * w[1]).sin());
+                let swing =
+                    |w: &[f64; 3]| 5.0 * w[2] / w[0] * (libm::sin(TAU * (w[0] * t + w[1])) - libm::sin(TAU * w[1]));
                 (t * (5.0 - t)).min(1.0) * waves.iter().map(swing).sum::<f64>()
             }));
         }

@@ -29,7 +29,7 @@ const JUMPS: f64 = 5.0;
 
 /// What a drive was set to, as logarithms: stroke and period.
 fn setting(cycle: &Cycle) -> [f64; 2] {
-    [cycle.stroke().ln(), cycle.period().ln()]
+    [libm::log(cycle.stroke()), libm::log(cycle.period())]
 }
 
 /// Splits a record into its tests; says so first.
@@ -123,7 +123,7 @@ mod tests {
         let x = (0..n).map(|i| {
             let (amplitude, frequency) = at(i as f64 / RATE);
             phase += frequency / RATE;
-            1e-3 * amplitude * (TAU * phase).sin() + 3e-6 * random.normal()
+            1e-3 * amplitude * libm::sin(TAU * phase) + 3e-6 * random.normal()
         });
         split(moving(RATE, x.collect()))
     }

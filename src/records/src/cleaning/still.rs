@@ -90,7 +90,7 @@ mod tests {
             with(still, true).unwrap();
         }
         // A stroke as small as the noise of its sensor is still a stroke.
-        with(&|i: usize| 1e-5 * (i as f64 * 0.06).sin() + noise[i], false).unwrap();
+        with(&|i: usize| 1e-5 * libm::sin(i as f64 * 0.06) + noise[i], false).unwrap();
     }
 
     #[test]

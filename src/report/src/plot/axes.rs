@@ -56,7 +56,7 @@ impl Scale {
     pub fn of(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
-            Self::Logarithmic => value.ln(),
+            Self::Logarithmic => libm::log(value),
             Self::Root => value.signum() * value.abs().sqrt(),
         }
     }
@@ -65,7 +65,7 @@ impl Scale {
     pub fn back(self, place: f64) -> f64 {
         match self {
             Self::Linear => place,
-            Self::Logarithmic => place.exp(),
+            Self::Logarithmic => libm::exp(place),
             Self::Root => place * place.abs(),
         }
     }

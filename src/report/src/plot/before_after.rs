@@ -56,7 +56,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let known = values.filter(|v| v.is_finite()).map(|v| v.max(FLOOR));
     let (low, high) = known.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
     let (low, high) = if low > high { (0.1, 10.0) } else { (low / 1.25, high * 1.25) };
-    let at_y = |value: f64| bottom - (value.max(FLOOR) / low).ln() / (high / low).ln() * tall;
+    let at_y = |value: f64| bottom - libm::log(value.max(FLOOR) / low) / libm::log(high / low) * tall;
     let ticks = Ticks::logarithmic(low, high).said(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
@@ -159,7 +159,7 @@ pub mod tests {
     pub fn outcome(name: &str, held_out: bool) -> TestOutcome {
         let phase = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / 100.0;
         let over = |f: &dyn Fn(f64) -> f64| (0..100).map(|i| f(phase(i))).collect::<Vec<f64>>();
-        let force = |friction: f64| move |p: f64| 900.0 * p.cos() + friction * p.cos().signum();
+        let force = |friction: f64| move |p: f64| 900.0 * libm::cos(p) + friction * libm::cos(p).signum();
         TestOutcome {
             test: name.into(),
             held_out,
@@ -168,8 +168,8 @@ pub mod tests {
             noise_n: 0.5,
             allowed_n: 0.5,
             curves: Curves {
-                displacement: over(&|p| 0.05 * p.sin()),
-                velocity: over(&|p| 0.314 * p.cos()),
+                displacement: over(&|p| 0.05 * libm::sin(p)),
+                velocity: over(&|p| 0.314 * libm::cos(p)),
                 measured: over(&force(20.0)),
                 before: over(&force(0.0)),
                 after: over(&force(19.0)),

@@ -43,8 +43,11 @@ pub fn error(compared: &Compared<'_>, words: &Words) -> String {
 fn project(at: [f64; 3]) -> Point {
     let (turn, elevation) = (TURN.to_radians(), ELEVATION.to_radians());
     let [u, w, z] = [0, 1, 2].map(|i| (at[i] - 0.5) * BOX[i]);
-    let away = w * turn.cos() - u * turn.sin();
-    [MIDDLE[0] + u * turn.cos() + w * turn.sin(), MIDDLE[1] - z * elevation.cos() - away * elevation.sin()]
+    let away = w * libm::cos(turn) - u * libm::sin(turn);
+    [
+        MIDDLE[0] + u * libm::cos(turn) + w * libm::sin(turn),
+        MIDDLE[1] - z * libm::cos(elevation) - away * libm::sin(elevation),
+    ]
 }
 
 fn draw(
@@ -139,9 +142,9 @@ fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
     let mut along = |a: [f64; 3], b: [f64; 3], away: f64, label: &str| {
         let (from, to) = (project(a), project(b));
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let length = dx.hypot(dy);
+        let length = libm::hypot(dx, dy);
         let at = [0.5 * (from[0] + to[0]) - away * dy / length, 0.5 * (from[1] + to[1]) + away * dx / length];
-        let turn = dy.atan2(dx).to_degrees();
+        let turn = libm::atan2(dy, dx).to_degrees();
         svg.text(at, label, TextStyle { turn, ..TextStyle::plain(LABEL, Anchor::Middle) });
     };
     along([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], 44.0, &axes[0].label);
@@ -168,7 +171,7 @@ mod tests {
         // Of two corners on the same line of sight the one on a wall must be hidden by nothing: its depth is largest.
         let depth = |at: [f64; 3]| {
             let turn = TURN.to_radians();
-            (at[1] - 0.5) * BOX[1] * turn.cos() - (at[0] - 0.5) * BOX[0] * turn.sin()
+            (at[1] - 0.5) * BOX[1] * libm::cos(turn) - (at[0] - 0.5) * BOX[0] * libm::sin(turn)
         };
         assert!(depth([0.5, 1.0, 0.5]) > depth([0.5, 0.0, 0.5]) && depth([0.0, 0.5, 0.5]) > depth([1.0, 0.5, 0.5]));
     }

@@ -166,9 +166,9 @@ pub mod tests {
         for i in 0..400 * cycles {
             let phase = std::f64::consts::TAU * i as f64 / 400.0;
             record.time.push(i as f64 / 400.0);
-            record.displacement.push(0.05 * phase.sin());
-            record.velocity.push(0.314 * phase.cos());
-            record.force.push(900.0 * phase.cos() + 80.0 * phase.sin() + 10.0);
+            record.displacement.push(0.05 * libm::sin(phase));
+            record.velocity.push(0.314 * libm::cos(phase));
+            record.force.push(900.0 * libm::cos(phase) + 80.0 * libm::sin(phase) + 10.0);
         }
         record
     }

@@ -28,7 +28,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let percents = tests.iter().flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
     let (low, high) = (low / 1.3, high * 1.3);
-    let at_y = |percent: f64| bottom - (percent.max(FLOOR) / low).ln() / (high / low).ln() * tall;
+    let at_y = |percent: f64| bottom - libm::log(percent.max(FLOOR) / low) / libm::log(high / low) * tall;
     let ticks = Ticks::logarithmic(low, high).said(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
@@ -118,7 +118,7 @@ fn map(
 /// A length in mm or a velocity in mm/s from SI, three digits.
 fn millimetres(si: f64) -> String {
     let value = 1e3 * si;
-    number(value, (2.0 - value.abs().max(0.01).log10().floor()).clamp(0.0, 2.0) as usize)
+    number(value, (2.0 - libm::log10(value.abs().max(0.01)).floor()).clamp(0.0, 2.0) as usize)
 }
 
 /// A percentage with two or three digits.

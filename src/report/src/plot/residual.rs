@@ -170,7 +170,7 @@ pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> 
         return None;
     }
     let axis = Axis { scale: Scale::Logarithmic, ..Axis::exactly(words.axis_since_reversal, low, high) };
-    let bins = (((high / low).log10() * PER_DECADE).ceil() as usize).max(2);
+    let bins = ((libm::log10(high / low) * PER_DECADE).ceil() as usize).max(2);
     let sense = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * s.velocity.signum());
     let means = binned(samples, bins, &axis, |s| s.since_reversal.map(|t| 1e3 * t), sense);
     Some(draw([words.plot_left_reversal, words.axis_resistance], axis, &means, false, words))

@@ -57,7 +57,7 @@ fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> V
 
 /// The next round number.
 fn round_up(value: f64) -> f64 {
-    let decade = 10f64.powf(value.max(1e-3).log10().floor());
+    let decade = libm::pow(10f64, libm::log10(value.max(1e-3)).floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= 0.999 * value).unwrap_or(value)
 }
 
@@ -110,7 +110,7 @@ fn bar(svg: &mut Svg, corner: [f64; 2], end: f64, words: &Words) {
         let place = 1.0 - 2.0 * (k as f64 + 0.5) / STEPS as f64;
         svg.tile([corner[0], corner[1] + k as f64 * tall], [14.0, tall], &signed(place));
     }
-    let decimals = (1.0 - end.log10().floor()).clamp(0.0, 6.0) as usize;
+    let decimals = (1.0 - libm::log10(end).floor()).clamp(0.0, 6.0) as usize;
     for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {
         let y = corner[1] + 0.5 * (1.0 - part) * MAP[1];
         let label =

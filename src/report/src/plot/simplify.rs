@@ -42,7 +42,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
 fn merge(path: &[Point], near: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
     for (i, point) in path.iter().enumerate() {
-        let far = kept.last().is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) >= near);
+        let far = kept.last().is_none_or(|last| libm::hypot(point[0] - last[0], point[1] - last[1]) >= near);
         if far || i + 1 == path.len() {
             kept.push(*point);
         }
@@ -93,7 +93,7 @@ mod tests {
 
     fn circle(points: usize) -> Vec<Point> {
         let angle = |i: usize| std::f64::consts::TAU * i as f64 / points as f64;
-        (0..=points).map(|i| [200.0 + 150.0 * angle(i).cos(), 200.0 + 150.0 * angle(i).sin()]).collect()
+        (0..=points).map(|i| [200.0 + 150.0 * libm::cos(angle(i)), 200.0 + 150.0 * libm::sin(angle(i))]).collect()
     }
 
     #[test]

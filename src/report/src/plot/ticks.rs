@@ -17,11 +17,11 @@ impl Ticks {
             return Self { at: vec![] };
         }
         let rough = span / wanted.max(1) as f64;
-        let decade = 10f64.powf(rough.log10().floor());
+        let decade = libm::pow(10f64, libm::log10(rough).floor());
         let factor = [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().find(|f| f * decade >= rough * 0.999).unwrap_or(10.0);
         let step = factor * decade;
         let quarter = usize::from(factor == 2.5);
-        let decimals = (-decade.log10().round()).max(-(quarter as f64)) as i32 + quarter as i32;
+        let decimals = (-libm::log10(decade).round()).max(-(quarter as f64)) as i32 + quarter as i32;
         let decimals = if factor == 10.0 { decimals - 1 } else { decimals }.clamp(0, 12) as usize;
         let first = (low / step - 1e-9).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
@@ -32,7 +32,7 @@ impl Ticks {
     pub fn logarithmic(low: f64, high: f64) -> Self {
         let factors: &[f64] = if high / low > 2e3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let mut at = Vec::new();
-        for exponent in low.log10().floor() as i32..=high.log10().ceil() as i32 {
+        for exponent in libm::log10(low).floor() as i32..=libm::log10(high).ceil() as i32 {
             for factor in factors {
                 let value = factor * 10f64.powi(exponent);
                 if (low * 0.999..=high * 1.001).contains(&value) {
@@ -58,7 +58,7 @@ impl Ticks {
         for (sign, end) in [(1.0, high), (-1.0, -low)] {
             // From the end inwards, so that the widest range is marked best.
             let mut last = f64::INFINITY;
-            let mut exponent = end.max(f64::MIN_POSITIVE).log10().floor() as i32;
+            let mut exponent = libm::log10(end.max(f64::MIN_POSITIVE)).floor() as i32;
             while place(10f64.powi(exponent + 1)) >= 0.8 * room {
                 for factor in [5.0, 2.0, 1.0] {
                     let value = sign * factor * 10f64.powi(exponent);

@@ -31,7 +31,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
     // Factor about 1, equally likely up or down, never beyond two and a half spreads.
     let mut vary = |spread: f64| {
         let unit: f64 = StandardNormal.sample(stream);
-        (spread * unit.clamp(-2.5, 2.5)).exp()
+        libm::exp(spread * unit.clamp(-2.5, 2.5))
     };
     let mut damper = Damper::default();
     // The order of the draws is part of what a seed means: append, never insert.

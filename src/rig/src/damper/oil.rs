@@ -39,8 +39,8 @@ impl Oil {
     pub fn at(&self, pressure_pa: f64) -> Compression {
         // An iteration of the solver may look below zero; rates there only have to lead back.
         let pressure = pressure_pa.max(1.0);
-        let oil = (1.0 - self.air_share) * (-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa).exp();
-        let air = self.air_share * (ATMOSPHERE_PA / pressure).powf(1.0 / self.air_exponent);
+        let oil = (1.0 - self.air_share) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
+        let air = self.air_share * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);
         let volume = oil + air;
         Compression { volume, modulus_pa: volume / (oil / self.bulk_modulus_pa + air / (self.air_exponent * pressure)) }
     }

@@ -25,7 +25,7 @@ impl Default for Seal {
 impl Seal {
     /// Friction in steady sliding, N, without sign.
     fn level_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
-        let excess = (self.break_away_n - self.sliding_n) * (-(velocity_m_s / self.stribeck_m_s).powi(2)).exp();
+        let excess = (self.break_away_n - self.sliding_n) * libm::exp(-(velocity_m_s / self.stribeck_m_s).powi(2));
         self.sliding_n + excess + self.side_force_share * side_force_n.abs()
     }
 

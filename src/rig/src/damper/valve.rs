@@ -88,7 +88,7 @@ pub struct BlowOff {
 impl BlowOff {
     /// Area uncovered by the shim, m²: zero at no pressure, a straight line well above the preload.
     fn shim_area(&self, drop_pa: f64) -> f64 {
-        let softplus = |x: f64| if x > 30.0 { x } else { x.exp().ln_1p() };
+        let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
         let lift = softplus((drop_pa - self.preload_pa) / self.knee_pa) - softplus(-self.preload_pa / self.knee_pa);
         self.opening_m2_pa * self.knee_pa * lift
     }
@@ -96,7 +96,7 @@ impl BlowOff {
     fn flow(&self, drop_pa: f64, density: f64) -> f64 {
         let shim = self.shim_area(drop_pa);
         // Two orifices in series.
-        let area = shim * self.port_m2 / shim.hypot(self.port_m2);
+        let area = shim * self.port_m2 / libm::hypot(shim, self.port_m2);
         DISCHARGE * area * (2.0 * drop_pa / density).sqrt()
     }
 }

@@ -33,7 +33,7 @@ impl Hidden for Aeration {
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {
         if let Some(foam) = states.first_mut() {
-            *foam *= (-seconds / self.settling_s).exp();
+            *foam *= libm::exp(-seconds / self.settling_s);
         }
     }
 
@@ -47,15 +47,15 @@ impl Hidden for Aeration {
     fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
         if self.form == 0 {
             // Merritt's mixture in either chamber: the one under pressure takes up the flow.
-            let working = 0.5 * (1.0 + here.oil_n / here.oil_n.hypot(0.2 * self.rest_n));
+            let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 0.2 * self.rest_n));
             let rebound = (1.0 - here.position_m / self.chamber_m).max(0.1);
             let compression = self.compression_share * (1.0 + here.position_m / self.chamber_m).max(0.1);
             let space = working * rebound + (1.0 - working) * compression;
-            self.soft_m_n * space * (1.0 + here.oil_n.abs() / self.rest_n).powf(-1.0 - 1.0 / self.exponent)
+            self.soft_m_n * space * libm::pow(1.0 + here.oil_n.abs() / self.rest_n, -1.0 - 1.0 / self.exponent)
         } else {
             let share = (1.0 - here.oil_n.abs() / self.dissolved_n).max(0.0);
             let foam = 0.4 + 0.6 * states[0];
-            self.soft_m_n * foam * share * share * (1.0 + here.oil_n.abs() / self.rest_n).powf(-1.0 / self.exponent)
+            self.soft_m_n * foam * share * share * libm::pow(1.0 + here.oil_n.abs() / self.rest_n, -1.0 / self.exponent)
         }
     }
 }

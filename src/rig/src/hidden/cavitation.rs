@@ -33,7 +33,7 @@ impl Hidden for Cavitation {
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if let Self::FootValve { share, free_m_s, knee_m_s, edge_m } = self {
-            let softplus = |x: f64| if x > 30.0 { x } else { x.exp().ln_1p() };
+            let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
             let v = here.velocity_m_s;
             let offset = softplus(-free_m_s / knee_m_s);
             let opens = if v > 0.0 { share * knee_m_s * (softplus((v - free_m_s) / knee_m_s) - offset) } else { 0.0 };
@@ -47,13 +47,13 @@ impl Hidden for Cavitation {
         match self {
             Self::Monotube { cap_n, knee_n } => {
                 let beyond = (-here.oil_n - cap_n) / knee_n;
-                VAPOUR_M_N / (1.0 + (-beyond).exp())
+                VAPOUR_M_N / (1.0 + libm::exp(-beyond))
             }
             Self::FootValve { .. } => {
                 let void = states[0].max(0.0);
                 let open = (void / (void + VOID_M)).powi(2);
                 // Only pressure in the compression chamber feels the void.
-                let compression = 1.0 / (1.0 + (here.oil_n / 10.0).exp());
+                let compression = 1.0 / (1.0 + libm::exp(here.oil_n / 10.0));
                 VAPOUR_M_N * open * compression
             }
         }

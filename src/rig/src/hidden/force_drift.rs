@@ -17,7 +17,7 @@ struct Drift {
 impl Hidden for Drift {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
         let share = here.line.clock_s / self.campaign_s;
-        force_n + self.drift_n * if self.form == 0 { share } else { 1.0 - (-share / self.warm_up).exp() }
+        force_n + self.drift_n * if self.form == 0 { share } else { 1.0 - libm::exp(-share / self.warm_up) }
     }
 }
 

@@ -37,11 +37,11 @@ impl Hidden for FrequencySelective {
                 // The chamber fills through a throttle driven by the pressure, and empties through a check valve.
                 let pressure = (force / self.scale_n).max(0.0);
                 let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
-                let idle = 1.0 / (1.0 + (force / (0.02 * self.scale_n)).exp());
+                let idle = 1.0 / (1.0 + libm::exp(force / (0.02 * self.scale_n)));
                 rates[index] = fills - idle * states[index] / self.opening_s;
             }
         } else {
-            let slow = (-(here.velocity_m_s / self.reversal_m_s).powi(2)).exp();
+            let slow = libm::exp(-(here.velocity_m_s / self.reversal_m_s).powi(2));
             rates[0] = (1.0 - states[0]) / self.closing_s - slow * states[0] / self.opening_s;
         }
     }
@@ -50,7 +50,7 @@ impl Hidden for FrequencySelective {
         let force = here.oil_n / self.scale_n;
         if self.form == 0 {
             let closed = if force > 0.0 { states[0] } else { states[1] };
-            self.flow_m_s * (1.0 - closed) * force / (force * force + 4e-4).powf(0.25)
+            self.flow_m_s * (1.0 - closed) * force / libm::pow(force * force + 4e-4, 0.25)
         } else {
             // A second curve, straight and soft.
             self.flow_m_s * (1.0 - states[0]) * force

@@ -26,7 +26,7 @@ impl Hidden for Compressibility {
         } else {
             let compression = (1.0 + here.position_m / self.compression_m).max(0.1);
             // Deviations from the pressure at rest share the flow: their compliances add with the chamber in use foremost.
-            let working = 0.5 * (1.0 + here.oil_n / here.oil_n.hypot(50.0));
+            let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 50.0));
             working * rebound + (1.0 - working) * compression
         };
         let oil = (1.0 - self.wall) / (1.0 + here.oil_n.abs() / self.stiffening_n);

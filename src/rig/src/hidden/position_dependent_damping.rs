@@ -29,7 +29,7 @@ impl Groove {
                 let share = (-from_centre / (self.half_m + self.taper_m)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             }
-            _ => (-0.5 * (from_centre / self.half_m).powi(2)).exp(),
+            _ => libm::exp(-0.5 * (from_centre / self.half_m).powi(2)),
         }
     }
 }
@@ -38,7 +38,7 @@ impl Hidden for Groove {
     fn bypass_m_s(&self, here: &Here, _states: &[f64]) -> f64 {
         let force = here.oil_n / self.scale_n;
         // Orifice, linear below a fiftieth of the scale.
-        self.flow_m_s * self.area(here.position_m) * force / (force * force + 4e-4).powf(0.25)
+        self.flow_m_s * self.area(here.position_m) * force / libm::pow(force * force + 4e-4, 0.25)
     }
 }
 

@@ -28,7 +28,7 @@ impl Hidden for Presliding {
     /// when the motion is long; at standstill it relaxes by way of the same smooth velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let v = here.line.velocity_m_s;
-        let speed = v.hypot(self.smooth_m_s);
+        let speed = libm::hypot(v, self.smooth_m_s);
         let end = v / speed;
         for (index, (length, _)) in self.elements.iter().enumerate() {
             let load = states[index];

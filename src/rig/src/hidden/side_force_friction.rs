@@ -17,7 +17,7 @@ impl Hidden for SideFriction {
         let side = here.line.side_force_n.abs();
         match self {
             Self::Saturating { share, onset_n, level_n } => {
-                let pressed = share * (side.hypot(*onset_n) - onset_n);
+                let pressed = share * (libm::hypot(side, *onset_n) - onset_n);
                 // Levels off against the strength as well, so that it is the same shape at any strength.
                 pressed / (1.0 + side / level_n)
             }

@@ -28,7 +28,7 @@ impl Stop {
     }
 
     fn rubber_n(&self, depth: f64) -> f64 {
-        self.force_n * (depth / self.growth_m).exp_m1()
+        self.force_n * libm::expm1(depth / self.growth_m)
     }
 }
 

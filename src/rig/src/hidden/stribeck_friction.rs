@@ -14,7 +14,7 @@ struct Stribeck {
 impl Hidden for Stribeck {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
         let share = here.line.velocity_m_s.abs() / self.velocity_m_s;
-        self.excess_n * if self.form == 0 { 1.0 / (1.0 + share * share) } else { (-share).exp() }
+        self.excess_n * if self.form == 0 { 1.0 / (1.0 + share * share) } else { libm::exp(-share) }
     }
 }
 

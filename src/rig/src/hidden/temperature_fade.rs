@@ -27,10 +27,10 @@ struct Fade {
 impl Fade {
     fn viscosity(&self, celsius: f64) -> f64 {
         if self.form == 0 {
-            (self.vogel.0 / (celsius + self.vogel.1)).exp()
+            libm::exp(self.vogel.0 / (celsius + self.vogel.1))
         } else {
             let (a, m) = self.walther;
-            10f64.powf(10f64.powf(a - m * (celsius + KELVIN).log10())) - 0.7
+            libm::pow(10f64, libm::pow(10f64, a - m * libm::log10(celsius + KELVIN))) - 0.7
         }
     }
 }
@@ -38,10 +38,10 @@ impl Fade {
 impl Hidden for Fade {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
         // Strength works on the exponent: twice the strength is twice the warming on a logarithmic scale.
-        let viscosity = (self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C)).powf(self.strength);
+        let viscosity = libm::pow(self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C), self.strength);
         // Thinner than a fiftieth, what is called laminar here would no longer be.
         let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);
-        let density = (-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C)).exp();
+        let density = libm::exp(-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C));
         let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);
         laminar * viscosity + (1.0 - laminar) * density
     }
@@ -53,13 +53,13 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let draw = &mut recipe.draw;
     let (at_40, at_100) =
         (draw.between("viscosity_40c_mm2_s", 10.0, 16.0), draw.between("viscosity_100c_mm2_s", 2.8, 4.0));
-    let lglg = |nu: f64| (nu + 0.7).log10().log10();
-    let m = (lglg(at_40) - lglg(at_100)) / ((100.0 + KELVIN) / (40.0 + KELVIN)).log10();
+    let lglg = |nu: f64| libm::log10(libm::log10(nu + 0.7));
+    let m = (lglg(at_40) - lglg(at_100)) / libm::log10((100.0 + KELVIN) / (40.0 + KELVIN));
     Box::new(Fade {
         form,
         strength: recipe.strength,
         vogel: (draw.between("vogel_k", 600.0, 900.0), draw.between("vogel_c", 90.0, 110.0)),
-        walther: (lglg(at_40) + m * (40.0 + KELVIN).log10(), m),
+        walther: (lglg(at_40) + m * libm::log10(40.0 + KELVIN), m),
         half_n: at_1_m_s * draw.between("laminar_half_share", 0.4, 1.0),
     })
 }

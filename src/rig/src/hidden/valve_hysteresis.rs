@@ -36,7 +36,7 @@ impl Hidden for ValveHysteresis {
         if self.form == 0 {
             rates[0] = states[1];
             // The flow force pulls the spool shut while it passes oil.
-            let flow_force = 1.0 - self.flow_force * (here.oil_n / here.oil_n.hypot(500.0)).powi(2);
+            let flow_force = 1.0 - self.flow_force * (here.oil_n / libm::hypot(here.oil_n, 500.0)).powi(2);
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {

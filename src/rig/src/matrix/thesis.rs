@@ -108,7 +108,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
         let frequency = match index {
             0 => first,
             i if i == SLOW_POINTS - 1 => last,
-            i => first * ratio.powf(i as f64 / (SLOW_POINTS - 1) as f64),
+            i => first * libm::pow(ratio, i as f64 / (SLOW_POINTS - 1) as f64),
         };
         let velocity = TAU * SLOW_AMPLITUDE_M * frequency;
         TestPoint {

@@ -114,7 +114,7 @@ impl<const N: usize> System<'_, N> {
             direction = direction.or(hidden.friction_direction(here, own));
             beside += hidden.beside_n(here, own);
         }
-        let direction = direction.unwrap_or(v / v.hypot(friction.smooth_m_s));
+        let direction = direction.unwrap_or(v / libm::hypot(v, friction.smooth_m_s));
         (level * direction, beside)
     }
 

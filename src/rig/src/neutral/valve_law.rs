@@ -137,7 +137,7 @@ impl OneWay {
 
 /// Lift of the blow-off valve times the root of the pressure, in newtons: zero at no force.
 fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
-    let softplus = |x: f64| if x > 30.0 { x } else { x.exp().ln_1p() };
+    let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
     let lift = knee_n * (softplus((force_n - lift_n) / knee_n) - softplus(-lift_n / knee_n));
     lift * (force_n / (force_n + lift_n)).sqrt()
 }
@@ -149,7 +149,7 @@ impl Knots {
         let (mut force_n, mut flow_m_s) = (vec![0.0], vec![0.0]);
         for index in 0..count {
             let place = (index as f64 + 0.35 * (draw.unit() - 0.5)) / (count - 1) as f64;
-            let flow = 0.012 * (TOP_M_S / 0.012).powf(place);
+            let flow = 0.012 * libm::pow(TOP_M_S / 0.012, place);
             let force = law.force_n(flow) * draw.between("knot_off", 0.95, 1.05);
             let least = force_n[index] + 0.15 * (law.force_n(flow) - law.force_n(flow_m_s[index]));
             force_n.push(force.max(least));

@@ -19,7 +19,7 @@ impl Sine {
     /// Displacement and velocity: from rest at the lower end.
     pub fn motion(self) -> impl Fn(f64) -> (f64, f64) {
         let (a, w) = (self.amplitude, TAU * self.frequency);
-        move |t| (-a * (w * t).cos(), a * w * (w * t).sin())
+        move |t| (-a * libm::cos(w * t), a * w * libm::sin(w * t))
     }
 }
 

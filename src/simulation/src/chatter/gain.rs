@@ -32,7 +32,7 @@ impl Sine {
     pub(super) fn at(&self, time: f64) -> Input {
         let phase = self.omega * time;
         let Situation { place, side_force, temperature } = self.situation;
-        let motion = Input::motion(place + self.amplitude * phase.sin(), self.speed * phase.cos());
+        let motion = Input::motion(place + self.amplitude * libm::sin(phase), self.speed * libm::cos(phase));
         Input { side_force, temperature, ..motion }
     }
 }

@@ -80,7 +80,7 @@ pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option
 
 /// Displacement of a rough road of a height, m.
 fn road(height: f64, time: f64) -> f64 {
-    height * WAVES.iter().map(|(share, hertz)| share * (std::f64::consts::TAU * hertz * time).sin()).sum::<f64>()
+    height * WAVES.iter().map(|(share, hertz)| share * libm::sin(std::f64::consts::TAU * hertz * time)).sum::<f64>()
 }
 
 /// One road.

@@ -91,7 +91,7 @@ impl Chatter {
 
 /// A number with two digits behind the first that is not 0.
 fn plain(number: f64) -> String {
-    let digits = (2.0 - number.abs().max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize;
+    let digits = (2.0 - libm::log10(number.abs().max(1e-9)).floor()).clamp(0.0, 9.0) as usize;
     // Never more than it is: it is a limit.
     let scale = 10f64.powi(digits as i32);
     format!("{}", (number * scale * (1.0 + 1e-12)).floor() / scale)

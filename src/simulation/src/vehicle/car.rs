@@ -226,10 +226,11 @@ impl Car {
             let lift = -self.spring[axle] * stroke[i] - self.anti_roll[axle] * (stroke[i] - stroke[other]) - damper[i];
             let load = (self.load(i) + self.tyre * (road[i] - body.wheel[i])).max(0.0);
             wheel[i] = (load - self.load(i) - lift) / self.unsprung_mass;
-            let slip = if axle == 0 { steer } else { 0.0 } - ((body.lateral[0] + x * body.lateral[1]) / speed).atan();
+            let slip =
+                if axle == 0 { steer } else { 0.0 } - libm::atan((body.lateral[0] + x * body.lateral[1]) / speed);
             let force = if load > 0.0 {
                 let limit = self.grip * load;
-                limit * (self.cornering * slip / limit).tanh()
+                limit * libm::tanh(self.cornering * slip / limit)
             } else {
                 0.0
             };

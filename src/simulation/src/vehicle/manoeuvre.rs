@@ -37,7 +37,7 @@ impl Road {
         };
         const WAVES: usize = 120;
         let (low, high) = (0.02_f64, 1.0_f64);
-        let ratio = (high / low).powf(1.0 / WAVES as f64);
+        let ratio = libm::pow(high / low, 1.0 / WAVES as f64);
         let waves = (0..WAVES)
             .map(|k| {
                 let (from, to) = (low * ratio.powi(k as i32), low * ratio.powi(k as i32 + 1));
@@ -54,7 +54,7 @@ impl Road {
 
     /// Height under a wheel, m; `side` 0 is left.
     pub fn height(&self, distance: f64, side: usize) -> f64 {
-        self.waves.iter().map(|w| w[1] * (w[0] * distance + w[2 + side]).sin()).sum()
+        self.waves.iter().map(|w| w[1] * libm::sin(w[0] * distance + w[2 + side])).sum()
     }
 }
 
@@ -95,9 +95,10 @@ impl Manoeuvre {
         match self {
             Manoeuvre::Bump => 0.0,
             Manoeuvre::StepSteer => 2.0_f64.to_radians() * (t / 0.15).min(1.0),
-            Manoeuvre::SineSteer => 1.5_f64.to_radians() * (std::f64::consts::TAU * 0.7 * t).sin(),
+            Manoeuvre::SineSteer => 1.5_f64.to_radians() * libm::sin(std::f64::consts::TAU * 0.7 * t),
             Manoeuvre::Track => {
-                0.9_f64.to_radians() * (1.1 * t).sin() + 0.5_f64.to_radians() * (0.43 * t).sin() * (2.3 * t).sin()
+                0.9_f64.to_radians() * libm::sin(1.1 * t)
+                    + 0.5_f64.to_radians() * libm::sin(0.43 * t) * libm::sin(2.3 * t)
             }
         }
     }
@@ -108,7 +109,11 @@ impl Manoeuvre {
         match self {
             Manoeuvre::Bump => {
                 let (x, length) = (distance - 6.0, 0.5);
-                if (0.0..length).contains(&x) { 0.02 * (1.0 - (std::f64::consts::TAU * x / length).cos()) } else { 0.0 }
+                if (0.0..length).contains(&x) {
+                    0.02 * (1.0 - libm::cos(std::f64::consts::TAU * x / length))
+                } else {
+                    0.0
+                }
             }
             Manoeuvre::Track => {
                 // Fades in, so that the vehicle starts at rest.

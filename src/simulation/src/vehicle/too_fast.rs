@@ -154,7 +154,7 @@ pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
 
 /// A step to two digits, never longer than it is.
 fn shorter(step: f64) -> f64 {
-    let digit = 10f64.powf(step.log10().floor() - 1.0);
+    let digit = libm::pow(10f64, libm::log10(step).floor() - 1.0);
     (step / digit).floor() * digit
 }
 

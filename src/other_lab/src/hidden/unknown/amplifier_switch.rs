@@ -22,7 +22,7 @@ impl Hidden for AutoRange {
             // Between the force less the backlash and the force: it is pushed up by the one, down by the other.
             stands = stands.clamp(f.abs() - self.backlash, f.abs());
             let beyond = (stands - (self.up - self.backlash)) / self.band;
-            *f *= 1.0 + self.error * 0.5 * (1.0 + beyond.tanh());
+            *f *= 1.0 + self.error * 0.5 * (1.0 + libm::tanh(beyond));
         }
     }
 }

@@ -13,7 +13,7 @@ struct Poles {
 
 impl Hidden for Poles {
     fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
-        let wave = (std::f64::consts::TAU * here.input.x / self.pitch + self.phase).sin();
+        let wave = libm::sin(std::f64::consts::TAU * here.input.x / self.pitch + self.phase);
         self.share * wave * here.hydraulic.abs()
     }
 }

@@ -14,7 +14,7 @@ struct Potentiometer {
 
 impl Hidden for Potentiometer {
     fn displacement(&self, x: f64) -> f64 {
-        x * (1.0 + self.gain) + self.wave * (std::f64::consts::TAU * x / self.length).sin()
+        x * (1.0 + self.gain) + self.wave * libm::sin(std::f64::consts::TAU * x / self.length)
     }
 }
 

@@ -28,7 +28,7 @@ impl Hidden for Rattle {
             return 0.0;
         }
         let saw = 1.0 - (since * self.teeth).fract();
-        self.size * d.between(0.5, 1.5) * saw * (-since / self.decays).exp() * (at.input.v / 0.05).tanh()
+        self.size * d.between(0.5, 1.5) * saw * libm::exp(-since / self.decays) * libm::tanh(at.input.v / 0.05)
     }
 }
 

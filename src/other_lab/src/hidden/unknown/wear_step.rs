@@ -16,7 +16,7 @@ impl Hidden for CrackedDisc {
         if here.progress < self.from {
             return 1.0;
         }
-        1.0 + self.more * 0.5 * (1.0 + (self.side * here.hydraulic / 20.0).tanh())
+        1.0 + self.more * 0.5 * (1.0 + libm::tanh(self.side * here.hydraulic / 20.0))
     }
 }
 

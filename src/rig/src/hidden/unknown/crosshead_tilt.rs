@@ -12,7 +12,7 @@ struct Tilt {
 impl Hidden for Tilt {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
         // The axial force before friction; smooth round zero.
-        self.share * (here.oil_n.hypot(20.0) - 20.0) * (1.0 + here.line.displacement_m / 0.12)
+        self.share * (libm::hypot(here.oil_n, 20.0) - 20.0) * (1.0 + here.line.displacement_m / 0.12)
     }
 }
 

@@ -20,7 +20,7 @@ impl Hidden for Softening {
     fn begin(&self, _rest: &Rest, _states: &mut [f64]) {}
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {
-        states[0] *= (-seconds / self.time_s).exp();
+        states[0] *= libm::exp(-seconds / self.time_s);
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {

@@ -25,7 +25,7 @@ impl Hidden for StartUp {
     }
 
     fn resistance(&self, _here: &Here, states: &[f64]) -> f64 {
-        1.0 / (1.0 + self.missing * (-states[0] / self.travel_m).exp())
+        1.0 / (1.0 + self.missing * libm::exp(-states[0] / self.travel_m))
     }
 }
 

@@ -32,14 +32,14 @@ impl Hidden for Bursts {
         let clock = here.line.clock_s;
         let slot = (clock / SLOT_S).floor() as i64;
         let v = here.line.velocity_m_s;
-        let moving = v / v.hypot(2e-3);
+        let moving = v / libm::hypot(v, 2e-3);
         let rattle: f64 = [slot - 1, slot]
             .into_iter()
             .filter_map(|slot| self.burst(slot))
             .filter(|(start, _)| *start <= clock)
             .map(|(start, size)| {
                 let since = clock - start;
-                size * (-since / self.decay_s).exp() * (self.omega * since).cos()
+                size * libm::exp(-since / self.decay_s) * libm::cos(self.omega * since)
             })
             .sum();
         force_n + self.size_n * moving * rattle

@@ -19,7 +19,7 @@ impl Hidden for Wear {
         }
         let force = self.side * here.oil_n;
         // The other direction is sound; no kink where they meet.
-        let worn = 0.5 * (1.0 + force / force.hypot(60.0));
+        let worn = 0.5 * (1.0 + force / libm::hypot(force, 60.0));
         1.0 / (1.0 + self.missing * worn)
     }
 }

@@ -1,0 +1,74 @@
+//! A fit has the same digits on every system and in every thread. Elementary functions of the standard library are those of the system: glibc chooses
+//! among several by the processor, and on Windows MinGW's count on the x87, whose precision is one in the main thread and another in those started later.
+//! So all that ships takes them from crate `libm`.
+
+use dashpot_tests::library::root;
+use std::path::{Path, PathBuf};
+
+/// What the standard library leaves to the system. Roots, rounding, remainders and fused products are exact everywhere.
+const SYSTEMS: [&str; 25] = [
+    "powf", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "sin", "cos", "tan", "sin_cos", "asin",
+    "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
+];
+
+/// These call methods of their own numbers, which carry derivatives along; the methods themselves are in files that are looked at.
+const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/motion.rs"];
+
+fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+        match entry.file_name().and_then(|n| n.to_str()) {
+            Some("target" | "tests") => {}
+            _ if entry.is_dir() => sources(&entry, all),
+            _ if entry.extension().is_some_and(|e| e == "rs") => all.push(entry),
+            _ => {}
+        }
+    }
+}
+
+/// The system's function that a line of code calls, if it calls one.
+fn calls(line: &str) -> Option<&'static str> {
+    let code = line.split("//").next().unwrap_or(line);
+    // Two points are not a method's: `..log(x)` fills the rest of a structure.
+    let as_method = |name: &str| {
+        let call = format!(".{name}(");
+        code.match_indices(&call).any(|(at, _)| !code[..at].ends_with('.'))
+    };
+    let as_function = |name: &str| {
+        code.split("f64::").skip(1).any(|after| {
+            after.strip_prefix(name).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+        })
+    };
+    SYSTEMS.into_iter().find(|name| as_method(name) || as_function(name))
+}
+
+#[test]
+fn nothing_that_ships_computes_with_the_systems_functions() {
+    let mut files = Vec::new();
+    sources(&root().join("src"), &mut files);
+    let (mut looked_at, mut wrong) = (0, Vec::new());
+    for file in files {
+        let name = file.strip_prefix(root()).unwrap().display().to_string();
+        // The kernel has no standard library to take them from; its numbers with derivatives have such methods.
+        if name.starts_with("src/core/") || OF_NUMBERS_WITH_DERIVATIVES.contains(&name.as_str()) {
+            continue;
+        }
+        looked_at += 1;
+        let text = std::fs::read_to_string(&file).unwrap();
+        // A crate's unit tests stand at the end of its files.
+        let ships = text.split("#[cfg(test)]\nmod ").next().unwrap_or(&text);
+        wrong.extend(
+            ships.lines().enumerate().filter_map(|(k, line)| Some(format!("{name}:{}: `{}`", k + 1, calls(line)?))),
+        );
+    }
+    assert!(looked_at > 300, "only {looked_at} files were looked at");
+    assert!(wrong.is_empty(), "these are to be taken from crate libm:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_call_of_the_systems_function_is_seen() {
+    assert_eq!(calls("let x = 2.0 * (a + b).powf(c);"), Some("powf"));
+    assert_eq!(calls("values.fold(0.0, f64::hypot)"), Some("hypot"));
+    assert_eq!(calls("let x = libm::exp(y).sqrt(); // y.exp()"), None);
+    assert_eq!(calls("f64::expected(x)"), None);
+    assert_eq!(calls("Fresh { deviation, ..log(number) }"), None);
+}
