@@ -19,6 +19,9 @@ const BESIDE: [&str; 12] = [
     "rebound_stop",
 ];
 
+/// A run may have this much more force than one in short steps, beside a fifth of what the elements make.
+const SHORT_STEPS: f64 = 1.5;
+
 fn largest(forces: &[f64]) -> f64 {
     forces.iter().fold(0.0, |top, f| f.abs().max(top))
 }
@@ -117,6 +120,41 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
     other
 }
 
+/// The damper near this one that makes the most force, in words.
+///
+/// A method shifts the frequency of a mass that its steps hardly resolve. Where a heavier mass, or a softer spring at it, has the force in
+/// short steps that the case has in long ones, the case is that shift: a resonance that lies elsewhere.
+fn nearby(fine: &Case, top: f64) -> String {
+    let number = |name: &'static str| {
+        let set = fine.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
+        set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
+    };
+    let with = |changes: &[(&'static str, f64)]| {
+        let mut other = fine.clone();
+        for (name, times) in changes {
+            let value = times * number(name);
+            other.values.retain(|(n, _)| n != name);
+            other.values.push((name, vec![value]));
+        }
+        run(&other).map_or(0.0, |run| largest(&run.forces))
+    };
+    // Quarters of an octave up to eight times: by as much is a frequency shifted that has three steps to its period. The nearest that
+    // would have passed is told, or that which came closest.
+    let mut best = (0.0, String::new());
+    for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
+        for (what, changes) in [
+            ("a mass {} times as heavy", vec![("internal_mass", times), ("moving_mass", times)]),
+            ("a series spring {} times as soft", vec![("series_stiffness", 1.0 / times)]),
+        ] {
+            let force = with(&changes);
+            if force > best.0 && SHORT_STEPS * best.0 < top {
+                best = (force, what.replace("{}", &format!("{times:.2}")));
+            }
+        }
+    }
+    format!("with {} these come to {:.2} of it", best.1, best.0 / top)
+}
+
 /// Holds the forces of a run against what the elements make one by one and, where they are larger, against what the same
 /// motion comes to in short steps.
 pub fn check(case: &Case, found: &Run) -> Result<(), Failure> {
@@ -137,12 +175,13 @@ pub fn check(case: &Case, found: &Run) -> Result<(), Failure> {
     let fine = finer(&until, parts);
     let largest_of = |case: &Case| run(case).map_or(f64::INFINITY, |run| largest(&run.forces));
     let (same, euler) = (largest_of(&fine), largest_of(&by(&fine, 2.0, 1.0)));
-    if top > 1.5 * same + 0.2 * elements || top > 10.0 * euler + elements {
+    if top > SHORT_STEPS * same + 0.2 * elements || top > 10.0 * euler + elements {
         return Err(Failure {
             step,
             by: top / same.min(10.0 * euler),
             what: format!(
-                "{top:.4e} N, where the elements make {elements:.4e} N and steps of 1/{parts} come to {same:.4e} N, implicit Euler to {euler:.4e} N"
+                "{top:.4e} N, where the elements make {elements:.4e} N and steps of 1/{parts} come to {same:.4e} N, implicit Euler to {euler:.4e} N; {}",
+                nearby(&fine, top)
             ),
         });
     }
