@@ -63,15 +63,20 @@ impl Case {
         self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction"))
     }
 
-    fn at(&self, strengths: &[f64], more: &[TestPoint]) -> Result<HiddenCampaign, ProvingError> {
+    fn at(
+        &self,
+        strengths: &[f64],
+        more: &[TestPoint],
+        watch: &dyn Fn(usize, usize),
+    ) -> Result<HiddenCampaign, ProvingError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
         let case = HiddenCase { effects, plan: self.plan, options: self.options.clone() };
-        if more.is_empty() {
-            return Ok(case.run()?);
-        }
         let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
+        if more.is_empty() {
+            return Ok(case.run_matrix(&planned, watch)?);
+        }
         let matrix = Matrix::new(planned.points().iter().chain(more).cloned().collect())?;
-        Ok(case.run_matrix(&matrix, |_, _| ())?)
+        Ok(case.run_matrix(&matrix, watch)?)
     }
 
     /// The strengths that make the severities, each effect by itself; together they are what they are.
@@ -79,17 +84,25 @@ impl Case {
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
     pub fn strengths(&self) -> Result<Vec<f64>, ProvingError> {
+        self.strengths_watched(&|_, _| ())
+    }
+
+    /// The same; `watch` is told the tests measured, and their number, of every strength that is tried.
+    ///
+    /// # Errors
+    /// As [`Case::strengths`].
+    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, ProvingError> {
         let mut strengths = vec![0.0; self.effects.len()];
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
             return Ok(strengths);
         }
-        let neutral = self.at(&strengths, &[])?;
+        let neutral = self.at(&strengths, &[], watch)?;
         let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
         for (k, (name, wanted)) in self.effects.iter().enumerate() {
             let mut alone = vec![0.0; self.effects.len()];
             let found = ground.strength(name, *wanted, |strength| {
                 alone[k] = strength;
-                Ok(self.at(&alone, &[])?.campaign)
+                Ok(self.at(&alone, &[], watch)?.campaign)
             });
             strengths[k] = match found {
                 // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
@@ -113,7 +126,7 @@ impl Case {
     /// # Errors
     /// What rig, reader or fit refuse.
     pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, ProvingError> {
-        let hidden = self.at(&strengths, more)?;
+        let hidden = self.at(&strengths, more, &|_, _| ())?;
         let noisy = read(&hidden.campaign)?;
         let clean = read(&without_noise(&hidden.campaign))?;
         let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();

@@ -7,6 +7,7 @@
 //! | file | what |
 //! |---|---|
 //! | [`case`] | a case: what is hidden at which severity, and which model is diagnosed |
+//! | [`asked`] | the strengths of what somebody asks to hide |
 //! | [`laboratory`] | the same for campaigns of the second laboratory |
 //! | [`severity`] | the strength that makes a severity |
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
@@ -15,6 +16,7 @@
 //! | [`calibrate`] | what the probabilities of the rule are worth, from cases whose truth is known |
 //! | [`score`] | the table of figures and the confusion matrix |
 
+pub mod asked;
 pub mod calibrate;
 pub mod case;
 pub mod laboratory;
@@ -62,4 +64,10 @@ pub enum ProvingError {
         /// The severity asked for.
         wanted: f64,
     },
+    /// A severity on tests that are no plan of the rig's.
+    #[error("a severity needs one of the rig's plans; with tests of your own (--matrix), give strengths (--strength)")]
+    OwnTests,
+    /// A severity without noise.
+    #[error("a severity is in units of the noise, and there is none; give --noise, or strengths (--strength)")]
+    NoNoise,
 }

@@ -3,6 +3,8 @@
 use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
 use dashpot_output::FolderLock;
+use dashpot_proving::ProvingError;
+use dashpot_proving::asked::{Asked, Numbers, strengths};
 use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -34,6 +36,15 @@ impl Tests {
     fn is_varied(&self) -> bool {
         let lists = self.amplitudes_m.is_some() || self.peak_velocities_m_s.is_some();
         lists || self.frequency_limit_hz.is_some() || !self.slow_tests
+    }
+
+    /// The plan by whose tests a severity is found; none where the tests are of the user's own.
+    fn searched(&self) -> Result<Option<Plan>, Refusal> {
+        match &self.plan {
+            _ if self.matrix.is_some() || self.is_varied() => Ok(None),
+            Some(name) => Plan::named(name).map(Some),
+            None => Ok(Some(Plan::default())),
+        }
     }
 
     /// The tests that a campaign is measured by; where nothing is said, the plan that shows hidden effects, or the thesis's tests.
@@ -88,16 +99,26 @@ fn refused(error: anyhow::Error) -> PyErr {
     }
 }
 
-/// Measures tests on the virtual rig; returns their number. `hide` names effects with their strengths.
+/// A refusal of the rig by itself, whoever asked it.
+fn of_rig(error: ProvingError) -> anyhow::Error {
+    match error {
+        ProvingError::Rig(refusal) => refusal.into(),
+        other => other.into(),
+    }
+}
+
+/// Measures tests on the virtual rig; returns their number. `hide` names effects with their strengths, or with their severities where `severity`
+/// says so, and alone for a typical strong case.
 #[pyfunction]
-#[pyo3(signature = (folder, tests, bench, hide, progress=None))]
+#[pyo3(signature = (folder, tests, bench, hide, severity, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
 pub fn measure(
     py: Python<'_>,
     folder: PathBuf,
     tests: Tests,
     bench: Bench,
-    hide: Option<Vec<(String, f64)>>,
+    hide: Option<Asked>,
+    severity: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<usize> {
     let options = Options {
@@ -115,14 +136,18 @@ pub fn measure(
     };
     let matrix =
         tests.chosen(hide.is_some(), bench.order.unwrap_or(bench.seed)).map_err(|error| refused(error.into()))?;
+    let searched = tests.searched().map_err(|error| refused(error.into()))?;
     let held = FolderLock::take(&folder).map_err(raise::<OutputError>)?;
     let measured = work::run(py, progress, |progress| -> anyhow::Result<usize> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "measuring");
-        let Some(effects) = hide else {
+        let Some(asked) = hide else {
             let campaign = Campaign::run(&matrix, &options, say)?;
             campaign.write(&folder)?;
             return Ok(campaign.records.len());
         };
+        let numbers = if severity { Numbers::Severities } else { Numbers::Strengths };
+        let watch = |_, _| progress.say(0.0, "finding strengths");
+        let effects = strengths(asked, numbers, searched, &options, &watch).map_err(of_rig)?;
         let outcome = HiddenCase { effects, plan: Plan::default(), options }.run_matrix(&matrix, say)?;
         outcome.write(&folder)?;
         Ok(outcome.campaign.records.len())

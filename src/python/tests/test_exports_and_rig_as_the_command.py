@@ -128,16 +128,22 @@ def test_a_campaign_of_the_rig(command: Command, beside: Path) -> None:
         (["--hide", "free_play=1.5", "--strength", "--plan", "one-amplitude", "--start-temperature", "30", "--order", "4", "--no-temperature"],
          {"hide": {"free_play": 1.5}, "plan": "one-amplitude", "start_temperature_c": 30, "order": 4, "temperature": False}),
         (["--hide", "nothing"], {"hide": {}}),
+        (["--hide", "nothing", "--plan", "one-amplitude"], {"hide": "nothing", "plan": "one-amplitude"}),
+        (["--hide", "cavitation=1,free_play:hertz=0.5,force_offset", "--noise", "2"],
+         {"hide": {"cavitation": 1.0, "free_play:hertz": 0.5, "force_offset": None}, "severity": True, "noise_percent": 2}),
+        (["--hide", "bushing", "--hide", "unknown_wear_step", "--plan", "one-amplitude"],
+         {"hide": ["bushing", "unknown_wear_step"], "plan": "one-amplitude"}),
+        (["--hide", "bushing", "--matrix", "small.csv"], {"hide": "bushing", "matrix": "small.csv", "severity": True}),
     ],
-    ids=["a poor plan", "what a damper without an effect is looked at by"],
+    ids=["a poor plan", "what a damper without an effect is looked at by", "nothing by name", "severities", "names alone", "on tests of one's own"],
 )  # fmt: skip
-def test_a_damper_that_hides(command: Command, beside: Path, tmp_path: Path, options: list[str], arguments: dict[str, Any]) -> None:
+def test_a_damper_that_hides(command: Command, records: Path, beside: Path, tmp_path: Path, options: list[str], arguments: dict[str, Any]) -> None:
     command("rig", "-o", str(tmp_path / "theirs"), "--seed", "3", *options)
     dashpot.measure_virtual(tmp_path / "mine", seed=3, **arguments)
     same_folder(tmp_path / "mine", tmp_path / "theirs")
 
 
-def test_a_rig_that_cannot_be(command: Command, beside: Path) -> None:
+def test_a_rig_that_cannot_be(command: Command, records: Path, beside: Path) -> None:
     def sentence(*arguments: str) -> str:
         ran = command.run("rig", "-o", "never", *arguments)
         assert ran.returncode == 2
@@ -150,14 +156,28 @@ def test_a_rig_that_cannot_be(command: Command, beside: Path) -> None:
         (["--hide", "nothing", "--start-temperature", "500"], {"hide": {}, "start_temperature_c": 500}, ("option start temperature", "start_temperature_c")),
         (["--plan", "rich"], {"plan": "rich"}, ("option plan", "plan")),
         (["--hide", "ghosts"], {"hide": {"ghosts": 1.0}}, ("option hide", "hide")),
+        (["--hide", "free_play,ghosts=2"], {"hide": {"free_play": None, "ghosts": 2.0}, "severity": True}, ("option hide", "hide")),
+        (["--hide", "free_play:odd=2"], {"hide": {"free_play:odd": 2.0}, "severity": True}, ("option hide", "hide")),
+        (["--hide", "nothing,free_play"], {"hide": ["nothing", "free_play"]}, ("option hide", "hide")),
+        (["--hide", "free_play,free_play"], {"hide": ["free_play", "free_play"]}, ("option hide", "hide")),
+        (["--hide", "free_play=nan"], {"hide": {"free_play": float("nan")}, "severity": True}, ("option hide", "hide")),
+        (["--hide", "free_play=-1", "--strength"], {"hide": {"free_play": -1.0}}, ("option hide", "hide")),
+        (["--hide", "free_play=2", "--matrix", "small.csv"], {"hide": {"free_play": 2.0}, "severity": True, "matrix": "small.csv"}, ("", "")),
+        (["--hide", "free_play=2", "--noise", "0"], {"hide": {"free_play": 2.0}, "severity": True, "noise_percent": 0}, ("", "")),
     ]:
         with pytest.raises(dashpot.RigError) as refused:
             dashpot.measure_virtual("never", **arguments)  # type: ignore[arg-type]
         assert str(refused.value) == sentence(*options).replace(*told)
+        if "ghosts" in str(options):
+            assert "gas_spring, stribeck_friction" in str(refused.value) and "unknown_wear_step" in str(refused.value)
+    with pytest.raises(dashpot.RigError, match=r"with tests of your own \(matrix\), give strengths \(severity=False\)"):
+        dashpot.measure_virtual("never", hide={"free_play": 2.0}, severity=True, amplitudes_m=[0.01])
+    with pytest.raises(dashpot.RigError, match=r"give noise_percent, or strengths \(severity=False\)"):
+        dashpot.measure_virtual("never", hide={"free_play": 2.0}, severity=True, noise_percent=0)
     for wrong in ({"plan": "thesis", "matrix": "tests.csv"}, {"plan": "thesis", "slow_tests": False}, {"matrix": "tests.csv", "amplitudes_m": [0.01]}):
         with pytest.raises(ValueError, match="exclude each other; give one"):
             dashpot.measure_virtual("never", **wrong)  # type: ignore[arg-type]
-    for alone in ({"order": 3}, {"start_temperature_c": 30.0}):
+    for alone in ({"order": 3}, {"start_temperature_c": 30.0}, {"severity": True}):
         with pytest.raises(ValueError, match="is of a damper in which effects are hidden"):
             dashpot.measure_virtual("never", **alone)  # type: ignore[arg-type]
     assert not Path("never").exists()

@@ -26,7 +26,7 @@ AT = {"channel": "force", "of_first": "force", "of_second": "displacement", "wha
 
 def sentences() -> Iterator[tuple[str, str]]:
     """Every text in the sources of reading, fit and diagnosis that has an option, with something at its places."""
-    for crate in ("records", "estimation", "identification", "diagnosis"):
+    for crate in ("records", "estimation", "identification", "diagnosis", "proving"):
         for file in sorted((SOURCES / crate / "src").rglob("*.rs")):
             # The texts of tests come last, and what a model of the literature bears is read in its file.
             code = file.read_text().split("#[cfg(test)]")[0]
@@ -49,7 +49,7 @@ def test_every_sentence_with_an_option_speaks_of_arguments() -> None:
 def test_arguments_that_are_named_are_there() -> None:
     functions = (
         dashpot.Campaign.read, dashpot.fit, dashpot.diagnose, dashpot.Model.validate, dashpot.Model.simulate, dashpot.Model.check,
-        dashpot.Model.export_fmu, dashpot.Model.from_peaks,
+        dashpot.Model.export_fmu, dashpot.Model.from_peaks, dashpot.measure_virtual,
     )  # fmt: skip
     there = {name for function in functions for name in inspect.signature(function).parameters}
     assert {name.split("=")[0] for name in _arguments._NAMES.values()} <= there

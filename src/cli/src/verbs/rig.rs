@@ -1,9 +1,9 @@
 //! `dashpot rig`: a campaign measured on the virtual rig.
 
 use crate::progress::Progress;
-use anyhow::{Context as _, bail};
+use anyhow::Context as _;
 use dashpot_output::FolderLock;
-use dashpot_proving::case::Case;
+use dashpot_proving::asked::{Asked, Numbers, strengths};
 use dashpot_rig::{Campaign, EFFECTS, HiddenCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
 use std::path::PathBuf;
 
@@ -104,7 +104,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.write(&args.output)?;
         campaign.records.len()
     } else {
-        let effects = strengths(args, plan.unwrap_or_default(), &options, matrix.is_some())?;
+        let numbers = if args.strength { Numbers::Strengths } else { Numbers::Severities };
+        // A matrix of one's own is no plan.
+        let searched = matrix.is_none().then(|| plan.unwrap_or_default());
+        let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
         let case = HiddenCase { effects, plan: Plan::default(), options };
         let outcome = case.run_matrix(&matrix, |done, total| progress.count(done, total))?;
@@ -115,46 +118,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{tests} tests in {}", args.output.display()))
 }
 
-/// Names with the strengths that make the severities asked for.
-fn strengths(args: &Args, plan: Plan, options: &Options, own_matrix: bool) -> anyhow::Result<Vec<(String, f64)>> {
-    let asked = effects(&args.hide)?;
-    let severities: Vec<(String, f64)> = asked.iter().filter_map(|(n, s)| s.map(|s| (n.clone(), s))).collect();
-    let mut found = Vec::new();
-    if !args.strength && !severities.is_empty() {
-        if own_matrix {
-            bail!("a severity needs one of the rig's plans; with --matrix, give strengths (--strength)");
-        }
-        if options.noise_percent <= 0.0 {
-            bail!("a severity is in units of the noise, and there is none; give --noise, or strengths (--strength)");
-        }
-        let options = Options { threads: Some(1), ..options.clone() };
-        found = Case { effects: severities, plan, options, ..Case::nothing(args.seed) }.strengths()?;
-    }
-    let mut found = found.into_iter();
-    Ok(asked
-        .into_iter()
-        .map(|(name, number)| {
-            let strength = match number {
-                Some(number) if args.strength => number,
-                Some(_) => found.next().unwrap_or(0.0),
-                None => TYPICAL,
-            };
-            (name, strength)
-        })
-        .collect())
-}
-
-/// Strength of a typical strong case.
-const TYPICAL: f64 = 1.0;
-
-/// Names and the numbers given with them; `nothing` must stand alone.
-fn effects(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
-    if texts.iter().any(|text| text == NOTHING) {
-        if texts.len() > 1 {
-            bail!("option hide: '{NOTHING}' stands beside an effect; give one or the other");
-        }
-        return Ok(Vec::new());
-    }
+/// Names and the numbers given with them.
+fn effects(texts: &[String]) -> anyhow::Result<Asked> {
     texts
         .iter()
         .map(|text| {

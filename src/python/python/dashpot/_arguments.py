@@ -41,6 +41,9 @@ _NAMES = {
     "library": "library",
     "gas-force": "gas_force",
     "friction": "friction",
+    "matrix": "matrix",
+    "noise": "noise_percent",
+    "strength": "severity=False",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
 #: What an option of a few words may be given.

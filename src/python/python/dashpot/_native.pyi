@@ -153,7 +153,8 @@ def measure(
     folder: str,
     tests: Tests,
     bench: Bench,
-    hide: Sequence[tuple[str, float]] | None,
+    hide: Sequence[tuple[str, float | None]] | None,
+    severity: bool,
     progress: _Progress = None,
 ) -> int: ...
 def test_matrix(tests: Tests) -> tuple[str, int]: ...

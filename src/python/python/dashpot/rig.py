@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from . import _native
 from ._given import Bench, Tests
-from ._numbers import real
+from ._numbers import real, words
 from ._work import watched
 from .campaign import Campaign, Path, Progress
 
@@ -29,7 +29,8 @@ def measure_virtual(
     sample_rate_hz: float | None = None,
     side_force: bool = True,
     temperature: bool = True,
-    hide: Mapping[str, float] | None = None,
+    hide: str | Sequence[str] | Mapping[str, float | None] | None = None,
+    severity: bool = False,
     start_temperature_c: float | None = None,
     order: int | None = None,
     progress: Progress | None = None,
@@ -37,8 +38,8 @@ def measure_virtual(
     """Measures a campaign on the virtual rig, writes its records into a folder, and reads them; as ``dashpot rig``.
 
     The damper is a physical one that shares nothing with the model. With ``hide``, a neutral damper of the model's own topology
-    instead, in which effects are hidden: names with strengths, 1 being a typical strong case (as ``dashpot rig --strength``); an empty mapping
-    hides nothing. Its tests are those of the plan ``"diagnosis"`` if nothing is said of them, else those of the thesis.
+    instead, in which effects are hidden; its tests are those of the plan ``"diagnosis"`` if nothing is said of them, else those of the thesis.
+    What is hidden is written beside the records, in ``sealed/truth.toml``.
 
     :param amplitudes_m: amplitudes of the tests, m; the thesis's if not given.
     :param peak_velocities_m_s: peak velocities of the tests, m/s; the thesis's if not given.
@@ -55,17 +56,23 @@ def measure_virtual(
     :param sample_rate_hz: samples per second; chosen by frequency if not given.
     :param side_force: whether the side force is recorded where it is applied.
     :param temperature: whether the temperature of the damper's body is recorded, which a damper with ``hide`` alone knows.
+    :param hide: effects to hide: a name, several, or names with numbers: ``{"cavitation": 0.5, "free_play": None}``. A name without a number is
+        a typical strong case, ``"free_play:hertz"`` asks for one physical form, where otherwise the seed chooses; an empty mapping, or
+        ``"nothing"``, hides nothing. An unknown name is refused with all that there are.
+    :param severity: with ``hide``: whether its numbers are severities, as those of ``dashpot rig --hide``: what refitting the model cannot absorb, in
+        units of the noise, 0.5 being weak and 4 strong. The strengths that make them are searched for, which takes seconds, by the tests of
+        a plan. Otherwise the numbers are physical strengths, 1 being a typical strong case, as with ``dashpot rig --strength``.
     :param start_temperature_c: with ``hide``: temperature of the damper before the first test, °C; that of the laboratory, 22 °C, if not given.
     :param order: with ``hide``: another order of a plan's tests, hence another thermal history.
     :raises RigError: where a test, an effect or a sensor cannot be.
-    :raises ValueError: where tests are said in two ways, or ``order`` or ``start_temperature_c`` is given without ``hide``.
+    :raises ValueError: where tests are said in two ways, or ``severity``, ``order`` or ``start_temperature_c`` is given without ``hide``.
     """
     tests = _tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests)
     varied = amplitudes_m is not None or peak_velocities_m_s is not None or frequency_limit_hz is not None or not slow_tests
     if (matrix is not None) + (plan is not None) + varied > 1:
         raise ValueError("matrix, plan and what varies the thesis's tests (amplitudes_m, peak_velocities_m_s, ...) exclude each other; give one")
     if hide is None:
-        for name, value in (("start_temperature_c", start_temperature_c), ("order", order)):
+        for name, value in (("start_temperature_c", start_temperature_c), ("order", order), ("severity", severity or None)):
             if value is not None:
                 raise ValueError(f"{name} is of a damper in which effects are hidden; give hide, such as hide={{}} for none")
     for name, number in (("noise_percent", noise_percent), ("noise_colour", noise_colour), ("hum_n", hum_n)):
@@ -85,7 +92,7 @@ def measure_virtual(
         "order": order,
     }
     with watched(progress) as told:
-        _native.measure(os.fspath(folder), tests, bench, None if hide is None else list(hide.items()), told)
+        _native.measure(os.fspath(folder), tests, bench, None if hide is None else _asked(hide), bool(severity), told)
     return Campaign.read(folder)
 
 
@@ -114,6 +121,15 @@ def write_test_matrix(
     text, count = _native.test_matrix(_tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests))
     _native.write(os.fspath(path), text, force)
     return count
+
+
+def _asked(hide: str | Sequence[str] | Mapping[str, float | None]) -> list[tuple[str, float | None]]:
+    """Names to hide with their numbers, where they have one."""
+    if not isinstance(hide, Mapping):
+        return [(name, None) for name in words(hide)]
+    for name, number in hide.items():
+        real(f"hide[{name!r}]", number)
+    return list(hide.items())
 
 
 def _tests(
