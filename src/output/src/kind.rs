@@ -12,6 +12,8 @@ pub enum Kind {
     Model,
     /// What is known about records, said once beside them.
     Profile,
+    /// A model of the literature, which is no model file: to be compared with alone.
+    Comparison,
     /// Figures of one of the verbs as JSON.
     Figures,
     /// A report of dashpot.
@@ -39,7 +41,19 @@ pub enum Kind {
 }
 
 /// Keys that stand at the top of the JSON of some verb; a foreign JSON file has none of them.
-const OWN_KEYS: [&str; 7] = ["parameters", "misfit", "overall", "findings", "suspects", "corners", "rms_percent_1ms"];
+const OWN_KEYS: [&str; 9] = [
+    "parameters",
+    "misfit",
+    "overall",
+    "findings",
+    "suspects",
+    "left_aside",
+    "explicit_step_s",
+    "corners",
+    "rms_percent_1ms",
+];
+/// Key of a model of the literature that `fit --model` identified, in its file, and under `numbers` in the JSON of that fit.
+const LITERATURE: &str = "literature_model";
 /// What every workbook of dashpot names as its author. A program that changes one says who did, so an edited one is not taken
 /// for ours.
 pub const AUTHOR: &str = "dashpot";
@@ -109,12 +123,19 @@ impl Kind {
             if let Ok(value) = serde_json::from_str::<serde_json::Value>(text) {
                 let first = value.as_array().and_then(|rows| rows.first()).unwrap_or(&value);
                 let own = first.as_object().is_some_and(|o| OWN_KEYS.iter().any(|key| o.contains_key(*key)));
-                return if own { Kind::Figures } else { Kind::Other("JSON of other origin") };
+                return if own || first["numbers"].get(LITERATURE).is_some() {
+                    Kind::Figures
+                } else {
+                    Kind::Other("JSON of other origin")
+                };
             }
         }
         let says = |key: &str| text.lines().any(|line| line.split('=').next().is_some_and(|k| k.trim() == key));
         if says("format") && text.contains(dashpot_records::profile::FORMAT) {
             return Kind::Profile;
+        }
+        if says(LITERATURE) {
+            return Kind::Comparison;
         }
         if says("format") && says("elements") {
             return Kind::Model;
@@ -144,6 +165,7 @@ impl fmt::Display for Kind {
         match self {
             Kind::Empty => f.write_str("nothing"),
             Kind::Model => f.write_str("a model file"),
+            Kind::Comparison => f.write_str("a model of the literature, to be compared with alone"),
             Kind::Profile => f.write_str("the profile of a campaign"),
             Kind::Figures => f.write_str("figures as JSON"),
             Kind::Report => f.write_str("a report"),
@@ -177,7 +199,10 @@ mod tests {
         assert_eq!(of("format = \"dashpot campaign profile 1\"\n"), Kind::Profile);
         assert_eq!(of("{\"parameters\": []}"), Kind::Figures);
         assert_eq!(of("[{\"rms_percent_1ms\": 1}]"), Kind::Figures);
+        assert_eq!(of("{\"tests\": [], \"numbers\": {\"literature_model\": \"dahl\"}}"), Kind::Figures);
+        assert_eq!(of("# mine\nliterature_model = \"dahl\"\nfriction_n = 1.0\n"), Kind::Comparison);
         assert!(matches!(of("{\"name\": \"x\"}"), Kind::Other(_)));
+        assert!(matches!(of("{\"numbers\": [1, 2]}"), Kind::Other(_)));
         assert!(matches!(of("<!DOCTYPE html><title>x</title>"), Kind::Other(_)));
         assert_eq!(of(&format!("<!DOCTYPE html>\n{GENERATOR}")), Kind::Report);
         assert_eq!(of("time_s,force_N\n0,1\n"), Kind::Table("time_s,force_N".into()));

@@ -66,6 +66,12 @@ fn a_comparison_model_lives_in_a_file_of_its_own_kind() {
     assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["numbers"]["literature_model"], "dahl");
     let text = std::fs::read_to_string(dir.join("d.toml")).unwrap();
     assert!(text.contains("not a dashpot model file") && text.contains("friction_n"), "{text}");
+    // It takes the place of its own older version, with its figures, and never that of a model.
+    for _ in 0..2 {
+        done(dir, &["fit", "records", "-o", "e.toml", "--model", "dahl", "--json", "e.json"]);
+    }
+    assert!(refused(dir, &["fit", "records", "-o", "m.toml", "--model", "dahl"]).contains("holds a model file"));
+    assert!(refused(dir, &["fit", "records", "-o", "d.toml"]).contains("holds a model of the literature"));
     // Every other verb says what it is; validation reads it and gets what it would have identified itself.
     let told = refused(dir, &["simulate", "d.toml", "records/a50mm_v0262mm_s.csv", "-o", "x.csv"]);
     assert!(told.contains("--against"), "{told}");

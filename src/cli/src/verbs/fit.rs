@@ -214,12 +214,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if excel.is_some_and(dashpot_output::is_stdout) {
         bail!("--excel needs a file name: standard output takes estimates (--json -) or the model (-o -)");
     }
-    dashpot_output::check_kinds([
-        (Some(args.output.as_path()), Kind::Model),
-        (json, Kind::Figures),
-        (excel, Kind::Workbook),
-    ])?;
     let becomes = args.model.becomes();
+    let kind = match becomes {
+        Becomes::Kernel(_) => Kind::Model,
+        Becomes::Literature(_) => Kind::Comparison,
+    };
+    dashpot_output::check_kinds([(Some(args.output.as_path()), kind), (json, Kind::Figures), (excel, Kind::Workbook)])?;
     if excel.is_some() && matches!(becomes, Becomes::Literature(_)) {
         bail!(
             "--excel has the tables of a model file; this model's numbers are in the file that -o names, and in --json"
