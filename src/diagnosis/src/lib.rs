@@ -19,6 +19,7 @@
 //! | [`phrases`] | every text that it says, in English |
 //! | [`regions`] | where model and records disagree |
 //! | [`reference`] | what changed against the same tests on a good damper |
+//! | [`groups`] | many dampers, each against the same reference |
 //! | [`opposite`], [`warmer`] | how the two campaigns differ beside the damper |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
 //! | [`mod@first_look`], [`mod@refitted`] | for those who calibrate and prove |
@@ -35,6 +36,7 @@ mod evidence;
 mod extend;
 mod finer_curve;
 mod first_look;
+pub mod groups;
 mod hold_out;
 mod improved;
 mod name_of;

@@ -61,7 +61,7 @@ fn say_again(read: &mut dashpot_records::Campaign) {
 }
 
 /// How to read records, from the JSON of a profile (the entries of `campaign.toml`).
-fn options(mapping: &str, strict: bool) -> PyResult<Options> {
+pub fn options(mapping: &str, strict: bool) -> PyResult<Options> {
     let profile: Profile = serde_json::from_str(mapping).map_err(raise::<RecordError>)?;
     Ok(Options { strict, ..profile.options().map_err(say::<RecordError>)? })
 }

@@ -27,7 +27,7 @@ struct DiagnosisJson<'a> {
 }
 
 /// Mean cycle of one test: motion, measured force, force before and after.
-fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
+pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
     let Curves { displacement, velocity, measured, before, after, .. } = curves;
     let arrays = PyDict::new(py);
     for (name, values) in [

@@ -8,6 +8,7 @@
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
+//! | `groups` | diagnose many dampers against one |
 //! | `check` | chatter in a host |
 //! | `limits` | tables of limits, and what records say of them |
 //! | `adams` | files of Adams, and models from them and from tables |
@@ -27,6 +28,7 @@ mod damper;
 mod errors;
 mod examine;
 mod export;
+mod groups;
 mod identify;
 mod limits;
 mod model;
@@ -60,13 +62,15 @@ mod _native {
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]
+    use crate::groups::{Grouped, diagnose_groups};
+    #[pymodule_export]
     use crate::identify::{Fitted, fit};
     #[pymodule_export]
     use crate::limits::{Figures, check_limits, read_limits};
     #[pymodule_export]
     use crate::model::{Model, write};
     #[pymodule_export]
-    use crate::papers::{write_diagnosis, write_fit, write_next_tests, write_validation};
+    use crate::papers::{write_diagnosis, write_fit, write_groups, write_next_tests, write_validation};
     #[pymodule_export]
     use crate::rig::{measure, test_matrix};
     #[pymodule_export]

@@ -4,6 +4,7 @@ use crate::campaign::Campaign;
 use crate::compare::{compared, figures};
 use crate::errors::{OutputError, raise};
 use crate::examine::Diagnosed;
+use crate::groups::Grouped;
 use crate::identify::Fitted;
 use crate::limits;
 use crate::model::Model;
@@ -14,7 +15,7 @@ use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
 use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::words::{Language, Words};
-use dashpot_report::{Made, MadeFrom, Print, ReportInput, made, parameters, reading, write_workbook};
+use dashpot_report::{Made, MadeFrom, Print, ReportInput, groups, made, parameters, reading, write_workbook};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -58,16 +59,12 @@ impl Page {
     }
 
     /// What a paper is made from: the model's file, as it was when it was read or written, then files that are looked at once more.
-    fn made<'a>(
-        &self,
-        model: Option<&Model>,
-        campaigns: impl IntoIterator<Item = &'a dashpot_records::Campaign>,
-    ) -> PyResult<Made> {
+    fn made<'a>(&'a self, model: Option<&Model>, files: impl IntoIterator<Item = &'a PathBuf>) -> PyResult<Made> {
         let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
         let model = model
             .filter(|_| self.is_file)
             .map(|model| MadeFrom::of_content(&self.model, model.text_of_file().as_bytes()));
-        let files = self.files.iter().chain(campaigns.into_iter().flat_map(|campaign| &campaign.files));
+        let files = self.files.iter().chain(files);
         let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::of(path))).collect();
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
@@ -116,7 +113,7 @@ pub fn write_validation(
 ) -> PyResult<Vec<PathBuf>> {
     let words = page.words()?;
     let windows = windows.map(limits::of_rows).transpose()?;
-    let made = page.made(Some(model), [&campaign.read])?;
+    let made = page.made(Some(model), &campaign.read.files)?;
     let values = |array: &PyReadonlyArray1<'_, f64>| array.as_array().to_vec();
     let forces = forces.iter().map(|(model, fv_only)| (values(model), values(fv_only))).collect();
     let rivals: Vec<(String, Vec<Vec<f64>>)> =
@@ -173,8 +170,8 @@ pub fn write_diagnosis(
 ) -> PyResult<Vec<PathBuf>> {
     let words = page.words()?;
     let model = found.model.get();
-    let reference = found.reference.as_ref().map(|reference| &reference.get().read);
-    let made = page.made(Some(model), std::iter::once(&found.campaign.get().read).chain(reference))?;
+    let reference = found.reference.iter().flat_map(|reference| &reference.get().read.files);
+    let made = page.made(Some(model), found.campaign.get().read.files.iter().chain(reference))?;
     let kind = match what {
         "figures" => None,
         "workbook" => Some(Kind::Workbook),
@@ -204,6 +201,24 @@ pub fn write_diagnosis(
     })
 }
 
+/// Answers for groups on paper: `report` or `workbook`.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found: &Grouped) -> PyResult<()> {
+    let words = page.words()?;
+    let made = page.made(Some(found.model.get()), &found.files)?;
+    let is_workbook = what == "workbook";
+    let kind = if is_workbook { Kind::Workbook } else { Kind::Report };
+    page.write(py, (&path, Some(kind)), &made, || {
+        let report = groups::page(&found.answers, Path::new(&page.model), made.clone(), words);
+        if is_workbook {
+            write_workbook(&report.workbook(), &path)
+        } else {
+            dashpot_output::write(&path, report.render())
+        }
+    })
+}
+
 /// The tests that would tell more, as a test matrix; returns its rows, 0 where there is none that a rig could be driven by, and nothing is
 /// written.
 #[pyfunction]
@@ -224,7 +239,7 @@ pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResu
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_fit(py: Python<'_>, path: PathBuf, page: Page, found: &Fitted) -> PyResult<()> {
     let words = page.words()?;
-    let made = page.made(None, [&found.about])?;
+    let made = page.made(None, &found.about.files)?;
     page.write(py, (&path, Some(Kind::Workbook)), &made, || {
         let tables = dashpot_report::fit::workbook(
             (&found.fit, &found.over_whole_records),

@@ -15,7 +15,7 @@ from fleets import TESTS, damper, measure
 
 ROOT = Path(__file__).parents[3]
 #: Pages with how many blocks of Python each has; a page that loses them all is noticed.
-PAGES = {"README.md": 1, "src/python/README.md": 1, "docs/book/src/python.md": 6, "docs/book/src/fleet.md": 0}
+PAGES = {"README.md": 1, "src/python/README.md": 1, "docs/book/src/python.md": 7, "docs/book/src/fleet.md": 0}
 
 
 def blocks(page: str) -> list[str]:
@@ -49,6 +49,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("pages")
     measure(damper(), folder / "campaign", seed=1, tests=(*TESTS, (0.04, 0.3)))
     measure(damper(friction=80), folder / "other", seed=2, tests=(*TESTS, (0.04, 0.3)))
+    for name, friction in (("sn17", 30), ("sn18", 80)):
+        measure(damper(friction=friction), folder / "fleet" / name, seed=friction)
     (folder / "peaks.csv").write_text("velocity_m_s,force_N\n0.1,500\n0.3,900\n-0.1,-300\n-0.3,-600\n")
     (folder / "limits.csv").write_text("quantity,velocity_m_s,low,high\nforce,0.26,1,5000\nfriction,,0,100\n")
     for name, scale in (("rear.toml", 0.8), ("damper.toml", 1.0)):

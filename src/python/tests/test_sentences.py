@@ -49,7 +49,7 @@ def test_every_sentence_with_an_option_speaks_of_arguments() -> None:
 def test_arguments_that_are_named_are_there() -> None:
     functions = (
         dashpot.Campaign.read, dashpot.fit, dashpot.diagnose, dashpot.Model.validate, dashpot.Model.simulate, dashpot.Model.check,
-        dashpot.Model.export_fmu, dashpot.Model.from_peaks, dashpot.measure_virtual,
+        dashpot.Model.export_fmu, dashpot.Model.from_peaks, dashpot.measure_virtual, dashpot.diagnose_groups,
     )  # fmt: skip
     there = {name for function in functions for name in inspect.signature(function).parameters}
     assert {name.split("=")[0] for name in _arguments._NAMES.values()} <= there

@@ -26,6 +26,8 @@ mod file_units;
 #[cfg(test)]
 mod fixtures;
 pub mod glob;
+mod group_list;
+pub mod groups;
 mod heading;
 pub mod hold_out;
 mod lvm;

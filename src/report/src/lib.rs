@@ -16,6 +16,7 @@ pub mod diagnosis;
 mod each_test;
 mod errors;
 pub mod fit;
+pub mod groups;
 mod hysteresis;
 pub mod made;
 pub mod manoeuvre;

@@ -4,7 +4,7 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_records::{Campaign, DateOrder, Note, Options, Positive, assignment, load};
+use dashpot_records::{Campaign, DateOrder, Note, Options, Positive, RecordError, assignment, load};
 use std::path::{Path, PathBuf};
 
 /// How to read records.
@@ -168,8 +168,13 @@ impl DataArgs {
 
     /// Reads and cleans other records by the same options.
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
+        Ok(self.read(paths, &self.options()?)?)
+    }
+
+    /// The same by options that were made of these.
+    pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         let progress = Progress::new("reading");
-        let campaign = load(paths, &self.options()?, &|p| progress.count(p.done, p.total))?;
+        let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
         // What decides which records count is said before the work, whatever the verb.
         for note in campaign.notes.iter().filter(|n| is_said_first(n)) {
@@ -180,8 +185,13 @@ impl DataArgs {
 
     /// The paths in words.
     pub fn named(&self) -> String {
-        self.data.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
+        named(&self.data)
     }
+}
+
+/// Paths in words.
+pub fn named(paths: &[PathBuf]) -> String {
+    paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
 /// Whether a note was said when the records were read.

@@ -1,18 +1,19 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
-use super::data::{DataArgs, name_of};
-use super::groups::{self, Answers, Group};
-use super::model;
+use super::data::{DataArgs, name_of, named};
+use super::{groups, model};
 use crate::page::PageArgs;
 use crate::progress::Progress;
-use anyhow::{Context as _, bail};
+use anyhow::bail;
+use dashpot_diagnosis::groups::{Good, diagnose_groups};
 use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::sentence::Template;
+use dashpot_records::groups::split;
 use dashpot_records::{Campaign, Record, Sentence, Unusable, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
+use dashpot_report::groups::page;
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
 use dashpot_report::whole_records;
 use dashpot_report::words::{TERMINAL, Words};
@@ -272,49 +273,30 @@ fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> 
 
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
-    let groups::Split { mut groups, left_aside, without_test, mut unusable, mut files } =
-        groups::split(&args.data, by)?;
-    files.insert(0, args.model.clone());
-    let (mut reference, name) = if args.reference.is_empty() {
-        if groups.len() < 2 {
-            bail!("--group {by:?} finds one group, {}; give --reference to compare it with", groups[0].name);
-        }
-        let first = groups.remove(0);
-        (first.records, first.name)
-    } else {
-        let name = args.reference.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
-        let good = args.data.load_like(&args.reference)?;
-        unusable.extend(good.unusable);
-        files.extend(good.files);
-        (good.records, name)
-    };
-    let all = groups.iter_mut().flat_map(|group| &mut group.records).chain(&mut reference);
-    let as_the_fit_saw = model.identification.right(all).map(|note| note.text);
-    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
+    let data = &args.data;
+    let options = data.options()?;
+    let split = split(&data.data, by, &|paths| data.read(paths, &options))?;
+    let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
+    let mut good = None;
+    if !args.reference.is_empty() {
+        let campaign = data.load_like(&args.reference)?;
+        files.extend(campaign.files.clone());
+        good = Some(Good { name: named(&args.reference), campaign });
+    }
+    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), ..Options::default() };
     let progress = Progress::new("diagnosing");
-    let count = groups.len() as f64;
-    let one = |(k, Group { name, records }): (usize, Group)| {
-        let all: Vec<&Record> = records.iter().collect();
-        let left = choose_held_out(&all, args.seed);
-        let told = |done: f64, text: Template| {
-            progress.say((k as f64 + done) / count, &format!("{name}: {}", text.english()));
-        };
-        let diagnosis =
-            diagnose(&all, &left, &model.params, &options, &told).with_context(|| format!("group {name}"))?;
-        Ok(groups::Answer { group: name.clone(), tests: all.len(), diagnosis })
-    };
-    let answered: anyhow::Result<Vec<groups::Answer>> = groups.into_iter().enumerate().map(one).collect();
+    let told = |done: f64, text: &str| progress.say(done, text);
+    let answers = diagnose_groups((split, by), good, model, options, args.seed, &told)?;
     drop(progress);
-    let answers = Answers { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups: answered? };
     let json = args.json.as_deref();
-    dashpot_output::say(json, &answers.told().join("\n"))?;
+    dashpot_output::say(json, &groups::told(&answers).join("\n"))?;
     if let Some(path) = json {
         dashpot_output::json(path, &answers)?;
     }
     if args.report.is_none() && args.excel.is_none() {
         return Ok(());
     }
-    let page = answers.page(&args.model, args.page.text.date.made(files)?, args.page.text.words());
+    let page = page(&answers, &args.model, args.page.text.date.made(files)?, args.page.text.words());
     if let Some(path) = &args.report {
         dashpot_output::write(path, page.render())?;
         dashpot_output::say(json, &format!("report: {}", path.display()))?;

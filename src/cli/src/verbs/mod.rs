@@ -8,7 +8,6 @@ pub mod demo;
 pub mod diagnose;
 pub mod export;
 pub mod fit;
-mod group_list;
 mod groups;
 mod host_step;
 pub mod import;

@@ -36,11 +36,11 @@ from ._native import VERSION as __version__
 from .adams import export_adm
 from .campaign import Campaign, Record
 from .damper import Damper
-from .identification import diagnose, fit
+from .identification import diagnose, diagnose_groups, fit
 from .limits import Limit, Limits, read_limits
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual, write_test_matrix
-from .results import Certificate, Diagnosis, FitResult, HostCheck, JudgedValidation, Validation
+from .results import Certificate, Diagnosis, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -56,6 +56,7 @@ __all__ = [
     "FitError",
     "FitResult",
     "FittedModel",
+    "GroupsDiagnosis",
     "HostCheck",
     "JudgedValidation",
     "Limit",
@@ -74,6 +75,7 @@ __all__ = [
     "ValidationError",
     "__version__",
     "diagnose",
+    "diagnose_groups",
     "export_adm",
     "fit",
     "measure_virtual",

@@ -27,6 +27,7 @@ _NAMES = {
     "elements": "elements",
     "hold-out": "hold_out",
     "reference": "reference",
+    "group": "group",
     "motion-scale": "motion_scale",
     "force-scale": "force_scale",
     "position-offset": "position_offset",

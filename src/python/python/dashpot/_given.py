@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
+
+if TYPE_CHECKING:
+    from . import _native
 
 
 class Page(TypedDict):
@@ -18,6 +21,24 @@ class Page(TypedDict):
     data: str
     command: Sequence[str]
     files: Sequence[str]
+
+
+class Data(TypedDict):
+    """Records: as paths, or as they were read."""
+
+    paths: Sequence[str]
+    read: _native.Campaign | None
+
+
+class Grouping(TypedDict):
+    """Records of many dampers, how they are told apart, and what they are compared with."""
+
+    data: Data
+    by: str
+    reference: Data | None
+    reference_name: str
+    mapping: str
+    strict: bool
 
 
 class Tests(TypedDict):

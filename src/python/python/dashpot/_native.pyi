@@ -6,7 +6,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from ._given import Bench, Fmu, Page, Tests
+from ._given import Bench, Fmu, Grouping, Page, Tests
 
 _Array = npt.NDArray[np.float64]
 _Progress = Callable[[float, str], object] | None
@@ -110,6 +110,9 @@ class Fitted: ...
 @final
 class Diagnosed: ...
 
+@final
+class Grouped: ...
+
 def fit(
     campaign: Campaign,
     family: str,
@@ -136,6 +139,14 @@ def diagnose(
     seed: int = 0,
     progress: _Progress = None,
 ) -> tuple[str, str, list[dict[str, _Array]], Diagnosed]: ...
+def diagnose_groups(
+    model: Model,
+    grouping: Grouping,
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: _Progress = None,
+) -> tuple[str, str, list[list[dict[str, _Array]]], Grouped]: ...
 def write_validation(
     what: str,
     path: str,
@@ -147,6 +158,7 @@ def write_validation(
     rivals: Sequence[tuple[str, Sequence[_Array]]],
 ) -> list[Path]: ...
 def write_diagnosis(what: str, path: str, page: Page, found: Diagnosed) -> list[Path]: ...
+def write_groups(what: str, path: str, page: Page, found: Grouped) -> None: ...
 def write_next_tests(path: str, found: Diagnosed, force: bool) -> int: ...
 def write_fit(path: str, page: Page, found: Fitted) -> None: ...
 def measure(

@@ -39,7 +39,7 @@ def origin(campaign: Sequence[Record], *more: Sequence[str] | None, files: Seque
     if campaign._reading is None or any(one is None for one in more):
         return Origin(data, None, tuple(files))
     rest = [word for one in more if one is not None for word in one]
-    return Origin(data, (*campaign.paths, *campaign._reading, *rest), tuple(files))
+    return Origin(data, (*campaign.paths, *campaign._reading.options, *rest), tuple(files))
 
 
 def option(name: str, values: Sequence[str]) -> list[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _native
 from ._arguments import loads
-from ._numbers import real, words
+from ._reading import How, how
 from ._result import Result, Row, folded, frame, held, table
 from ._work import watched
 from .reading import Delay, Noise, Note, SignFinding, Unusable
@@ -126,8 +125,8 @@ class Campaign(Sequence[Record]):
         self._native = native
         self.paths: tuple[str, ...] = tuple(paths)
         """The paths that were read."""
-        # Options of the command that reads these paths in the same way; none of a campaign that no command reads.
-        self._reading: tuple[str, ...] | None = None
+        # How these paths were read; none of a campaign that no command reads.
+        self._reading: How | None = None
         said: dict[str, Any] = loads(native.json())
         self.sign: SignFinding = SignFinding.from_dict(said["sign"])
         """Which direction the files count positive, and how sure that is."""
@@ -193,42 +192,15 @@ class Campaign(Sequence[Record]):
 
         >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
         """
-        paths = [path] if isinstance(path, (str, os.PathLike)) else path
-        if isinstance(paths, bytes) or not (isinstance(paths, Sequence) and all(isinstance(p, (str, os.PathLike)) for p in paths)):
-            raise TypeError(f"path is a file or folder as str or pathlib.Path, or a list of them, not {path!r}")
-        numbers = {
-            "delay_s": delay_s,
-            "force_zero_n": force_zero_n,
-            "displacement_zero_m": displacement_zero_m,
-            "gain": gain,
-            "rig_mass_kg": rig_mass_kg,
-            "initial_position_m": initial_position_m,
-        }
-        for name, value in {**numbers, "sample_rate_hz": sample_rate_hz}.items():
-            real(name, value)
-        for name, value in numbers.items():
-            if not math.isfinite(value):
-                raise ValueError(f"{name} is {value}; it must be a finite number")
-        mapping = {
-            "format": "dashpot campaign profile 1",
-            "flip": words(flip),
-            "ignore": words(ignore),
-            "exclude": words(exclude),
-            "subfolders": bool(subfolders),
-            **{name: float(value) for name, value in numbers.items()},
-            "columns": {k: str(v) for k, v in (columns or {}).items()},
-            "units": dict(units or {}),
-        }
-        if positive is not None:
-            mapping["positive"] = positive
-        if dates is not None:
-            mapping["dates"] = dates
-        if sample_rate_hz is not None:
-            mapping["sample_rate_hz"] = float(sample_rate_hz)
-        named = [os.fspath(p) for p in paths]
+        named = paths_of("path", path)
+        read_by = how(
+            positive=positive, flip=flip, columns=columns, units=units, ignore=ignore, exclude=exclude, subfolders=subfolders,
+            delay_s=delay_s, force_zero_n=force_zero_n, displacement_zero_m=displacement_zero_m, gain=gain, rig_mass_kg=rig_mass_kg,
+            sample_rate_hz=sample_rate_hz, dates=dates, initial_position_m=initial_position_m, strict=strict,
+        )  # fmt: skip
         with watched(progress) as told:
-            campaign = cls(_native.Campaign.read(named, json.dumps(mapping), strict, told), named)
-        campaign._reading = tuple(_options(mapping, strict))
+            campaign = cls(_native.Campaign.read(named, read_by.mapping, read_by.strict, told), named)
+        campaign._reading = read_by
         return campaign
 
     def __len__(self) -> int:
@@ -300,37 +272,12 @@ def _fields(said: dict[str, Any]) -> dict[str, Any]:
     return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}
 
 
-#: Arguments of :meth:`Campaign.read` that are options of the command with a number, and what is not worth saying.
-_NUMBERS = {
-    "delay_s": ("--delay", 0.0),
-    "force_zero_n": ("--force-zero", 0.0),
-    "displacement_zero_m": ("--displacement-zero", 0.0),
-    "gain": ("--gain", 1.0),
-    "rig_mass_kg": ("--rig-mass", 0.0),
-    "sample_rate_hz": ("--sample-rate", None),
-    "initial_position_m": ("--initial-position", 0.0),
-}
-
-
-def _options(mapping: Mapping[str, Any], strict: bool) -> Iterator[str]:
-    """The options of the command that read records in this way, for whoever makes a report again."""
-    for name in ("positive", "dates"):
-        if name in mapping:
-            yield from (f"--{name}", mapping[name])
-    for name in ("flip", "ignore", "exclude"):
-        for value in mapping[name]:
-            yield from (f"--{name}", value)
-    for option, name in (("--unit", "units"), ("--column", "columns")):
-        for channel, value in mapping[name].items():
-            yield from (option, f"{channel}={value}")
-    for name, (option, usual) in _NUMBERS.items():
-        value = mapping.get(name, usual)
-        if value != usual:
-            # A negative number would be taken for an option.
-            yield f"{option}={value!r}"
-    for name, is_on in (("--subfolders", mapping["subfolders"]), ("--strict", strict)):
-        if is_on:
-            yield name
+def paths_of(name: str, path: object) -> list[str]:
+    """One path or several as a list; a sentence where it is none."""
+    paths = [path] if isinstance(path, (str, os.PathLike)) else path
+    if isinstance(paths, bytes) or not (isinstance(paths, Sequence) and all(isinstance(p, (str, os.PathLike)) for p in paths)):
+        raise TypeError(f"{name} is a file or folder as str or pathlib.Path, or a list of them, not {path!r}")
+    return [os.fspath(p) for p in paths]
 
 
 def native_of(campaign: Sequence[Record], name: str) -> _native.Campaign:

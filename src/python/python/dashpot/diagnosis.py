@@ -218,8 +218,8 @@ class OverWholeRecords(Result):
 
 
 @dataclass(frozen=True, repr=False)
-class Diagnosis(Papers, Result):
-    """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
+class Findings(Result):
+    """What a model lacks, or what changed against a reference."""
 
     verdict: str
     summary: str
@@ -240,16 +240,58 @@ class Diagnosis(Papers, Result):
     tests: tuple[TestOutcome, ...]
     rounds: tuple[tuple[Tried, ...], ...]
     corrections: dict[str, float]
-    over_whole_records: OverWholeRecords
+    _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
+        default=None, metadata={"hidden": True}, compare=False, repr=False
+    )
+
+    def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
+        """Mean cycle of one test: displacement, velocity, measured force, force before and after."""
+        names = [t.test for t in self.tests]
+        if test not in names:
+            raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
+        if self._curves is None:
+            raise ValueError("the curves are kept by diagnose() and diagnose_groups() alone, not by a result made from a dictionary")
+        return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
+
+    def _rows(self) -> list[Row]:
+        """Everything that has a name here: effects with their numbers, suspects, numbers of the model that are others than on the reference, and
+        how the FV curve moved as a whole; the first column says which of these a row is."""
+        rows: list[Row] = []
+        for found in self.findings:
+            of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "share": found.share}
+            of_it["of the rig"] = found.of_the_rig
+            numbers = [{"parameter": name, **number.to_dict()} for name, number in found.parameters.items()]
+            rows += [{**of_it, **number} for number in numbers or [{}]]
+        for suspect in self.suspects:
+            rows.append({"what": "suspect", **suspect.to_dict()})
+        for change in self.changed:
+            rows.append({"what": "changed", **change.to_dict()})
+        for moved in self.curve_moved:
+            low, high = moved.speed_m_s
+            said = f"fv_force, {moved.side}, {low:.3f} to {high:.3f} m/s"
+            rows.append({"what": "curve moved", "parameter": said, "value": moved.value, "low": moved.low, "high": moved.high, "unit": moved.unit})
+        return rows
+
+    def _of_the_records(self) -> list[str]:
+        """What is to be said of the records that were looked at."""
+        return []
+
+    def _repr_html_(self) -> str:
+        suspects = [f"Suspect, {s.effect}: {s.why}" for s in self.suspects]
+        said = table(self.summary, self._rows(), [*suspects, *self._of_the_records(), *self.notes, *(t.text for t in self.next_tests)])
+        return said + folded({name or "figures": rows for name, rows in self._tables().items()})
+
+
+@dataclass(frozen=True, repr=False)
+class Diagnosis(Papers, Findings):
+    """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
+
+    over_whole_records: OverWholeRecords = field(kw_only=True)
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
     """What the model's own fit found its records to be off by, and whether it was taken out of these."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
     _improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
-    _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
-        default=None, metadata={"hidden": True}, compare=False, repr=False
-    )
-
     _made_from: tuple[_native.Diagnosed, Model, Origin] | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     @property
@@ -261,15 +303,6 @@ class Diagnosis(Papers, Result):
         if self._improved is None:
             raise ValueError("the improved model is kept by diagnose() alone, not by a result made from a dictionary")
         return self._improved
-
-    def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
-        """Mean cycle of one test: displacement, velocity, measured force, force before and after."""
-        names = [t.test for t in self.tests]
-        if test not in names:
-            raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
-        if self._curves is None:
-            raise ValueError("the curves are kept by diagnose() alone, not by a result made from a dictionary")
-        return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
 
     def write_report(
         self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, full: bool = False, force: bool = False
@@ -316,28 +349,5 @@ class Diagnosis(Papers, Result):
         # What the compiled part holds of a diagnosis stays in its process.
         return {**self.__dict__, "_made_from": None}
 
-    def _rows(self) -> list[Row]:
-        """Everything that has a name here: effects with their numbers, suspects, numbers of the model that are others than on the reference, and
-        how the FV curve moved as a whole; the first column says which of these a row is."""
-        rows: list[Row] = []
-        for found in self.findings:
-            of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "share": found.share}
-            of_it["of the rig"] = found.of_the_rig
-            numbers = [{"parameter": name, **number.to_dict()} for name, number in found.parameters.items()]
-            rows += [{**of_it, **number} for number in numbers or [{}]]
-        for suspect in self.suspects:
-            rows.append({"what": "suspect", **suspect.to_dict()})
-        for change in self.changed:
-            rows.append({"what": "changed", **change.to_dict()})
-        for moved in self.curve_moved:
-            low, high = moved.speed_m_s
-            said = f"fv_force, {moved.side}, {low:.3f} to {high:.3f} m/s"
-            rows.append({"what": "curve moved", "parameter": said, "value": moved.value, "low": moved.low, "high": moved.high, "unit": moved.unit})
-        return rows
-
-    def _repr_html_(self) -> str:
-        suspects = [f"Suspect, {s.effect}: {s.why}" for s in self.suspects]
-        left_out = [u.why for u in self.unusable]
-        seen = [self.as_the_fit_saw] if self.as_the_fit_saw else []
-        said = table(self.summary, self._rows(), [*suspects, *seen, *self.notes, *left_out, *(t.text for t in self.next_tests)])
-        return said + folded({name or "figures": rows for name, rows in self._tables().items()})
+    def _of_the_records(self) -> list[str]:
+        return [*([self.as_the_fit_saw] if self.as_the_fit_saw else []), *(u.why for u in self.unusable)]

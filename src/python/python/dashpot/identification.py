@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from . import _native
 from ._arguments import loads
-from ._numbers import words
+from ._given import Data
+from ._numbers import several, words
+from ._reading import How, Reading, how
 from ._work import watched
-from ._papers import option, origin
-from .campaign import Campaign, Progress, Record, native_of
+from ._papers import Origin, option, origin
+from .campaign import Campaign, Path, Progress, Record, native_of, paths_of
 from .model import FittedModel, Model
 from .diagnosis import Diagnosis
 from .fitted import FitResult
+from .groups import GroupsDiagnosis
+from .reading import Note
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 def fit(
@@ -66,18 +74,112 @@ def diagnose(
     :param progress: is told the share done and what is being done.
     :raises DiagnosisError: where there is nothing to look at.
     """
-    if not isinstance(model, Model):
-        raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
+    _check(model)
     with watched(progress) as told:
         own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
         said, improved, curves, made_from = _native.diagnose(
             model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
         )
     found = Diagnosis.from_dict(loads(said))
-    numbers = ([] if max_effects == 3 else ["--max-effects", str(max_effects)], [] if seed == 0 else ["--seed", str(seed)])
     compared_with = _compared_with(campaign, reference)
-    came_from = origin(campaign, compared_with, option("hold-out", words(hold_out)), option("candidates", words(candidates or ())), *numbers)
+    came_from = origin(campaign, compared_with, option("hold-out", words(hold_out)), _bounds(candidates, max_effects, seed))
     return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves), _made_from=(made_from, model, came_from))
+
+
+def diagnose_groups(
+    model: Model,
+    data: Path | Sequence[Path] | Sequence[Record],
+    group: str,
+    reference: Path | Sequence[Path] | Sequence[Record] | None = None,
+    *,
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    **reading: Unpack[Reading],
+) -> GroupsDiagnosis:
+    """Says of many dampers or settings at once what changed against the same reference; as ``dashpot diagnose --group``.
+
+    :param data: paths of files or folders, or a :class:`Campaign` or some of its records.
+    :param group: what tells the groups apart. ``"folders"``: every folder in ``data`` is one. Or a pattern of the tests' names with ``{}`` where the
+        group stands and ``*`` for anything, such as ``"*_c{}_*"``. Or a list (CSV with a heading, tests or folders in its first column) and the
+        column that tells them apart, such as ``"tests.csv:clicks"``.
+    :param reference: records of the same tests on a damper known to be good, or paths of theirs, which are read as ``data`` are; the first of the
+        groups if not given.
+    :param max_effects: most effects to add.
+    :param candidates: effects that may be named; all if not given.
+    :param seed: chooses which tests no refit sees.
+    :param progress: is told the share done and what is being done.
+    :param reading: how paths are read: arguments of :meth:`Campaign.read`.
+    :raises RecordError: for the first file that cannot be read or trusted.
+    :raises DiagnosisError: where the data are not split so, or a group cannot be diagnosed.
+
+    >>> found = diagnose_groups(model, "fleet/", "folders", reference="good/")  # doctest: +SKIP
+    >>> found["sn17"].summary  # doctest: +SKIP
+    """
+    _check(model)
+    if not isinstance(group, str):
+        raise TypeError(f'group is a text such as "folders", "*_c{{}}_*" or "tests.csv:clicks", not a {type(group).__name__}')
+    if _are_records(data):
+        if reading:
+            raise TypeError(f"{', '.join(reading)}: the records of data are read already; give paths, or these arguments to dashpot.Campaign.read")
+        read_by = data._reading if isinstance(data, Campaign) else None
+    else:
+        read_by = how(**reading)
+    own, named = _data("data", data)
+    if group == "folders" and not own["paths"]:
+        raise ValueError("group: these records are of no folder that could be looked into; give the path that has a folder for each damper")
+    good, called = (None, "") if reference is None else _data("reference", reference)
+    # Only what is read now needs to know how, and a reference alone is read as it stands.
+    reads = read_by or how(**reading)
+    with watched(progress) as told:
+        said, notes, cycles, made_from = _native.diagnose_groups(
+            model._native,
+            {"data": own, "by": group, "reference": good, "reference_name": called, "mapping": reads.mapping, "strict": reads.strict},
+            max_effects,
+            None if candidates is None else words(candidates),
+            seed,
+            told,
+        )
+    found = GroupsDiagnosis.from_dict(loads(said))
+    answers = tuple(replace(one, diagnosis=replace(one.diagnosis, _curves=tuple(of_one))) for one, of_one in zip(found.groups, cycles, strict=True))
+    noticed = tuple(Note.from_dict(note) for note in loads(notes))
+    arguments: tuple[str, ...] | None = None
+    if read_by is not None and (good is None or _read_by(reference, read_by)):
+        compared_with = [word for path in (good["paths"] if good else ()) for word in ("--reference", path)]
+        arguments = (*own["paths"], *read_by.options, "--group", group, *compared_with, *_bounds(candidates, max_effects, seed))
+    return replace(found, groups=answers, notes=noticed, _made_from=(made_from, model, Origin(named, arguments)))
+
+
+def _check(model: object) -> None:
+    if not isinstance(model, Model):
+        raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
+
+
+def _bounds(candidates: Sequence[str] | None, max_effects: int, seed: int) -> list[str]:
+    """The options of the command that say what a diagnosis may do."""
+    numbers = [("--max-effects", max_effects, 3), ("--seed", seed, 0)]
+    return option("candidates", words(candidates or ())) + [word for name, value, usual in numbers if value != usual for word in (name, str(value))]
+
+
+def _are_records(data: object) -> bool:
+    return isinstance(data, Campaign) or (isinstance(data, (list, tuple)) and any(isinstance(one, Record) for one in data))
+
+
+def _data(name: str, data: Path | Sequence[Path] | Sequence[Record]) -> tuple[Data, str]:
+    """Records as the compiled part takes them, and what they are called."""
+    if not _are_records(data):
+        paths = paths_of(name, data)
+        return {"paths": paths, "read": None}, ", ".join(paths)
+    records: Sequence[Record] = data  # type: ignore[assignment]
+    if isinstance(records, Campaign):
+        return {"paths": list(records.paths), "read": records._native}, ", ".join(records.paths)
+    return {"paths": [], "read": native_of(records, name)}, several([record.name for record in records])
+
+
+def _read_by(reference: object, read_by: How) -> bool:
+    """Whether the command reads the reference of groups so, as it reads the others."""
+    return not _are_records(reference) or (isinstance(reference, Campaign) and reference._reading == read_by)
 
 
 def _compared_with(campaign: Sequence[Record], reference: Sequence[Record] | None) -> list[str] | None:

@@ -15,13 +15,14 @@ from .validation import (
     PeakForce, Summary, TestValidation, Validation,
 )
 from .diagnosis import (
-    Branch, Change, CouldNotTest, CurveMoved, Diagnosis, Evidence, Figures, Finding, NextTest,
+    Branch, Change, CouldNotTest, CurveMoved, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
+from .groups import Group, GroupsDiagnosis
 
 __all__ = [
     "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "FitResult", "GapBin", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

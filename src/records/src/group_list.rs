@@ -1,10 +1,60 @@
 //! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial number it has:
 //! `dashpot diagnose --group tests.csv:clicks`.
 
-use anyhow::{Context, bail};
-use dashpot_records::glob::matches as glob_matches;
-use dashpot_records::{Record, delimiter};
+use crate::delimiter;
+use crate::glob::matches as glob_matches;
+use crate::record::Record;
+use ::csv::{ReaderBuilder, Trim};
 use std::path::{Path, PathBuf};
+
+/// Why a list is none.
+#[derive(Debug, thiserror::Error)]
+pub enum ListError {
+    /// Not to be opened.
+    #[error("--group: {file}")]
+    Unreadable {
+        /// Path.
+        file: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// No table.
+    #[error("{file}")]
+    Table {
+        /// Path.
+        file: PathBuf,
+        /// The reader's words, with the line.
+        source: ::csv::Error,
+    },
+    /// It has no such column.
+    #[error("{file}: there is no column {column:?} behind the first, which names the tests; the columns are {}", columns.join(", "))]
+    NoColumn {
+        /// Path.
+        file: PathBuf,
+        /// The column asked for.
+        column: String,
+        /// Those that there are.
+        columns: Vec<String>,
+    },
+    /// Nothing in it.
+    #[error("{file}: no line has a test in the first column and something under {column:?}")]
+    Empty {
+        /// Path.
+        file: PathBuf,
+        /// The column asked for.
+        column: String,
+    },
+    /// It names folders and something else.
+    #[error("{file}: line {line}: {of:?} is no folder, as others of the first column are")]
+    NoFolder {
+        /// Path.
+        file: PathBuf,
+        /// The line.
+        line: usize,
+        /// What stands there.
+        of: String,
+    },
+}
 
 /// A line of the list: what it is about, and the group.
 #[derive(Debug)]
@@ -37,35 +87,31 @@ impl GroupList {
     ///
     /// # Errors
     /// A file that cannot be read, a column that it does not have, a line of another length, no line with a group.
-    pub fn read(path: &Path, column: &str) -> anyhow::Result<GroupList> {
-        let text = std::fs::read_to_string(path).with_context(|| format!("--group: {}", path.display()))?;
-        GroupList::of_text(&text, path, column)
+    pub fn read(path: &Path, column: &str) -> Result<GroupList, ListError> {
+        let unreadable = |source| ListError::Unreadable { file: path.to_owned(), source };
+        GroupList::of_text(&std::fs::read_to_string(path).map_err(unreadable)?, path, column)
     }
 
-    fn of_text(text: &str, path: &Path, column: &str) -> anyhow::Result<GroupList> {
-        let at = || path.display();
+    fn of_text(text: &str, path: &Path, column: &str) -> Result<GroupList, ListError> {
+        let file = || path.to_owned();
+        let table = |source| ListError::Table { file: file(), source };
         let text = text.trim_start_matches('\u{feff}');
         let separator = delimiter::of(text.lines().next().unwrap_or_default());
-        let mut rows = csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let columns: Vec<String> =
-            rows.headers().with_context(|| format!("{}", at()))?.iter().map(str::to_owned).collect();
+        let mut rows = ReaderBuilder::new().delimiter(separator).trim(Trim::All).from_reader(text.as_bytes());
+        let columns: Vec<String> = rows.headers().map_err(table)?.iter().map(str::to_owned).collect();
         let Some(place) = columns.iter().skip(1).position(|c| c.eq_ignore_ascii_case(column)) else {
-            bail!(
-                "{}: there is no column {column:?} behind the first, which names the tests; the columns are {}",
-                at(),
-                columns.join(", ")
-            );
+            return Err(ListError::NoColumn { file: file(), column: column.to_owned(), columns });
         };
         let mut entries = Vec::new();
         for row in rows.records() {
-            let row = row.with_context(|| format!("{}", at()))?;
-            let line = row.position().map_or(0, csv::Position::line) as usize;
+            let row = row.map_err(table)?;
+            let line = row.position().map_or(0, ::csv::Position::line) as usize;
             let cell = |k: usize| row.get(k).unwrap_or_default().to_owned();
             entries.push(Entry { line, of: cell(0), group: cell(place + 1) });
         }
         entries.retain(|e| !e.of.is_empty());
         if entries.iter().all(|e| e.group.is_empty()) {
-            bail!("{}: no line has a test in the first column and something under {column:?}", at());
+            return Err(ListError::Empty { file: file(), column: column.to_owned() });
         }
         Ok(GroupList { path: path.to_owned(), column: column.to_owned(), entries })
     }
@@ -75,7 +121,7 @@ impl GroupList {
     ///
     /// # Errors
     /// A list that names folders and something else.
-    pub fn folders(&self, data: &[PathBuf]) -> anyhow::Result<Vec<(PathBuf, &str)>> {
+    pub fn folders(&self, data: &[PathBuf]) -> Result<Vec<(PathBuf, &str)>, ListError> {
         let beside = self.path.parent().unwrap_or(Path::new(""));
         let within = || std::iter::once(beside).chain(data.iter().map(PathBuf::as_path)).chain([Path::new("")]);
         let folder = |e: &Entry| within().map(|p| p.join(&e.of)).find(|p| p.is_dir());
@@ -85,8 +131,8 @@ impl GroupList {
             return Ok(found);
         }
         let other = self.entries.iter().find(|e| folder(e).is_none());
-        let (line, of) = other.map_or((0, ""), |e| (e.line, e.of.as_str()));
-        bail!("{}: line {line}: {of:?} is no folder, as others of the first column are", self.path.display())
+        let (line, of) = other.map_or((0, String::new()), |e| (e.line, e.of.clone()));
+        Err(ListError::NoFolder { file: self.path.clone(), line, of })
     }
 
     /// The group of a record; the first line that names it counts.
@@ -121,7 +167,7 @@ impl Entry {
 mod tests {
     use super::*;
 
-    fn list(text: &str, column: &str) -> anyhow::Result<GroupList> {
+    fn list(text: &str, column: &str) -> Result<GroupList, ListError> {
         GroupList::of_text(text, Path::new("tests.csv"), column)
     }
 
@@ -153,7 +199,11 @@ mod tests {
 
     #[test]
     fn what_is_wrong_with_a_list_is_said() {
-        let told = |text: &str, column: &str| format!("{:#}", list(text, column).unwrap_err());
+        let told = |text: &str, column: &str| {
+            let error = list(text, column).unwrap_err();
+            let cause = std::error::Error::source(&error).map_or_else(String::new, ToString::to_string);
+            format!("{error}: {cause}")
+        };
         assert!(told("test,clicks\na,1\n", "pressure").contains("the columns are test, clicks"));
         assert!(
             told("test,clicks\na,1,2\n", "clicks").contains("line: 2"),

@@ -1,0 +1,126 @@
+"""Many dampers, or one at many settings, each against the same reference. SI units; extension (rebound) velocity and tension force are positive."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from . import _native
+from ._papers import Origin, figures_alone, page
+from ._result import Result, Row, folded, table
+from ._work import watched
+from .diagnosis import Findings
+from .reading import Note, Unusable
+
+if TYPE_CHECKING:
+    import datetime
+
+    from .campaign import Path
+    from .model import Model
+
+
+@dataclass(frozen=True, repr=False)
+class Group(Result):
+    """The answer for one damper or setting."""
+
+    group: str
+    """Its name: that of its folder, what a pattern found in the names of its tests, or what a list has in its column."""
+    tests: int
+    """Number of tests."""
+    diagnosis: Findings
+    """What changed against the reference."""
+
+
+@dataclass(frozen=True, repr=False)
+class GroupsDiagnosis(Result):
+    """What changed in each of many dampers or settings against one reference; the JSON of ``dashpot diagnose --group``.
+
+    ``found["17"]`` is what was found of the group of that name, ``list(found)`` are the names, in the order of :attr:`groups`.
+    """
+
+    reference: str
+    """What they were compared with."""
+    left_aside: tuple[str, ...]
+    """Tests, or folders, that belong to no group."""
+    without_test: tuple[str, ...] = field(default=(), metadata={"omitted": True})
+    """Lines of the list of groups that name none of the tests."""
+    unusable: tuple[Unusable, ...] = ()
+    """Files and tests that could not be used, of the reference too."""
+    as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
+    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    groups: tuple[Group, ...] = ()
+    """Every group but the reference, in the order of their names, or of their numbers where all are."""
+    notes: tuple[Note, ...] = field(default=(), metadata={"hidden": True}, compare=False, repr=False)
+    """What reading noticed of the campaigns that were read; none in a result made from a dictionary."""
+    _made_from: tuple[_native.Grouped, Model, Origin] | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+
+    def __getitem__(self, name: str) -> Findings:
+        """What was found of a group, by its name."""
+        for one in self.groups:
+            if one.group == name:
+                return one.diagnosis
+        raise KeyError(f"there is no group {name!r} beside the reference {self.reference!r}; there are {', '.join(map(repr, self))}")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter([one.group for one in self.groups])
+
+    def __len__(self) -> int:
+        return len(self.groups)
+
+    def write_report(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes the report over all groups, one HTML file that opens without a network; as ``dashpot diagnose --group --report``, byte by byte.
+
+        Nothing is fitted again; the records are read once more for the hashes that the report says of them. It names the command that makes the
+        same, where there is one: of paths or all records of a campaign, and a model that was read from a file or written.
+
+        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
+        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
+        """
+        self._write("report", path, language, date, force)
+
+    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
+        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as the command's ``--excel``.
+
+        Parameters and errors as of :meth:`write_report`.
+        """
+        self._write("workbook", path, language, date, force)
+
+    def _write(self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool) -> None:
+        if self._made_from is None:
+            raise figures_alone("dashpot.diagnose_groups", "was pickled or made from a dictionary; diagnose again")
+        found, model, origin = self._made_from
+        how = page("diagnose", origin, model, language=language, date=date, force=force)
+        with watched():
+            _native.write_groups(what, os.fspath(path), how, found)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What the compiled part holds of the answers stays in its process.
+        return {**self.__dict__, "_made_from": None}
+
+    def _title(self) -> str:
+        return f"Compared with {self.reference}"
+
+    def _rows(self) -> list[Row]:
+        """A row a group and effect; a group without one has a row too."""
+        rows: list[Row] = []
+        for one in self.groups:
+            found = one.diagnosis
+            of_it: Row = {"group": one.group, "tests": one.tests, "verdict": found.verdict}
+            errors: Row = {"before_rmse_n": found.before.rmse_n, "after_rmse_n": found.after.rmse_n, "noise_n": found.before.noise_n}
+            for effect in found.findings or (None,):
+                named: Row = {name: None if effect is None else getattr(effect, name) for name in ("effect", "form", "confidence", "share")}
+                rows.append({**of_it, **named, **errors, "summary": found.summary})
+        return rows
+
+    def _repr_html_(self) -> str:
+        said = [self.as_the_fit_saw] if self.as_the_fit_saw else []
+        for text, names in (("belong to no group", self.left_aside), ("are in the list and not in the data", self.without_test)):
+            said += [f"{', '.join(names)} {text}"] if names else []
+        said += [*(n.text for n in self.notes), *(u.why for u in self.unusable)]
+        shown = table(self._title(), self._rows(), said)
+        return shown + folded({name or "figures": rows for name, rows in self._tables().items()})

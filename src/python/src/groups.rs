@@ -1,0 +1,128 @@
+//! Many dampers, or one at many settings, each against the same reference.
+
+use crate::campaign::{Campaign, options};
+use crate::errors::{DiagnosisError, RecordError, raise};
+use crate::examine::arrays;
+use crate::model::Model;
+use crate::work;
+use dashpot_diagnosis::Options;
+use dashpot_diagnosis::groups::{Answers, Good};
+use dashpot_records::groups::{GroupError, split};
+use dashpot_records::load;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+
+/// Records as paths, or as they were read: then the paths are those that they were read from.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Data {
+    paths: Vec<PathBuf>,
+    read: Option<Py<Campaign>>,
+}
+
+impl Data {
+    /// What these paths hold: what was read already, or the files, read now.
+    fn of(
+        &self,
+        paths: &[PathBuf],
+        read: impl Fn(&[PathBuf]) -> Result<dashpot_records::Campaign, dashpot_records::RecordError>,
+    ) -> Result<dashpot_records::Campaign, dashpot_records::RecordError> {
+        match &self.read {
+            Some(campaign) if paths == self.paths => Ok(campaign.get().read.clone()),
+            _ => read(paths),
+        }
+    }
+}
+
+/// How data are split, and what the groups are compared with: where nothing is given, with the first of them.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Grouping {
+    data: Data,
+    by: String,
+    reference: Option<Data>,
+    /// What the reference is called.
+    reference_name: String,
+    /// Entries of a `campaign.toml` by which files are read, as JSON.
+    mapping: String,
+    strict: bool,
+}
+
+/// Answers for groups as their papers are made from; they live as long as this process.
+#[pyclass(frozen, module = "dashpot._native")]
+pub struct Grouped {
+    /// The answers.
+    pub answers: Answers,
+    /// The model as it came.
+    pub model: Py<Model>,
+    /// Every file read beside it.
+    pub files: Vec<PathBuf>,
+}
+
+/// What ends the work: records that are not read, or what has no answer.
+enum Refusal {
+    Reading(anyhow::Error),
+    Diagnosing(anyhow::Error),
+}
+
+impl From<GroupError> for Refusal {
+    fn from(error: GroupError) -> Refusal {
+        match error {
+            GroupError::Read(why) => Refusal::Reading(why.into()),
+            other => Refusal::Diagnosing(other.into()),
+        }
+    }
+}
+
+/// The mean cycle of every test of a group.
+type Cycles<'py> = Vec<Bound<'py, PyDict>>;
+
+/// Diagnoses groups of records, each against the reference. Returns what `dashpot diagnose --group --json` writes, what reading noticed of whole
+/// campaigns, as JSON, the mean cycles of every group, and what papers are made from.
+#[pyfunction]
+#[pyo3(signature = (model, grouping, max_effects=3, candidates=None, seed=0, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn diagnose_groups<'py>(
+    py: Python<'py>,
+    model: Py<Model>,
+    grouping: Grouping,
+    max_effects: usize,
+    candidates: Option<Vec<String>>,
+    seed: u64,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, String, Vec<Cycles<'py>>, Grouped)> {
+    let file = &model.get().file;
+    let reading = options(&grouping.mapping, grouping.strict)?;
+    let done = work::run(py, progress, |progress| -> Result<_, Refusal> {
+        // How far reading many folders is, nobody knows before the last is found.
+        let read = |paths: &[PathBuf]| load(paths, &reading, &|_| progress.say(0.0, "reading"));
+        let Grouping { data, by, reference, reference_name, .. } = &grouping;
+        let split = split(&data.paths, by, &|paths| data.of(paths, read))?;
+        let (mut files, mut notes) = (split.files.clone(), split.notes.clone());
+        let good = match reference {
+            None => None,
+            Some(good) => {
+                let campaign = good.of(&good.paths, read).map_err(|why| Refusal::Reading(why.into()))?;
+                files.extend(campaign.files.clone());
+                notes.extend(campaign.notes.clone());
+                Some(Good { name: reference_name.clone(), campaign })
+            }
+        };
+        let options = Options { max_effects, candidates, ..Options::default() };
+        let say = |done: f64, text: &str| progress.say(done, text);
+        let answers = dashpot_diagnosis::groups::diagnose_groups((split, by), good, file, options, seed, &say);
+        Ok((answers.map_err(|why| Refusal::Diagnosing(why.into()))?, notes, files))
+    })?;
+    let (answers, notes, files) = done.map_err(|refusal| match refusal {
+        Refusal::Reading(why) => raise::<RecordError>(why),
+        Refusal::Diagnosing(why) => raise::<DiagnosisError>(why),
+    })?;
+    let json = serde_json::to_string(&answers).map_err(raise::<DiagnosisError>)?;
+    let notes = serde_json::to_string(&notes).map_err(raise::<DiagnosisError>)?;
+    let of_group = |answer: &dashpot_diagnosis::groups::Answer| {
+        answer.diagnosis.tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()
+    };
+    let cycles = answers.groups.iter().map(of_group).collect::<PyResult<_>>()?;
+    Ok((json, notes, cycles, Grouped { answers, model, files }))
+}
