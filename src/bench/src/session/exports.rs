@@ -112,20 +112,13 @@ impl Export {
             dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
         };
         let libraries = handed_out::adams_libraries(None)?;
-        let missing = libraries.is_empty().then(|| format!("THE LIBRARY IS NOT HERE. {}", runtimes::HOW));
         let chatters = chatter::remarks(&self.params, chatter::Host::USUAL);
-        let made = handed_out::run_folder(
-            &self.params,
-            model,
-            self.text.as_bytes(),
-            LENGTH,
-            libraries,
-            Vec::new(),
-            chatters.clone(),
-        );
+        let made =
+            handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, Vec::new(), chatters);
         made.files.iter().try_for_each(|(name, content)| put(name, content))?;
-        let native = made.no_native.map(|reason| format!("There is no native.adm, because {reason}"));
-        Ok(missing.into_iter().chain(chatters).chain(native).collect())
+        let mut notes = made.notes(path);
+        notes.extend(made.if_coupled());
+        Ok(notes)
     }
 }
 

@@ -530,6 +530,28 @@ fn a_curve_that_chatters_is_said_in_its_property_file() {
 }
 
 #[test]
+fn what_is_to_be_known_of_a_run_folder_is_said_as_everywhere_else() {
+    use crate::session::exports::{Export, Host};
+    let out = tempfile::tempdir().unwrap();
+    let path = out.path().join("run");
+    let mut params = dashpot_core::Params::new();
+    let write = |params: &dashpot_core::Params| {
+        let text = dashpot_identification::model_file::plain(params, &[]);
+        Export { host: Host::Adams, params: *params, text, name: String::new() }.write(&path).unwrap()
+    };
+    params.enable(element!("series_compliance"), true);
+    write(&params);
+    assert!(path.join("native.adm").is_file());
+    params.enable(element!("series_compliance"), false);
+    let said = write(&params);
+    assert!(said[0].starts_with("no native.adm, because the element series_compliance is off"), "{said:?}");
+    // That of the damper with a series path lies there still.
+    assert!(said[1].contains("is of an earlier export and not of this model: delete it"), "{said:?}");
+    std::fs::remove_file(path.join("native.adm")).unwrap();
+    assert!(!write(&params).iter().any(|note| note.contains("earlier export")));
+}
+
+#[test]
 fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let folder = tempfile::tempdir().unwrap();
     let out = tempfile::tempdir().unwrap();
