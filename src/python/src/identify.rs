@@ -4,7 +4,7 @@ use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
 use crate::work;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, model_file};
+use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Kind, Measured, model_file};
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Sentence, SignFinding, Unusable};
 use dashpot_simulation::whole_records;
@@ -47,13 +47,16 @@ pub fn fit(
     hold_out: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, String, Fitted)> {
-    let family = match family {
-        "thesis" => Family::Thesis,
-        "fv" => Family::Fv,
-        "piecewise" => Family::Piecewise,
-        "lag" => Family::Lag,
-        other => {
-            return Err(say::<FitError>(format!("there is no family {other:?}; it is thesis, fv, piecewise or lag")));
+    let family = match Kind::named(family) {
+        Some(Kind::Model(family)) => family,
+        Some(Kind::Comparison(name)) => {
+            return Err(say::<FitError>(format!(
+                "{name} becomes no model that can be run, but one to compare with: dashpot.fit_literature(campaign, {name:?})"
+            )));
+        }
+        None => {
+            let known = Kind::names(true).join(", ");
+            return Err(say::<FitError>(format!("there is no family {family:?}; there are {known}")));
         }
     };
     if elements.is_some() && family != Family::Thesis {

@@ -8,6 +8,7 @@
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
+//! | `literature` | models of the literature as files |
 //! | `groups` | diagnose many dampers against one |
 //! | `check` | chatter in a host |
 //! | `limits` | tables of limits, and what records say of them |
@@ -31,6 +32,7 @@ mod export;
 mod groups;
 mod identify;
 mod limits;
+mod literature;
 mod model;
 mod papers;
 mod progress;
@@ -67,6 +69,8 @@ mod _native {
     use crate::identify::{Fitted, fit};
     #[pymodule_export]
     use crate::limits::{Figures, check_limits, read_limits};
+    #[pymodule_export]
+    use crate::literature::fit_literature;
     #[pymodule_export]
     use crate::model::{Model, write};
     #[pymodule_export]

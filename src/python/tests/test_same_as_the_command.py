@@ -63,6 +63,48 @@ def test_validate_against_the_literature(command: Command, campaign: dashpot.Cam
         damper().validate(campaign, against="fv")
 
 
+@pytest.mark.parametrize("name", ["surface", "dahl", "bouc-wen", "spencer", "kwok", "network"])
+def test_a_model_of_the_literature_as_a_file(command: Command, campaign: dashpot.Campaign, name: str) -> None:
+    command("fit", "records", "--model", name, "--hold-out", "a15*", "-o", "rival.toml", "--json", "rival.json")
+    told: list[float] = []
+    found = dashpot.fit_literature(campaign, name, hold_out="a15*", progress=lambda done, text: told.append(done))
+    said = command.json("rival.json")
+    del said["model"]
+    assert found.to_dict() == said and found.name == name and told == [0.0, 1.0]
+    found.write(command.folder / "mine.toml")
+    assert (command.folder / "mine.toml").read_bytes() == (command.folder / "rival.toml").read_bytes()
+    for kept in (pickle.loads(pickle.dumps(found)), dashpot.LiteratureModel.from_dict(found.to_dict())):
+        assert kept == found
+    assert pickle.loads(pickle.dumps(found)).text == found.text and name in found._repr_html_()
+
+
+def test_the_file_of_a_model_of_the_literature(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
+    kwok = dashpot.fit_literature(campaign, "kwok")
+    path = command.folder / "kwok.toml"
+    for _ in range(2):
+        kwok.write(path)
+    compared = model.validate(campaign, against=path).against
+    assert compared[1] == model.validate(campaign, against="kwok").against[1] and compared[1].numbers == kwok.numbers
+    model.write(command.folder / "of a damper.toml")
+    with pytest.raises(dashpot.OutputError, match="holds a model file, no older version of what is to be written.*of the literature"):
+        kwok.write(command.folder / "of a damper.toml")
+    with pytest.raises(dashpot.OutputError, match="holds a model of the literature"):
+        model.write(path)
+    with pytest.raises(dashpot.ModelError, match="against"):
+        dashpot.Model.read(path)
+    with pytest.raises(ValueError, match=r"kept by dashpot\.fit_literature alone"):
+        dashpot.LiteratureModel.from_dict(kwok.to_dict()).write(path)
+    for refused, words in [
+        (lambda: dashpot.fit_literature(campaign, "maxwell"), '^there is no model of the literature "maxwell"; there are surface, dahl, bouc-wen, spencer, kwok, network$'),
+        (lambda: dashpot.fit_literature(campaign, "lag"), r'dashpot\.fit\(campaign, family="lag"\)$'),
+        (lambda: dashpot.fit_literature(campaign, "dahl", hold_out="*"), "^hold_out leaves no test to fit"),
+        (lambda: dashpot.fit(campaign, family="dahl"), r'dashpot\.fit_literature\(campaign, "dahl"\)$'),
+        (lambda: dashpot.fit(campaign, family="maxwell"), '^there is no family "maxwell"; there are thesis, fv, piecewise, lag$'),
+    ]:
+        with pytest.raises(dashpot.FitError, match=words):
+            refused()
+
+
 def test_check(command: Command) -> None:
     steep = dashpot.Model(damper().text.replace("coulomb_force = 30.0", "coulomb_force = 90.0\ncoulomb_steepness = 1e5"))
     steep.write(command.folder / "steep.toml")

@@ -3,13 +3,13 @@
 use super::data::{DataArgs, is_said_first, name_of};
 use crate::page::TextArgs;
 use crate::progress::Progress;
-use anyhow::bail;
-use clap::ValueEnum;
+use anyhow::{Context as _, bail};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Measured, Standing, fit};
-use dashpot_output::Kind;
+use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, KINDS, Kind, Measured, Standing, fit};
+use dashpot_output as output;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
 use dashpot_report::whole_records::in_words;
@@ -42,8 +42,8 @@ pub struct Args {
     excel: Option<PathBuf>,
     /// Kind of model: the thesis's, or one of the literature to compare it with. fv, piecewise and lag become model files that
     /// every verb and host runs; the others become files that only dashpot validate --against reads
-    #[arg(long, value_enum, default_value_t = ModelKind::Thesis)]
-    model: ModelKind,
+    #[arg(long, value_name = "MODEL", value_parser = kinds(), default_value = "thesis")]
+    model: Kind,
     /// Elements that the fit may use, separated by commas; all of the model's if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     elements: Option<Vec<String>>,
@@ -54,43 +54,10 @@ pub struct Args {
     text: TextArgs,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum ModelKind {
-    Thesis,
-    Fv,
-    Piecewise,
-    Lag,
-    Surface,
-    Dahl,
-    BoucWen,
-    Spencer,
-    Kwok,
-    Network,
-}
-
-/// What a kind of model becomes.
-enum Becomes {
-    /// A model file.
-    Kernel(Family),
-    /// A file of the literature's models, by name.
-    Literature(&'static str),
-}
-
-impl ModelKind {
-    fn becomes(self) -> Becomes {
-        match self {
-            ModelKind::Thesis => Becomes::Kernel(Family::Thesis),
-            ModelKind::Fv => Becomes::Kernel(Family::Fv),
-            ModelKind::Piecewise => Becomes::Kernel(Family::Piecewise),
-            ModelKind::Lag => Becomes::Kernel(Family::Lag),
-            ModelKind::Surface => Becomes::Literature("surface"),
-            ModelKind::Dahl => Becomes::Literature("dahl"),
-            ModelKind::BoucWen => Becomes::Literature("bouc-wen"),
-            ModelKind::Spencer => Becomes::Literature("spencer"),
-            ModelKind::Kwok => Becomes::Literature("kwok"),
-            ModelKind::Network => Becomes::Literature("network"),
-        }
-    }
+/// The kinds of model by their names.
+fn kinds() -> impl TypedValueParser<Value = Kind> {
+    let named = |name: String| Kind::named(&name).with_context(|| format!("there is no model {name:?}"));
+    PossibleValuesParser::new(KINDS.map(|known| known.0)).try_map(named)
 }
 
 #[derive(Serialize)]
@@ -214,25 +181,28 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if excel.is_some_and(dashpot_output::is_stdout) {
         bail!("--excel needs a file name: standard output takes estimates (--json -) or the model (-o -)");
     }
-    let becomes = args.model.becomes();
-    let kind = match becomes {
-        Becomes::Kernel(_) => Kind::Model,
-        Becomes::Literature(_) => Kind::Comparison,
+    let kind = match args.model {
+        Kind::Model(_) => output::Kind::Model,
+        Kind::Comparison(_) => output::Kind::Comparison,
     };
-    dashpot_output::check_kinds([(Some(args.output.as_path()), kind), (json, Kind::Figures), (excel, Kind::Workbook)])?;
-    if excel.is_some() && matches!(becomes, Becomes::Literature(_)) {
+    dashpot_output::check_kinds([
+        (Some(args.output.as_path()), kind),
+        (json, output::Kind::Figures),
+        (excel, output::Kind::Workbook),
+    ])?;
+    if excel.is_some() && matches!(args.model, Kind::Comparison(_)) {
         bail!(
             "--excel has the tables of a model file; this model's numbers are in the file that -o names, and in --json"
         );
     }
-    if args.elements.is_some() && !matches!(becomes, Becomes::Kernel(Family::Thesis)) {
+    if args.elements.is_some() && args.model != Kind::Model(Family::Thesis) {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
     }
     let campaign = args.data.load()?;
     let options = FitOptions {
-        family: match becomes {
-            Becomes::Kernel(family) => family,
-            Becomes::Literature(name) => return literature(args, &campaign, name, on_stdout > 0),
+        family: match args.model {
+            Kind::Model(family) => family,
+            Kind::Comparison(name) => return literature(args, &campaign, name, on_stdout > 0),
         },
         elements: args.elements.clone(),
         late: campaign.delay.map(|delay| delay.seconds),

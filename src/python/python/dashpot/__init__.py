@@ -38,6 +38,7 @@ from .campaign import Campaign, Record
 from .damper import Damper
 from .identification import diagnose, diagnose_groups, fit
 from .limits import Limit, Limits, read_limits
+from .literature import LiteratureModel, fit_literature
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual, write_test_matrix
 from .results import Certificate, Diagnosis, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
@@ -61,6 +62,7 @@ __all__ = [
     "JudgedValidation",
     "Limit",
     "Limits",
+    "LiteratureModel",
     "Model",
     "ModelError",
     "MotionError",
@@ -78,6 +80,7 @@ __all__ = [
     "diagnose_groups",
     "export_adm",
     "fit",
+    "fit_literature",
     "measure_virtual",
     "read_limits",
     "set_threads",

@@ -120,6 +120,7 @@ def fit(
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
 ) -> tuple[str, str, Fitted]: ...
+def fit_literature(campaign: Campaign, name: str, hold_out: Sequence[str] = ..., progress: _Progress = None) -> tuple[str, str]: ...
 def validate(
     model: Model,
     campaign: Campaign,

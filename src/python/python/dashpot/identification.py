@@ -38,7 +38,8 @@ def fit(
     friction and spring are chosen by tests left out of the fit. ``model.fit`` holds the estimates with their 95 % intervals.
 
     :param campaign: a :class:`Campaign`, or some of its records: ``campaign[2:]``, ``[r for r in campaign if r.peak_velocity < 0.6]``.
-    :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``.
+    :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,
+        which no host runs, are identified by :func:`fit_literature`.
     :param elements: elements that the fit may use; all of the model's if not given.
     :param hold_out: tests to leave out, by name; ``*`` stands for anything.
     :param progress: is told the share done and what is being done.

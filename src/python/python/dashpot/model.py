@@ -274,7 +274,7 @@ class Model:
             and which the model does.
         :param against: models of the literature that are identified from the tests that this model was fitted to, and compared with:
             ``"fv"``, ``"piecewise"``, ``"lag"``, ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"``, ``"network"``, or
-            several of them; ``"all"``; or files that ``dashpot fit --model`` wrote. :attr:`Validation.against` has their errors and numbers.
+            several of them; ``"all"``; or files of theirs (:meth:`LiteratureModel.write`). :attr:`Validation.against` has their errors and numbers.
         :raises ValidationError: where they cannot be compared, a limit cannot be kept, or a model to compare with is not known.
         """
         windows = None if limits is None else rows(limits)

@@ -19,10 +19,11 @@ from .diagnosis import (
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
 from .groups import Group, GroupsDiagnosis
+from .literature import LiteratureModel
 
 __all__ = [
     "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]
