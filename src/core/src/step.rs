@@ -34,9 +34,9 @@ use crate::state::{Output, State};
 use beside::advance_extras;
 use follow::ByEnd;
 pub use follow::{Follow, Stage};
-use mass::{Drive, Mass, move_mass};
-use primary::{Faded, Plain, Primary};
-use tableau::{Euler, Fourth, Second, Tableau, Third, ThreeStage};
+use mass::{Drive, Mass, move_mass, move_mass_at_once};
+use primary::{Any, Faded, Plain, Primary};
+use tableau::{EULER, THREE_STAGE, Tableau};
 
 /// Steps longer than this, s, hide fast motion between their ends: a wheel hops in a tenth of a second.
 pub const LONG_STEP: f64 = 0.01;
@@ -133,29 +133,29 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
         }
         return;
     }
-    let once = model.integration.substeps(dt) == 1;
-    match (model.integration.method, once) {
-        (Method::Fourth, true) => answer::<Fourth, Plain, true>(model, state, to, dt, output, slopes),
-        (Method::Fourth, false) => answer::<Fourth, Plain, false>(model, state, to, dt, output, slopes),
-        (Method::ThreeStage, true) => answer::<ThreeStage, Plain, true>(model, state, to, dt, output, slopes),
-        (Method::ThreeStage, false) => answer::<ThreeStage, Plain, false>(model, state, to, dt, output, slopes),
-        (Method::Third, _) => answer::<Third, Plain, false>(model, state, to, dt, output, slopes),
-        (Method::Second, _) => answer::<Second, Plain, false>(model, state, to, dt, output, slopes),
-        (Method::Euler, _) => answer::<Euler, Plain, false>(model, state, to, dt, output, slopes),
+    if is_common(model, dt) {
+        answer::<Plain>(model, state, to, dt, output, slopes);
+    } else {
+        answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
     }
+}
+
+/// Whether a step is one of three stages, as most are, with no spring that bends: that one is compiled for itself. All others share their code, whatever
+/// their method: the stages of each written out made a third of the library and spared a twentieth of the instructions.
+#[inline(always)]
+fn is_common(model: &Model, dt: f64) -> bool {
+    let of = &model.integration;
+    of.method == Method::ThreeStage && of.substeps(dt) == 1 && !model.elements.bends()
 }
 
 /// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
 /// is known before the step. The cheap step is another method than what goes through the paths, and does not come here.
 #[inline(never)]
 fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
-    let once = model.integration.substeps(dt) == 1;
-    match (model.integration.method, once) {
-        (Method::ThreeStage, true) => answer::<ThreeStage, Faded, true>(model, state, to, dt, output, slopes),
-        (Method::ThreeStage, false) => answer::<ThreeStage, Faded, false>(model, state, to, dt, output, slopes),
-        (Method::Third, _) => answer::<Third, Faded, false>(model, state, to, dt, output, slopes),
-        (Method::Second, _) => answer::<Second, Faded, false>(model, state, to, dt, output, slopes),
-        (Method::Fourth | Method::Euler, _) => answer::<Fourth, Faded, false>(model, state, to, dt, output, slopes),
+    if is_common(model, dt) {
+        answer::<Faded>(model, state, to, dt, output, slopes);
+    } else {
+        answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
     }
 }
 
@@ -163,7 +163,7 @@ fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64
 #[inline(never)]
 fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
     let mut by_end = paths::PathsByEnd::new(slopes);
-    advance_paths_by_its_method(model, state, to, dt, &mut by_end, output);
+    advance_paths_with(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * paths::held(dt) * output.force_by_displacement;
     }
@@ -178,10 +178,10 @@ pub fn advance_paths(
     follow: &mut impl paths::FollowPaths,
     output: &mut Output,
 ) {
-    advance_paths_by_its_method(model, state, to, dt, &mut paths::Told(follow), output);
+    advance_paths_with(model, state, to, dt, &mut paths::Told(follow), output);
 }
 
-fn advance_paths_by_its_method(
+fn advance_paths_with(
     model: &Model,
     state: &mut State,
     to: &Input,
@@ -189,29 +189,12 @@ fn advance_paths_by_its_method(
     follow: &mut impl paths::EachStage,
     output: &mut Output,
 ) {
-    match model.integration.method {
-        Method::Fourth => advance_paths_by::<Fourth, _>(model, state, to, dt, follow, output),
-        Method::Third => advance_paths_by::<Third, _>(model, state, to, dt, follow, output),
-        Method::ThreeStage => advance_paths_by::<ThreeStage, _>(model, state, to, dt, follow, output),
-        Method::Second => advance_paths_by::<Second, _>(model, state, to, dt, follow, output),
-        Method::Euler => advance_paths_by::<Euler, _>(model, state, to, dt, follow, output),
-    }
-}
-
-fn advance_paths_by<T: Tableau, F: paths::EachStage>(
-    model: &Model,
-    state: &mut State,
-    to: &Input,
-    dt: f64,
-    follow: &mut F,
-    output: &mut Output,
-) {
     let e = &model.elements;
     let substeps = model.integration.substeps(dt);
     let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
-    let method = paths::Table::of::<T>();
+    let method = Tableau::of(model.integration.method);
     let side = (to.side_force, to.temperature);
     let drive = paths::Drive { model, path: &path, substeps, side, method };
     let through = paths::advance(&drive, state, output, follow);
@@ -224,7 +207,7 @@ fn advance_paths_by<T: Tableau, F: paths::EachStage>(
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {
-        extras = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
+        extras = advance_extras(method, e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
     }
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
@@ -236,7 +219,7 @@ fn advance_paths_by<T: Tableau, F: paths::EachStage>(
 #[inline(never)]
 fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
     if !cheap_step::<false>(model, state, &to, dt, output) {
-        answer::<Euler, Plain, false>(model, state, &to, dt, output, true);
+        answer_by_table(&EULER, model, state, &to, dt, output, true);
     }
 }
 
@@ -319,10 +302,20 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A step with its exact slopes where they are asked for. `ONCE`: in one substep, as most steps are. Not inlined, so that each has the registers to
-/// itself.
+/// A common step with its exact slopes where they are asked for. Not inlined, so that it has the registers to itself.
 #[inline(never)]
-fn answer<T: Tableau, P: Primary, const ONCE: bool>(
+fn answer<P: Primary>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+    let mut by_end = ByEnd::new(slopes);
+    advance_by::<P, _, true>(&THREE_STAGE, model, to, dt, &mut by_end, state, output);
+    if to.displacement.is_none() {
+        output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
+    }
+}
+
+/// Any step, in the same way.
+#[inline(never)]
+fn answer_by_table(
+    method: &Tableau,
     model: &Model,
     state: &mut State,
     to: &Input,
@@ -331,7 +324,7 @@ fn answer<T: Tableau, P: Primary, const ONCE: bool>(
     slopes: bool,
 ) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<T, P, _, ONCE>(model, to, dt, &mut by_end, state, output);
+    advance_by::<Any, _, false>(method, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -341,18 +334,14 @@ fn answer<T: Tableau, P: Primary, const ONCE: bool>(
 /// asks for them, the private states still. For a damper without elements in its series or hydraulic path, whose stages are of
 /// another kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
-    match model.integration.method {
-        Method::Fourth => advance_by::<Fourth, Plain, _, false>(model, to, dt, follow, state, output),
-        Method::Third => advance_by::<Third, Plain, _, false>(model, to, dt, follow, state, output),
-        Method::ThreeStage => advance_by::<ThreeStage, Plain, _, false>(model, to, dt, follow, state, output),
-        Method::Second => advance_by::<Second, Plain, _, false>(model, to, dt, follow, state, output),
-        Method::Euler => advance_by::<Euler, Plain, _, false>(model, to, dt, follow, state, output),
-    }
+    let method = Tableau::of(model.integration.method);
+    advance_by::<Plain, _, false>(method, model, to, dt, follow, state, output);
 }
 
-/// By one method, in place.
+/// By one method, in place. `COMMON`: where [`is_common`] says so.
 #[inline(always)]
-fn advance_by<T: Tableau, P: Primary, F: Follow, const ONCE: bool>(
+fn advance_by<P: Primary, F: Follow, const COMMON: bool>(
+    method: &Tableau,
     model: &Model,
     to: &Input,
     dt: f64,
@@ -364,7 +353,7 @@ fn advance_by<T: Tableau, P: Primary, F: Follow, const ONCE: bool>(
     let primary = P::new(e, to.temperature);
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
-    let substeps = if ONCE { 1 } else { model.integration.substeps(dt) };
+    let substeps = if COMMON { 1 } else { model.integration.substeps(dt) };
     let dt = if dt > SHORTEST { dt } else { SHORTEST };
     let dt = if dt < LONGEST { dt } else { LONGEST };
     let path = Path::new(state.displacement, state.velocity, to, dt);
@@ -377,7 +366,12 @@ fn advance_by<T: Tableau, P: Primary, F: Follow, const ONCE: bool>(
     if e.has_series() {
         let s = &e.paths.series_compliance;
         let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
-        let mass = move_mass::<T, ONCE>(&Drive { elements: e, primary, path: &path, side }, substeps, start, follow);
+        let drive = Drive { elements: e, primary, path: &path, side };
+        let mass = if COMMON {
+            move_mass_at_once(method, &drive, start, follow)
+        } else {
+            move_mass(method, &drive, substeps, start, follow)
+        };
         state.mass_displacement = mass.x;
         state.mass_velocity = mass.v;
         output.primary_force = mass.primary;
@@ -407,7 +401,7 @@ fn advance_by<T: Tableau, P: Primary, F: Follow, const ONCE: bool>(
     if e.has_beside() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum = advance_extras::<T>(e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
+        let sum = advance_extras(method, e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
         force += sum.force;
         by_x += sum.by_x;
         by_v += sum.by_v;
@@ -423,19 +417,18 @@ mod tests {
     use std::vec::Vec;
 
     /// The matrix of a method, the diagonal included.
-    fn matrix<T: Tableau>() -> Vec<Vec<f64>> {
-        let rows = T::ROWS;
+    fn matrix(rows: &Tableau) -> Vec<Vec<f64>> {
         let entry = |i: usize, j: usize| match i.cmp(&j) {
             core::cmp::Ordering::Less => 0.0,
-            core::cmp::Ordering::Equal => rows.gamma[i],
-            core::cmp::Ordering::Greater => rows.weights[i][j] * rows.gamma[j],
+            core::cmp::Ordering::Equal => rows.gamma,
+            core::cmp::Ordering::Greater => rows.weights[i][j] * rows.gamma,
         };
-        (0..T::STAGES).map(|i| (0..T::STAGES).map(|j| entry(i, j)).collect()).collect()
+        (0..rows.stages).map(|i| (0..rows.stages).map(|j| entry(i, j)).collect()).collect()
     }
 
     /// How far a method is from the conditions up to an order.
-    fn misses<T: Tableau>(order: usize) -> f64 {
-        let a = matrix::<T>();
+    fn misses(method: Method, order: usize) -> f64 {
+        let a = matrix(Tableau::of(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
         let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
         let through = |y: &[f64]| a.iter().map(|row| dot(row, y)).collect::<Vec<f64>>();
@@ -462,16 +455,16 @@ mod tests {
 
     #[test]
     fn the_methods_have_the_orders_that_they_are_named_after() {
-        assert!(misses::<Euler>(1) < 1e-14 && misses::<Euler>(2) > 1e-3);
-        assert!(misses::<Second>(2) < 1e-14 && misses::<Second>(3) > 1e-3);
-        assert!(misses::<ThreeStage>(2) < 1e-14 && misses::<ThreeStage>(3) > 1e-3);
-        assert!(misses::<Third>(3) < 1e-13 && misses::<Third>(4) > 1e-4);
-        assert!(misses::<Fourth>(4) < 1e-13);
+        assert!(misses(Method::Euler, 1) < 1e-14 && misses(Method::Euler, 2) > 1e-3);
+        assert!(misses(Method::Second, 2) < 1e-14 && misses(Method::Second, 3) > 1e-3);
+        assert!(misses(Method::ThreeStage, 2) < 1e-14 && misses(Method::ThreeStage, 3) > 1e-3);
+        assert!(misses(Method::Third, 3) < 1e-13 && misses(Method::Third, 4) > 1e-4);
+        assert!(misses(Method::Fourth, 4) < 1e-13);
     }
 
     /// Largest growth of an oscillation of any frequency, and how much of an infinitely stiff motion is left.
-    fn growth<T: Tableau>() -> (f64, f64) {
-        let a = matrix::<T>();
+    fn growth(method: Method) -> (f64, f64) {
+        let a = matrix(Tableau::of(method));
         let after = |y: f64| {
             // Complex numbers by hand: z = iy, k_i = 1 + z Σ a_ij k_j.
             let mut stages: Vec<(f64, f64)> = Vec::new();
@@ -493,7 +486,7 @@ mod tests {
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in
-            [growth::<Euler>(), growth::<Second>(), growth::<ThreeStage>(), growth::<Third>(), growth::<Fourth>()]
+            [Method::Euler, Method::Second, Method::ThreeStage, Method::Third, Method::Fourth].map(growth)
         {
             assert!(most <= 1.0 + 1e-12 && left < 1e-6, "grows by {most}, leaves {left}");
         }

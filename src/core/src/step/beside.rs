@@ -12,7 +12,8 @@ use crate::state::{MAX_MEMORY, Output};
 ///
 /// Apart, so that a damper without such elements does not pay for them.
 #[inline(never)]
-pub(super) fn advance_extras<T: Tableau>(
+pub(super) fn advance_extras(
+    method: &Tableau,
     elements: &Elements,
     path: &Path,
     substeps: u32,
@@ -28,7 +29,7 @@ pub(super) fn advance_extras<T: Tableau>(
             return;
         };
         let (z, by_end) = element.carried(path, *slot, slopes).unwrap_or_else(|| {
-            advance_memory::<T>(substeps, element, *slot, path, slopes, (end.side_force, end.temperature))
+            advance_memory(method, substeps, element, *slot, path, slopes, (end.side_force, end.temperature))
         });
         *slot = z;
         let recall = element.recall(end, z);
@@ -44,7 +45,8 @@ pub(super) fn advance_extras<T: Tableau>(
 ///
 /// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `slopes` those over
 /// the end of the step are 0.
-fn advance_memory<T: Tableau>(
+fn advance_memory(
+    method: &Tableau,
     substeps: u32,
     element: &dyn Memory,
     z0: f64,
@@ -60,24 +62,26 @@ fn advance_memory<T: Tableau>(
     for sub in 0..n {
         let (mut pushes, mut d_pushes) = ([0.0; MOST_STAGES], [[0.0; 2]; MOST_STAGES]);
         let (mut now, mut d_now) = (z, by_end);
-        for i in 0..T::STAGES {
-            let ends_step = i + 1 == T::STAGES && sub + 1 == n;
-            let point = if ends_step { path.last() } else { path.at(theta + T::ROWS.c[i] * part) };
+        for (i, (weights, c)) in method.weights.iter().zip(&method.c).enumerate().take(method.stages) {
+            let ends_step = i + 1 == method.stages && sub + 1 == n;
+            let point = if ends_step { path.last() } else { path.at(theta + c * part) };
             let mut known = z;
-            for (push, weight) in pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+            for (push, weight) in pushes.iter().zip(weights).take(i) {
                 known += weight * push;
             }
             let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
             let recall = element.recall(&at, known);
-            let g = T::ROWS.gamma[i] * h;
+            let g = method.gamma * h;
             let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
             now = known + g * recall.rate * divide;
-            pushes[i] = now - known;
+            if let Some(push) = pushes.get_mut(i) {
+                *push = now - known;
+            }
             if !slopes {
                 continue;
             }
             let mut d_known = by_end;
-            for (push, weight) in d_pushes.iter().zip(&T::ROWS.weights[i]).take(i) {
+            for (push, weight) in d_pushes.iter().zip(weights).take(i) {
                 d_known = pair(|k| d_known[k] + weight * push[k]);
             }
             // Differentiated where the stage ends: there the rate depends on the input alone.
@@ -85,7 +89,9 @@ fn advance_memory<T: Tableau>(
             for k in 0..2 {
                 let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
                 d_now[k] = (d_known[k] + g * drive) * divide;
-                d_pushes[i][k] = d_now[k] - d_known[k];
+            }
+            if let Some(push) = d_pushes.get_mut(i) {
+                *push = pair(|k| d_now[k] - d_known[k]);
             }
         }
         z = now;

@@ -4,7 +4,7 @@ use super::cheap;
 use super::follow::{Follow, Stage};
 use super::primary::Primary;
 use super::reach::{springs, within_reach};
-use super::tableau::{Euler, MOST_STAGES, Tableau};
+use super::tableau::{EULER, MOST_STAGES, Tableau};
 use crate::assembly::Elements;
 use crate::curve::Value;
 use crate::element::{Motion, Response};
@@ -36,43 +36,52 @@ struct Substep<'a, P> {
     side: (f64, f64),
     start: Mass,
     predicted: f64,
+    /// Whether springs on the mass bend ([`Elements::bends`]).
+    bends: bool,
     /// Of each stage: g × velocity and g × acceleration.
     gains: [[f64; 2]; MOST_STAGES],
 }
 
 impl<P: Primary> Substep<'_, P> {
-    /// All stages. `BENT`: with springs that no straight line may stand for; apart, so that others do not pay for it.
+    /// All stages, with springs on which a straight line holds for a stage; written out, so that the places of the stages are constants.
     #[inline(always)]
-    fn run<T: Tableau, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
-        let mut mass = self.stage::<T, 0, BENT>(follow);
-        if T::STAGES > 1 {
-            mass = self.stage::<T, 1, BENT>(follow);
+    fn written_out(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.stage::<false>(method, 0, follow);
+        if method.stages > 1 {
+            mass = self.stage::<false>(method, 1, follow);
         }
-        if T::STAGES > 2 {
-            mass = self.stage::<T, 2, BENT>(follow);
-        }
-        if T::STAGES > 3 {
-            mass = self.stage::<T, 3, BENT>(follow);
-        }
-        if T::STAGES > 4 {
-            mass = self.stage::<T, 4, BENT>(follow);
+        if method.stages > 2 {
+            mass = self.stage::<false>(method, 2, follow);
         }
         mass
     }
 
+    /// All stages.
     #[inline(always)]
-    fn stage<T: Tableau, const I: usize, const BENT: bool>(&mut self, follow: &mut impl Follow) -> Mass {
+    fn run(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.start;
+        for index in 0..method.stages {
+            mass = self.stage::<true>(method, index, follow);
+        }
+        mass
+    }
+
+    /// One stage. `MAY_BEND`: with springs that no straight line may stand for.
+    #[inline(always)]
+    fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow) -> Mass {
         let e = &self.elements.paths.series_compliance;
-        let g = T::ROWS.gamma[I] * self.h;
-        let mass_rate = e.mass * (1.0 / T::ROWS.gamma[I] * self.per_h);
+        let (Some(row), Some(place)) = (method.weights.get(index), method.c.get(index)) else {
+            return self.start;
+        };
+        let g = method.gamma * self.h;
+        let mass_rate = e.mass * (method.per_gamma * self.per_h);
         let resistance = mass_rate + e.damping + g * e.stiffness;
-        let last = I + 1 == T::STAGES;
+        let last = index + 1 == method.stages;
         let point =
-            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + T::ROWS.c[I] * self.part) };
+            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + place * self.part) };
         let mut known = [self.start.x, self.start.v];
-        for j in 0..I {
-            let a = T::ROWS.weights[I][j];
-            known = pair(|k| known[k] + a * self.gains[j][k]);
+        for (a, gain) in row.iter().zip(&self.gains).take(index) {
+            known = pair(|k| known[k] + a * gain[k]);
         }
         let [known_x, known_v] = known;
         let inner_at = within_reach(known_x + g * self.predicted, point.x);
@@ -90,7 +99,7 @@ impl<P: Primary> Substep<'_, P> {
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
         let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
-        if BENT && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
+        if MAY_BEND && self.bends && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
             let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
             let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
             self.settle(&held, &mut balance);
@@ -98,16 +107,18 @@ impl<P: Primary> Substep<'_, P> {
             a = resistance + inner_slope;
         }
         let moved = g * u;
-        self.gains[I] = [moved, u - known_v];
+        if let Some(gain) = self.gains.get_mut(index) {
+            *gain = [moved, u - known_v];
+        }
         self.predicted = u;
         let x_m = known_x + moved;
         follow.stage(
             self.elements,
             &Stage {
-                index: I,
+                index,
                 last,
                 g,
-                row: &T::ROWS.weights[I],
+                row,
                 path: point,
                 known_velocity: known_v,
                 x_m,
@@ -208,6 +219,7 @@ impl<'a, P: Primary> Substep<'a, P> {
             side: drive.side,
             start,
             predicted: start.v,
+            bends: drive.elements.bends(),
             gains: [[0.0; 2]; MOST_STAGES],
         }
     }
@@ -222,55 +234,40 @@ pub(super) struct Drive<'a, P> {
     pub side: (f64, f64),
 }
 
+/// Moves the internal mass along the path in one substep by a method of up to three stages, where no spring bends.
+#[inline(always)]
+pub(super) fn move_mass_at_once(
+    method: &Tableau,
+    drive: &Drive<impl Primary>,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    Substep::new(drive, 0.0, 1.0, true, mass).written_out(method, follow)
+}
+
 /// Moves the internal mass along the path.
 #[inline(always)]
-pub(super) fn move_mass<T: Tableau, const ONCE: bool>(
-    drive: &Drive<impl Primary>,
-    substeps: u32,
-    mass: Mass,
-    follow: &mut impl Follow,
-) -> Mass {
-    if T::STAGES == 1 {
-        return move_mass_cheaply(drive, substeps, mass, follow);
-    }
-    if drive.elements.bends() {
-        return move_mass_on_bent_springs::<T>(drive, substeps, mass, follow);
-    }
-    if ONCE {
-        // The common case, written out so that the places of the stages are constants.
-        return Substep::new(drive, 0.0, 1.0, true, mass).run::<T, false>(follow);
-    }
-    move_mass_in_substeps::<T, false>(drive, substeps, mass, follow)
-}
-
-/// As [`move_mass`] where springs bend ([`Elements::bends`]).
-#[inline(never)]
-fn move_mass_on_bent_springs<T: Tableau>(
-    drive: &Drive<impl Primary>,
-    substeps: u32,
-    mass: Mass,
-    follow: &mut impl Follow,
-) -> Mass {
-    move_mass_in_substeps::<T, true>(drive, substeps, mass, follow)
-}
-
-#[inline(always)]
-fn move_mass_in_substeps<T: Tableau, const BENT: bool>(
+pub(super) fn move_mass(
+    method: &Tableau,
     drive: &Drive<impl Primary>,
     substeps: u32,
     mut mass: Mass,
     follow: &mut impl Follow,
 ) -> Mass {
+    if method.stages == 1 {
+        return move_mass_cheaply(drive, substeps, mass, follow);
+    }
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new(drive, theta, part, left == 0, mass).run::<T, BENT>(follow);
+        mass = Substep::new(drive, theta, part, left == 0, mass).run(method, follow);
         theta += part;
     }
     mass
 }
 
 /// As [`move_mass`] by cheap steps.
+#[inline(never)]
 fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
     let (elements, path) = (drive.elements, drive.path);
     let part = 1.0 / substeps as f64;
@@ -284,7 +281,7 @@ fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass,
         let (inner, inner_at) = (elements.inner(&at), at.displacement);
         let after = cheap::take(elements, &before, &to, inner_at, inner);
         if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
-            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run::<Euler, true>(follow);
+            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run(&EULER, follow);
             from = to;
             continue;
         }

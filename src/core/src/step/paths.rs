@@ -13,7 +13,7 @@
 mod stage;
 
 use super::reach::REACH;
-use super::tableau::{Euler, MOST_STAGES, Rows, Second, Tableau};
+use super::tableau::{EULER, MOST_STAGES, SECOND, Tableau};
 use crate::assembly::Elements;
 use crate::input::{Path, PathPoint};
 use crate::model::Model;
@@ -297,29 +297,6 @@ pub(super) fn held(dt: f64) -> f64 {
     dt.clamp(SHORTEST, LONGEST)
 }
 
-/// A method as numbers: the stages are compiled once for all methods.
-#[derive(Clone, Copy)]
-pub(super) struct Table {
-    stages: usize,
-    rows: &'static Rows,
-    /// The latest stage before the end; 0 where its end is not watched.
-    latest: usize,
-    /// How far a straight line goes on from the latest stage to the end, in parts of the spread of the stages before.
-    goes_on: f64,
-}
-
-impl Table {
-    pub fn of<T: Tableau>() -> Table {
-        let c = &T::ROWS.c;
-        let mut latest = 0;
-        for (index, place) in c.iter().enumerate().take(T::STAGES - 1) {
-            latest = if *place > c[latest] { index } else { latest };
-        }
-        let goes_on = if latest > 0 { ((1.0 - c[latest]) / (c[latest] - c[0])).max(T::ENDS_WITHIN) } else { 0.0 };
-        Table { stages: T::STAGES, rows: &T::ROWS, latest, goes_on }
-    }
-}
-
 /// What moves the states of the paths during a step.
 #[derive(Clone, Copy)]
 pub(super) struct Drive<'a> {
@@ -328,7 +305,7 @@ pub(super) struct Drive<'a> {
     pub substeps: u32,
     /// Side force and temperature.
     pub side: (f64, f64),
-    pub method: Table,
+    pub method: &'a Tableau,
 }
 
 /// Moves the states of both paths along the path of the driven end.
@@ -377,7 +354,7 @@ fn advance_on<const ON: u32>(
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
         let substep = Substep { elements: &model.elements, path, theta, part, ends_step: left == 0, side };
-        now = substep.taken::<ON>(&drive.method, now, follow);
+        substep.take::<ON>(drive.method, &mut now, follow);
         theta += part;
     }
     slots.write(&now.states, state);
@@ -447,7 +424,7 @@ const BESIDE: f64 = 0.02;
 
 /// Whether the `stages` before the last account for a force at the `end`. A force that is no number is not accounted for.
 #[inline(always)]
-fn is_near(stages: &[f64], end: f64, method: &Table) -> bool {
+fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for force in stages {
         least = if *force < least { *force } else { least };
@@ -461,7 +438,7 @@ fn is_near(stages: &[f64], end: f64, method: &Table) -> bool {
 /// What a substep came to.
 enum Ended {
     /// Its end.
-    At(Now),
+    Well,
     /// A void closed inside it.
     VoidClosed,
     /// It was thrown beyond what its stages know.
@@ -482,29 +459,46 @@ impl Substep<'_> {
     /// together from stages on both sides of rest, where the chambers' lengths differ, that may stand for a force of neither,
     /// and a strong damping of the series path, whose own force spreads far, hides it.
     #[inline(always)]
-    fn taken<const ON: u32>(&self, method: &Table, from: Now, follow: &mut impl EachStage) -> Now {
-        let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(&from);
-        let ended = if turns { Ended::VoidClosed } else { self.run::<ON, true>(method, &from, follow) };
+    fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {
+        let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(now);
+        let ended = if turns { Ended::VoidClosed } else { self.run_watched::<ON>(method, now, follow) };
         match ended {
-            Ended::At(end) => end,
+            Ended::Well => (),
             // Nothing else is compiled for it where there is no cavitation.
             Ended::VoidClosed if acts::<ON>(&self.elements.paths, CAVITATION) => {
-                self.in_pieces::<ON>(&Table::of::<Euler>(), PIECES, from, follow)
+                self.in_pieces::<ON>(&EULER, PIECES, now, follow)
             }
             // So rare that it is compiled once for all.
-            Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&Table::of::<Second>(), CALM, from, follow),
+            Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&SECOND, CALM, now, follow),
         }
     }
 
-    /// All stages of one method. `WATCHED`: unless it ends where it should not; its last stage is then told to nobody, so that
-    /// who follows is where the substep began.
+    /// As [`Substep::run`], watched; where pieces are taken by the same elements, by the same code.
     #[inline(always)]
-    fn run<const ON: u32, const WATCHED: bool>(
+    fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
+        if ON & CAVITATION != 0 {
+            self.run_apart::<ON>(method, now, true, follow)
+        } else {
+            self.run::<ON>(method, now, true, follow)
+        }
+    }
+
+    /// As [`Substep::run`], once for all who call it.
+    #[inline(never)]
+    fn run_apart<const ON: u32>(
         &self,
-        method: &Table,
-        from: &Now,
+        method: &Tableau,
+        now: &mut Now,
+        watched: bool,
         follow: &mut impl EachStage,
     ) -> Ended {
+        self.run::<ON>(method, now, watched, follow)
+    }
+
+    /// All stages of one method. `watched`: unless it ends where it should not; its last stage is then told to nobody, so that
+    /// who follows is where the substep began.
+    #[inline(always)]
+    fn run<const ON: u32>(&self, method: &Tableau, now: &mut Now, watched: bool, follow: &mut impl EachStage) -> Ended {
         let e = &self.elements.paths;
         let h = self.path.length() * self.part;
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
@@ -512,24 +506,24 @@ impl Substep<'_> {
         let counts_stroke = acts::<ON>(e, LENGTH) && e.counts_stroke();
         let start = if counts_stroke { MovedFrom::at(&self.path.at(self.theta)) } else { MovedFrom::NOWHERE };
         let mut strokes = [MovedFrom::NOWHERE; MOST_STAGES];
-        let mut now = *from;
+        let from = now.states;
+        let Now { mut oil_velocity, mut driven, mut raised, .. } = *now;
         let mut overshot = false;
         let (mut forces, mut valves) = ([0.0; MOST_STAGES], [0.0; MOST_STAGES]);
-        let Rows { gamma, weights, c } = method.rows;
-        for (index, ((row, place_of), gamma)) in weights.iter().zip(c).zip(gamma).enumerate().take(method.stages) {
-            let g = gamma * h;
+        let g = method.gamma * h;
+        for (index, (row, place_of)) in method.weights.iter().zip(&method.c).enumerate().take(method.stages) {
             let last = index + 1 == method.stages;
             let ends = last && self.ends_step;
             let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
-            let mut known = known_part::<ON>(&from.states, row, &gains, index);
+            let mut known = known_part::<ON>(&from, row, &gains, index);
             if valve_jumps {
-                known[place::VALVE] = from.states[place::VALVE];
+                known[place::VALVE] = from[place::VALVE];
             }
             let kept = keep::<ON>(e, &mut known);
             overshot |= known[place::VOID] < 0.0;
             // The oil follows the driven end, but where a void takes up the motion.
-            let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - now.driven };
-            let guess = now.oil_velocity + follows;
+            let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - driven };
+            let guess = oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
             let mut moved_from = start;
             if counts_stroke {
@@ -538,8 +532,7 @@ impl Substep<'_> {
                     *stroke = moved_from.to(&point);
                 }
             }
-            let known =
-                Known { index, last, row, g, moved_from, since, valve_jumps, raised: now.raised, states: known, kept };
+            let known = Known { index, last, row, g, moved_from, since, valve_jumps, raised, states: known, kept };
             let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
@@ -551,8 +544,8 @@ impl Substep<'_> {
                 {
                     *primary = balance.primary;
                 }
-            } else if WATCHED {
-                let void = from.states[place::VOID];
+            } else if watched {
+                let void = from[place::VOID];
                 if acts::<ON>(e, CAVITATION) && void > 0.0 && (overshot || balance.states[place::VOID] < CLOSING) {
                     return Ended::VoidClosed;
                 }
@@ -569,18 +562,18 @@ impl Substep<'_> {
                 stage.look_at_answer(self.elements, self.side);
             }
             follow.stage(&stage);
-            (now.oil_velocity, now.driven, now.raised) = (stage.oil_velocity, point.v, stage.raised);
+            (oil_velocity, driven, raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
-                now.states = balance.states;
+                let Balance { mut states, force, primary, inner } = balance;
                 if stage.shuts {
-                    now.states[place::VOID] = 0.0;
+                    states[place::VOID] = 0.0;
                 }
-                (now.force, now.primary, now.inner) = (balance.force, balance.primary, balance.inner);
+                *now = Now { states, oil_velocity, driven, raised, force, primary, inner };
             } else if let Some(gains) = gains.get_mut(index) {
                 *gains = gain::<ON>(&balance.states, &known.states);
             }
         }
-        Ended::At(now)
+        Ended::Well
     }
 
     /// Whether the driven end turns round beside a void, whose pressure then jumps.
@@ -592,16 +585,13 @@ impl Substep<'_> {
 
     /// In short pieces. Those of the first order keep a void from closing further than it is open.
     #[inline(never)]
-    fn in_pieces<const ON: u32>(&self, method: &Table, pieces: u32, mut now: Now, follow: &mut impl EachStage) -> Now {
+    fn in_pieces<const ON: u32>(&self, method: &Tableau, pieces: u32, now: &mut Now, follow: &mut impl EachStage) {
         let part = self.part / f64::from(pieces);
         for piece in 1..=pieces {
             let theta = self.theta + f64::from(piece - 1) * part;
             let ends_step = self.ends_step && piece == pieces;
             let piece = Substep { theta, part, ends_step, ..*self };
-            if let Ended::At(end) = piece.run::<ON, false>(method, &now, follow) {
-                now = end;
-            }
+            piece.run_apart::<ON>(method, now, false, follow);
         }
-        now
     }
 }

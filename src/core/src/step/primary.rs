@@ -50,6 +50,11 @@ pub(super) struct Faded {
 }
 
 impl Faded {
+    #[inline(never)]
+    fn solve_apart(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+        self.solve(e, a, r)
+    }
+
     #[inline(always)]
     fn of(&self, curve: Value) -> Value {
         Value { value: self.standing + self.factor * (curve.value - self.standing), slope: self.factor * curve.slope }
@@ -73,5 +78,31 @@ impl Primary for Faded {
         let r = self.standing + (r - self.standing) * self.per_factor;
         let (u, curve) = e.paths.fv_curve.solve::<STEPS>(a * self.per_factor, r);
         (u, self.of(curve))
+    }
+}
+
+/// Whichever of the two a damper has.
+#[derive(Clone, Copy)]
+pub(super) struct Any(Option<Faded>);
+
+impl Primary for Any {
+    #[inline(always)]
+    fn new(e: &Elements, temperature: f64) -> Any {
+        Any(e.has_paths().then(|| Faded::new(e, temperature)))
+    }
+
+    #[inline(always)]
+    fn at(&self, e: &Elements, v: f64) -> Value {
+        let curve = e.paths.fv_curve.at(v);
+        self.0.map_or(curve, |faded| faded.of(curve))
+    }
+
+    // The factor apart, so that nothing is multiplied where there is none.
+    #[inline(always)]
+    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+        match &self.0 {
+            None => e.paths.fv_curve.solve::<STEPS>(a, r),
+            Some(faded) => faded.solve_apart(e, a, r),
+        }
     }
 }

@@ -1,32 +1,53 @@
 //! The methods as tables: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
 
+use crate::integration::Method;
+
 /// Most stages of a method.
 pub(super) const MOST_STAGES: usize = 5;
 
-/// Coefficients of a diagonally implicit method; the last row is the result (stiffly accurate). A constant of a type, so
-/// that every stage is compiled for its own.
-pub(super) trait Tableau {
-    const STAGES: usize;
-    const ROWS: Rows;
-    /// How far from its latest stage a step through the paths may end at least, in halves of the spread of its stages: see
-    /// [`super::paths`]. With 1 the method of four stages was taken to be thrown at every twentieth step of free play, where it was not.
-    const ENDS_WITHIN: f64 = 1.0;
-}
-
-/// The rows of a method.
-pub(super) struct Rows {
-    /// γ of each stage: the diagonal.
-    pub gamma: [f64; MOST_STAGES],
-    /// a_ij/γ_j below the diagonal: what a stage takes of γ_j h times the rates of those before.
+/// A diagonally implicit method; its last row is the result (stiffly accurate).
+pub(super) struct Tableau {
+    /// Number of stages.
+    pub stages: usize,
+    /// γ: the diagonal, the same in all stages.
+    pub gamma: f64,
+    /// 1/γ.
+    pub per_gamma: f64,
+    /// a_ij/γ below the diagonal: what a stage takes of γ h times the rates of those before.
     pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
     /// Places of the stages inside the step.
     pub c: [f64; MOST_STAGES],
+    /// The latest stage before the end; 0 where its end is not watched: see [`super::paths`].
+    pub latest: usize,
+    /// How far a straight line goes on from the latest stage to the end, in parts of the spread of the stages before; what it may end within at
+    /// least.
+    pub goes_on: f64,
 }
 
-impl Rows {
-    /// From the diagonal and the rows below it. The places are the sums of the rows; what is not used is 0.
-    const fn new(stages: usize, gamma: [f64; MOST_STAGES], below: [[f64; MOST_STAGES]; MOST_STAGES]) -> Rows {
-        let mut rows = Rows { gamma, weights: [[0.0; MOST_STAGES]; MOST_STAGES], c: [1.0; MOST_STAGES] };
+impl Tableau {
+    /// That of a method.
+    #[inline(always)]
+    pub fn of(method: Method) -> &'static Tableau {
+        match method {
+            Method::Fourth => &FOURTH,
+            Method::Third => &THIRD,
+            Method::ThreeStage => &THREE_STAGE,
+            Method::Second => &SECOND,
+            Method::Euler => &EULER,
+        }
+    }
+
+    /// From γ and the rows below it. The places are the sums of the rows; what is not used is 0.
+    const fn new(stages: usize, gamma: f64, below: [[f64; MOST_STAGES]; MOST_STAGES], ends_within: f64) -> Tableau {
+        let mut rows = Tableau {
+            stages,
+            gamma,
+            per_gamma: 1.0 / gamma,
+            weights: [[0.0; MOST_STAGES]; MOST_STAGES],
+            c: [1.0; MOST_STAGES],
+            latest: 0,
+            goes_on: 0.0,
+        };
         let mut i = 0;
         while i + 1 < stages {
             let (mut j, mut sum) = (0, 0.0);
@@ -34,38 +55,47 @@ impl Rows {
                 sum += below[i][j];
                 j += 1;
             }
-            rows.c[i] = sum + gamma[i];
+            rows.c[i] = sum + gamma;
             i += 1;
         }
         i = 0;
         while i < stages {
             let mut j = 0;
             while j < i {
-                rows.weights[i][j] = below[i][j] / gamma[j];
+                rows.weights[i][j] = below[i][j] / gamma;
                 j += 1;
             }
             i += 1;
+        }
+        i = 0;
+        while i + 1 < stages {
+            if rows.c[i] > rows.c[rows.latest] {
+                rows.latest = i;
+            }
+            i += 1;
+        }
+        if rows.latest > 0 {
+            let (first, latest) = (rows.c[0], rows.c[rows.latest]);
+            let straight = (1.0 - latest) / (latest - first);
+            rows.goes_on = if straight > ends_within { straight } else { ends_within };
         }
         rows
     }
 }
 
-pub(super) struct Euler;
+/// How far from its latest stage a step through the paths may end at least, in halves of the spread of its stages. With 1 the method of four
+/// stages was taken to be thrown at every twentieth step of free play, where it was not.
+const ENDS_WITHIN: f64 = 1.0;
 
-impl Tableau for Euler {
-    const STAGES: usize = 1;
-    const ROWS: Rows = Rows::new(1, [1.0; 5], [[0.0; 5]; 5]);
-}
+/// Backward Euler.
+pub(super) static EULER: Tableau = Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN);
 
-pub(super) struct Second;
-
-impl Tableau for Second {
-    const STAGES: usize = 2;
-    const ROWS: Rows = {
-        let gamma = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
-        Rows::new(2, [gamma; 5], [[0.0; 5], [1.0 - gamma, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]])
-    };
-}
+/// [`Method::Second`].
+pub(super) static SECOND: Tableau = {
+    let gamma = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+    let below = [[0.0; 5], [1.0 - gamma, 0.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]];
+    Tableau::new(2, gamma, below, ENDS_WITHIN)
+};
 
 /// The smallest γ with which three stages of order 2 are L-stable, rounded up, and with it the smallest error (Hairer & Wanner,
 /// table IV.6.4).
@@ -74,66 +104,47 @@ const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
 /// about it.
 const THREE_STAGE_PLACE: f64 = 0.663;
 
-pub(super) struct ThreeStage;
-
-impl Tableau for ThreeStage {
-    const STAGES: usize = 3;
-    const ROWS: Rows = {
-        let (gamma, c2) = (THREE_STAGE_GAMMA, THREE_STAGE_PLACE);
-        // b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂ + γ = ½.
-        let b2 = (0.5 - gamma - (1.0 - gamma) * gamma) / (c2 - gamma);
-        let below =
-            [[0.0; 5], [c2 - gamma, 0.0, 0.0, 0.0, 0.0], [1.0 - gamma - b2, b2, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5]];
-        Rows::new(3, [gamma; 5], below)
-    };
-}
+/// [`Method::ThreeStage`].
+pub(super) static THREE_STAGE: Tableau = {
+    let (gamma, c2) = (THREE_STAGE_GAMMA, THREE_STAGE_PLACE);
+    // b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂ + γ = ½.
+    let b2 = (0.5 - gamma - (1.0 - gamma) * gamma) / (c2 - gamma);
+    let below = [[0.0; 5], [c2 - gamma, 0.0, 0.0, 0.0, 0.0], [1.0 - gamma - b2, b2, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5]];
+    Tableau::new(3, gamma, below, ENDS_WITHIN)
+};
 
 /// The smallest γ with which four stages of order 3 are L-stable, rounded up (the same table).
 const THIRD_GAMMA: f64 = 0.223_647_9;
 /// The places of the two inner stages, which the conditions of order leave free: as [`THREE_STAGE_PLACE`].
 const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 
-pub(super) struct Third;
+/// [`Method::Third`].
+pub(super) static THIRD: Tableau = {
+    let (g, [c2, c3]) = (THIRD_GAMMA, THIRD_PLACES);
+    // Σ b = 1, Σ b c = ½, Σ b c² = ⅓ without the last stage, which has c = 1 and b = γ.
+    let sums = [1.0 - g, 0.5 - g, 1.0 / 3.0 - g];
+    const fn weight(sums: [f64; 3], own: f64, other: f64, third: f64) -> f64 {
+        (sums[2] - (other + third) * sums[1] + other * third * sums[0]) / ((own - other) * (own - third))
+    }
+    let (b1, b2, b3) = (weight(sums, g, c2, c3), weight(sums, c2, g, c3), weight(sums, c3, g, c2));
+    // Σ b_i a_ij c_j = ⅙, solved for a₃₂.
+    let others = 0.5 * g + b1 * g * g + b2 * ((c2 - g) * g + g * c2) + b3 * ((c3 - g) * g + g * c3);
+    let a32 = (1.0 / 6.0 - others) / (b3 * (c2 - g));
+    let below =
+        [[0.0; 5], [c2 - g, 0.0, 0.0, 0.0, 0.0], [c3 - g - a32, a32, 0.0, 0.0, 0.0], [b1, b2, b3, 0.0, 0.0], [0.0; 5]];
+    Tableau::new(4, g, below, ENDS_WITHIN)
+};
 
-impl Tableau for Third {
-    const STAGES: usize = 4;
-    const ROWS: Rows = {
-        let (g, [c2, c3]) = (THIRD_GAMMA, THIRD_PLACES);
-        // Σ b = 1, Σ b c = ½, Σ b c² = ⅓ without the last stage, which has c = 1 and b = γ.
-        let sums = [1.0 - g, 0.5 - g, 1.0 / 3.0 - g];
-        const fn weight(sums: [f64; 3], own: f64, other: f64, third: f64) -> f64 {
-            (sums[2] - (other + third) * sums[1] + other * third * sums[0]) / ((own - other) * (own - third))
-        }
-        let (b1, b2, b3) = (weight(sums, g, c2, c3), weight(sums, c2, g, c3), weight(sums, c3, g, c2));
-        // Σ b_i a_ij c_j = ⅙, solved for a₃₂.
-        let others = 0.5 * g + b1 * g * g + b2 * ((c2 - g) * g + g * c2) + b3 * ((c3 - g) * g + g * c3);
-        let a32 = (1.0 / 6.0 - others) / (b3 * (c2 - g));
-        let below = [
-            [0.0; 5],
-            [c2 - g, 0.0, 0.0, 0.0, 0.0],
-            [c3 - g - a32, a32, 0.0, 0.0, 0.0],
-            [b1, b2, b3, 0.0, 0.0],
-            [0.0; 5],
-        ];
-        Rows::new(4, [g; 5], below)
-    };
-}
-
-pub(super) struct Fourth;
-
-impl Tableau for Fourth {
-    const STAGES: usize = 5;
-    /// Its weights reach 31.
-    const ENDS_WITHIN: f64 = 0.0;
-    const ROWS: Rows = Rows::new(
-        5,
-        [0.25; 5],
-        [
-            [0.0; 5],
-            [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
-            [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
-            [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
-            [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
-        ],
-    );
-}
+/// [`Method::Fourth`]. Its weights reach 31, and it is watched the more closely.
+pub(super) static FOURTH: Tableau = Tableau::new(
+    5,
+    0.25,
+    [
+        [0.0; 5],
+        [1.0 / 2.0, 0.0, 0.0, 0.0, 0.0],
+        [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0, 0.0],
+        [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0, 0.0],
+        [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 0.0],
+    ],
+    0.0,
+);
