@@ -96,10 +96,8 @@ fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     let lifted = states.map(Dual::<2>::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    oil_velocity(e, u, least, TOLERANCE, &|w: f64, f: f64| {
-        sloped(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f)
-    })
-    .answer()
+    let left = |w: f64, f: f64| sloped(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f);
+    oil_velocity(e, u, least, TOLERANCE, &left, &mut ()).answer()
 }
 
 /// Number of directions: the states, displacement, velocity, and the velocity of the oil.
@@ -221,7 +219,7 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
                 through + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign
             };
             if void_moves || bypass::is_open(e) {
-                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f)).answer()
+                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f), &mut ()).answer()
             } else {
                 v
             }

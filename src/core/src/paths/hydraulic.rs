@@ -137,6 +137,21 @@ impl Moves {
 }
 
 impl Valves {
+    /// No force.
+    pub const NONE: Valves = Valves {
+        force: 0.0,
+        valve: 0.0,
+        selective: 0.0,
+        by_curve: 0.0,
+        by_w: 0.0,
+        scaled_by: [0.0; 3],
+        late_by: [0.0; 4],
+        valve_by: [0.0; 4],
+        read: [0.0; 2],
+        selected_by: [0.0; 3],
+        selective_by: [0.0; 3],
+    };
+
     /// From the `known` states and the force and velocity that the stage tries. `since` is the time over which a late valve is
     /// taken, `raised` by how much it raised the force when it was solved last; `leaks` where there is an oil column.
     #[inline(always)]

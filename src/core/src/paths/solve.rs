@@ -44,31 +44,29 @@ pub struct Residual {
 pub trait Equation {
     /// What is found beside R.
     type Seen;
-    /// R at a velocity and the force of the FV curve there.
-    fn look(&self, w: f64, curve: f64) -> (Residual, Self::Seen);
+    /// R at a velocity and the force of the FV curve there; puts what is found beside it where that is kept.
+    fn look(&self, w: f64, curve: f64, seen: &mut Self::Seen) -> Residual;
 }
 
 impl<F: Fn(f64, f64) -> Residual> Equation for F {
     type Seen = ();
     #[inline(always)]
-    fn look(&self, w: f64, curve: f64) -> (Residual, ()) {
-        (self(w, curve), ())
+    fn look(&self, w: f64, curve: f64, _: &mut ()) -> Residual {
+        self(w, curve)
     }
 }
 
 /// The answer: R was looked at beside it, and `step` leads from there to it.
-pub struct Found<A> {
+pub struct Found {
     /// Where R was looked at last.
     pub w: f64,
     /// What is left to the answer, so short that all goes straight.
     pub step: f64,
     /// The FV curve there.
     pub curve: Value,
-    /// What was found beside R.
-    pub look: A,
 }
 
-impl<A> Found<A> {
+impl Found {
     /// w.
     pub fn answer(&self) -> f64 {
         self.w + self.step
@@ -82,7 +80,7 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess. `tolerance` is the relative step that is the last: what it leaves is of its square.
+/// Finds w from a guess, and leaves in `seen` what was found where R was looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
 /// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
@@ -100,7 +98,8 @@ pub fn oil_velocity<Q: Equation>(
     least: [f64; 2],
     tolerance: f64,
     equation: &Q,
-) -> Found<Q::Seen> {
+    seen: &mut Q::Seen,
+) -> Found {
     let mut w = guess;
     let mut low = End { w: f64::NEG_INFINITY, curve: 0.0 };
     let mut high = End { w: f64::INFINITY, curve: 0.0 };
@@ -108,7 +107,7 @@ pub fn oil_velocity<Q: Equation>(
     let mut round = 0;
     loop {
         let curve = e.fv_curve.at(w);
-        let (r, seen) = equation.look(w, curve.value);
+        let r = equation.look(w, curve.value, seen);
         let by_w = if r.by_w > least[0] { r.by_w } else { least[0] };
         let by_curve = if r.by_curve > least[1] { r.by_curve } else { least[1] };
         let step = -r.value / (by_w + by_curve * curve.slope);
@@ -122,7 +121,7 @@ pub fn oil_velocity<Q: Equation>(
             // stand in for them have all else that goes straight on by that step thrown far off.
             let own = r.by_w + r.by_curve * curve.slope > OWN * (by_w + by_curve * curve.slope);
             let step = if inside && own && round < ROUNDS { step } else { 0.0 };
-            return Found { w, step, curve, look: seen };
+            return Found { w, step, curve };
         }
         let here = End { w, curve: curve.value };
         if r.value > 0.0 {

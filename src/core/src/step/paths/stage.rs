@@ -158,17 +158,19 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             standing,
             factors,
         };
-        let (w, step, curve, mut at) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE) {
+        let mut at = Look::NONE;
+        let (w, step, curve) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE) {
             let least =
                 if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
             // So short that the mass has not moved by more than a picometre.
             let short = 1e-9 / (g * (1e-3 + guess.abs()));
             let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
-            let found = oil_velocity(e, guess, least, tolerance, &Stage::<ON>(e, &given));
-            (found.w, found.step, found.curve, found.look)
+            let found = oil_velocity(e, guess, least, tolerance, &Stage::<ON>(e, &given), &mut at);
+            (found.w, found.step, found.curve)
         } else {
             let curve = e.fv_curve.at(path.v);
-            (path.v, 0.0, curve, Look::new::<ON>(e, &given, path.v, curve.value))
+            at = Look::at::<ON>(e, &given, path.v, curve.value);
+            (path.v, 0.0, curve)
         };
         at.go::<ON>(e, g, step, curve.slope);
         let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
@@ -218,7 +220,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             standing: e.fv_curve.at_zero(),
             factors: Factors::of::<ON>(e, self.path.x, side.1, self.known[place::HEAT]),
         };
-        self.at = Look::new::<ON>(e, &given, self.oil_velocity, curve.value);
+        self.at = Look::at::<ON>(e, &given, self.oil_velocity, curve.value);
         self.slope = curve.slope;
         let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.slope;
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
@@ -407,9 +409,9 @@ struct Stage<'a, const ON: u32>(&'a Paths, &'a Given<'a>);
 impl<const ON: u32> Equation for Stage<'_, ON> {
     type Seen = Look;
     #[inline(always)]
-    fn look(&self, w: f64, curve: f64) -> (Residual, Look) {
-        let look = Look::new::<ON>(self.0, self.1, w, curve);
-        (look.residual, look)
+    fn look(&self, w: f64, curve: f64, seen: &mut Look) -> Residual {
+        *seen = Look::at::<ON>(self.0, self.1, w, curve);
+        seen.residual
     }
 }
 
@@ -424,6 +426,25 @@ fn springs(e: &Elements, x: f64, u: f64, driven: f64, (side_force, temperature):
 }
 
 impl Look {
+    /// Nothing was looked at.
+    const NONE: Look = Look {
+        residual: Residual { value: 0.0, by_w: 0.0, by_curve: 0.0 },
+        valves: Valves::NONE,
+        column: Column::NONE,
+        past: Past::NONE,
+        void: 0.0,
+        void_by: [0.0; 3],
+        oil_void_by: [0.0; 3],
+        u_by_force: 0.0,
+        x: 0.0,
+        u: 0.0,
+        relaxed: Relaxed::NONE,
+        relaxing_by_rate: 0.0,
+        law: series::Sloped::NONE,
+        inner: Response::NONE,
+        resists: 0.0,
+    };
+
     /// Goes straight on by a step of w.
     #[inline(always)]
     fn go<const ON: u32>(&mut self, e: &Paths, g: f64, step: f64, slope: f64) {
@@ -453,7 +474,7 @@ impl Look {
     }
 
     #[inline(always)]
-    fn new<const ON: u32>(e: &Paths, given: &Given, w: f64, curve: f64) -> Look {
+    fn at<const ON: u32>(e: &Paths, given: &Given, w: f64, curve: f64) -> Look {
         let Given { elements, path, from, side, states: known, g, since, raised, per_g, standing, factors } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
