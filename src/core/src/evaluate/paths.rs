@@ -2,37 +2,66 @@
 
 use super::Partials;
 use crate::assembly::Elements;
+use crate::curve::Value;
 use crate::dual::{Dual, Real};
 use crate::element::Motion;
 use crate::input::Input;
 use crate::paths::bypass;
-use crate::paths::hydraulic::{Around, column_force, column_rate, flow};
+use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
 use crate::state::State;
 
+/// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its slopes
+/// are needed: hosts ask now and then, and with all thirteen directions at once the formulas were as long as those of all steps together.
+const DIRECTIONS: usize = 4;
+
+/// A number with its slopes.
+type Sloped = Dual<DIRECTIONS>;
+
 /// What the oil does at given states.
-struct Instant<R> {
+struct Instant {
     /// 0 where the velocity of the oil is the right one.
-    residual: R,
-    rates: [R; STATES],
-    force: R,
-    primary: R,
-    inner: R,
+    residual: Sloped,
+    rates: [Sloped; STATES],
+    force: Sloped,
+    primary: Sloped,
+    inner: Sloped,
 }
 
-fn instant<R: Real>(elements: &Elements, states: &[R; STATES], around: &Around<R>, w: R, curve: R) -> Instant<R> {
+/// [`hydraulic::flow`], once for all who ask.
+#[inline(never)]
+fn flow(e: &Paths, curve: Sloped, w: Sloped, around: &Around<Sloped>, states: &[Sloped; STATES]) -> Flow<Sloped> {
+    hydraulic::flow(e, curve, Dual::constant(e.fv_curve.at_zero()), w, around, states)
+}
+
+/// [`bypass::flow`], once for all who ask.
+#[inline(never)]
+fn past(e: &Paths, force: Sloped, x: Sloped, states: &[Sloped; STATES]) -> Sloped {
+    bypass::flow(e, force, x, states)
+}
+
+#[inline(never)]
+fn instant(
+    elements: &Elements,
+    states: &[Sloped; STATES],
+    around: &Around<Sloped>,
+    w: Sloped,
+    curve: Sloped,
+) -> Instant {
     let e = &elements.paths;
     let frame = Frame::of(e);
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
-    let standing = R::constant(e.fv_curve.at_zero());
-    let flow = flow(e, curve, standing, w, around, states);
-    let mut rates = [R::constant(0.0); STATES];
+    let flow = flow(e, curve, w, around, states);
+    let mut rates = [Dual::constant(0.0); STATES];
     // The oil column, where there is one, holds the force; the valves then answer with their velocity.
-    let (primary, deflection) =
-        if e.has_column() { column_force(e, around.x, states[place::COLUMN]) } else { (flow.force, R::constant(0.0)) };
-    let through = w + bypass::flow(e, primary, around.x, states);
+    let (primary, deflection) = if e.has_column() {
+        column_force(e, around.x, states[place::COLUMN])
+    } else {
+        (flow.force, Dual::constant(0.0))
+    };
+    let through = w + past(e, primary, around.x, states);
     let mut displaced = through;
     if e.has_cavitation() {
         let oils = e.cavitation.rate(primary, around.v, states[place::VOID]);
@@ -80,8 +109,8 @@ fn instant<R: Real>(elements: &Elements, states: &[R; STATES], around: &Around<R
 const TOLERANCE: f64 = 1e-13;
 
 /// A residual with its slopes over the velocity of the oil and the force of the FV curve.
-fn sloped(residual: impl Fn(Dual<2>, Dual<2>) -> Dual<2>, w: f64, f: f64) -> Residual {
-    let r = residual(Dual::along(w, 0), Dual::along(f, 1));
+fn residual(of: impl Fn(Sloped, Sloped) -> Sloped, w: f64, f: f64) -> Residual {
+    let r = of(Dual::along(w, 0), Dual::along(f, 1));
     Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
 }
 
@@ -93,46 +122,63 @@ fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     if !e.has_column() && !e.has_cavitation() && !bypass::is_open(e) {
         return u;
     }
-    let lifted = states.map(Dual::<2>::constant);
+    let lifted = states.map(Dual::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    let left = |w: f64, f: f64| sloped(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f);
+    let left = |w: f64, f: f64| residual(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f);
     oil_velocity(e, u, least, TOLERANCE, &left, &mut ()).answer()
 }
 
-/// Number of directions: the states, displacement, velocity, and the velocity of the oil.
-const DIRECTIONS: usize = STATES + 3;
+/// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
+const X: usize = STATES;
+const V: usize = STATES + 1;
+/// Direction of the velocity of the oil, which follows from all of them: the last that is followed.
+const W: usize = DIRECTIONS - 1;
 
-/// The instant with its slopes over states and input.
-struct Sloped<'a> {
+/// The damper at given states and input, with the oil at its velocity there.
+struct At<'a> {
     e: &'a Elements,
-    by: Instant<Dual<DIRECTIONS>>,
+    states: [f64; STATES],
+    around: Around<f64>,
+    w: f64,
+    curve: Value,
 }
 
-impl<'a> Sloped<'a> {
-    fn new(e: &'a Elements, state: &State, input: &Input) -> Sloped<'a> {
+impl<'a> At<'a> {
+    fn new(e: &'a Elements, state: &State, input: &Input) -> At<'a> {
         let x = super::displacement(state, input);
         let Input { velocity: v, side_force, temperature, .. } = *input;
         let states = e.paths.slots().read(state);
-        let w = oil(e, &states, &Around { x, v, side_force, temperature });
-        let mut lifted = [Dual::constant(0.0); STATES];
-        for (direction, (to, value)) in lifted.iter_mut().zip(states).enumerate() {
-            *to = Dual::along(value, direction);
-        }
-        let around = Around { x: Dual::along(x, STATES), v: Dual::along(v, STATES + 1), side_force, temperature };
-        let read = e.paths.fv_curve.at(w);
-        let w = Dual::along(w, STATES + 2);
-        let curve = w.chain(read.value, read.slope);
-        Sloped { e, by: instant(e, &lifted, &around, w, curve) }
+        let around = Around { x, v, side_force, temperature };
+        let w = oil(e, &states, &around);
+        At { e, states, around, w, curve: e.paths.fv_curve.at(w) }
     }
 
-    /// The slopes of a number, the velocity of the oil following.
-    fn slopes(&self, number: &Dual<DIRECTIONS>) -> [f64; DIRECTIONS] {
-        let by_w = self.by.residual.slope(STATES + 2);
-        let follows = if by_w != 0.0 { -number.slope(STATES + 2) / by_w } else { 0.0 };
-        let mut slopes = number.slopes;
-        for (to, residual) in slopes.iter_mut().zip(&self.by.residual.slopes) {
-            *to += follows * residual;
+    /// The instant with its slopes over what stands at these places.
+    fn along(&self, places: [usize; W]) -> Instant {
+        let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
+            Some(direction) => Dual::along(value, direction),
+            None => Dual::constant(value),
+        };
+        let mut states = [Dual::constant(0.0); STATES];
+        for (place, (to, value)) in states.iter_mut().zip(self.states).enumerate() {
+            *to = lifted(value, place);
+        }
+        let Around { x, v, side_force, temperature } = self.around;
+        let around = Around { x: lifted(x, X), v: lifted(v, V), side_force, temperature };
+        let w = Dual::along(self.w, W);
+        instant(self.e, &states, &around, w, w.chain(self.curve.value, self.curve.slope))
+    }
+}
+
+impl Instant {
+    /// The slopes of a number of it, the velocity of the oil following.
+    fn slopes(&self, number: &Sloped) -> [f64; W] {
+        let by_w = self.residual.slope(W);
+        let follows = if by_w != 0.0 { -number.slope(W) / by_w } else { 0.0 };
+        let mut slopes = [0.0; W];
+        for (to, (own, residual)) in slopes.iter_mut().zip(number.slopes.iter().zip(&self.residual.slopes)) {
+            *to = own + follows * residual;
         }
         slopes
     }
@@ -148,48 +194,52 @@ pub(super) struct Through {
 }
 
 pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
-    let sloped = Sloped::new(e, state, input);
-    let [.., by_x, by_v, _] = sloped.slopes(&sloped.by.force);
+    let at = At::new(e, state, input);
+    let instant = at.along([X, V, V]);
+    let [by_x, by_v, _] = instant.slopes(&instant.force);
     Through {
-        force: sloped.by.force.value,
-        primary: sloped.by.primary.value,
-        inner: sloped.by.inner.value,
+        force: instant.force.value,
+        primary: instant.primary.value,
+        inner: instant.inner.value,
         by_input: [by_x, by_v],
-        heat: e.paths.slots().read(state)[place::HEAT],
+        heat: at.states[place::HEAT],
     }
 }
 
 /// Rates of the states.
 pub(super) fn rates(e: &Elements, state: &State, input: &Input, rate: &mut State) {
-    let x = super::displacement(state, input);
-    let states = e.paths.slots().read(state);
-    let around = Around { x, v: input.velocity, side_force: input.side_force, temperature: input.temperature };
-    let w = oil(e, &states, &around);
-    let instant = instant(e, &states, &around, w, e.paths.fv_curve.at(w).value);
-    e.paths.slots().write(&instant.rates, rate);
+    let instant = At::new(e, state, input).along([X, V, V]);
+    e.paths.slots().write(&instant.rates.map(Dual::value), rate);
 }
 
 /// Adds the slopes of force and rates.
 pub(super) fn partials(e: &Elements, state: &State, input: &Input, p: &mut Partials) {
-    let sloped = Sloped::new(e, state, input);
-    let slots = sloped.e.paths.slots();
-    let force = sloped.slopes(&sloped.by.force);
-    for (place, slope) in force.iter().enumerate().take(STATES) {
-        if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
-            *to = *slope;
+    let at = At::new(e, state, input);
+    let slots = e.paths.slots();
+    // What moves, three at a time.
+    for places in [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, X, V]] {
+        let instant = at.along(places);
+        let force = instant.slopes(&instant.force);
+        for (place, slope) in places.into_iter().zip(force) {
+            if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
+                *to = slope;
+            }
         }
-    }
-    for (place, rate) in sloped.by.rates.iter().enumerate() {
-        let slopes = sloped.slopes(rate);
-        let Some(i) = slots.index(place) else { continue };
-        let [.., by_x, by_v, _] = slopes;
-        if let Some(to) = p.rate_by_input.get_mut(i) {
-            *to = [by_x, by_v];
-        }
-        let Some(row) = p.rate_by_state.get_mut(i) else { continue };
-        for (place, slope) in slopes.iter().enumerate().take(STATES) {
-            if let Some(to) = slots.index(place).and_then(|j| row.get_mut(j)) {
-                *to = *slope;
+        for (place, rate) in instant.rates.iter().enumerate() {
+            let Some(i) = slots.index(place) else { continue };
+            let (Some(by_input), Some(by_state)) = (p.rate_by_input.get_mut(i), p.rate_by_state.get_mut(i)) else {
+                continue;
+            };
+            for (moved, slope) in places.into_iter().zip(instant.slopes(rate)) {
+                match moved {
+                    X => by_input[0] = slope,
+                    V => by_input[1] = slope,
+                    _ => {
+                        if let Some(to) = slots.index(moved).and_then(|j| by_state.get_mut(j)) {
+                            *to = slope;
+                        }
+                    }
+                }
             }
         }
     }
@@ -203,40 +253,43 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
     for _ in 0..200 {
         // No spring moves the oil.
         let side_force = 0.0;
-        let around = Around { x, v, side_force, temperature };
-        let standing = e.fv_curve.at_zero();
+        let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
         let mut held = states;
+        let at = |states: &[f64; STATES], w: f64| {
+            let curve = Dual::constant(e.fv_curve.at(w).value);
+            flow(e, curve, Dual::constant(w), &around, &states.map(Dual::constant))
+        };
         let solve = |states: &[f64; STATES], void_moves: bool| {
-            let lifted = states.map(Dual::<2>::constant);
-            let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
-            let standing = Dual::constant(standing);
-            let steady = |w: Dual<2>, f: Dual<2>| {
-                let force = flow(e, f, standing, w, &around, &lifted).force;
-                let through = w + bypass::flow(e, force, around.x, &lifted) - around.v;
+            let lifted = states.map(Dual::constant);
+            let steady = |w: Sloped, f: Sloped| {
+                let force = flow(e, f, w, &around, &lifted).force;
+                let through = w + past(e, force, around.x, &lifted) - around.v;
                 if !void_moves {
                     return through;
                 }
                 through + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign
             };
             if void_moves || bypass::is_open(e) {
-                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| sloped(steady, w, f), &mut ()).answer()
+                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| residual(steady, w, f), &mut ()).answer()
             } else {
                 v
             }
         };
         if e.has_cavitation() {
-            let w = solve(&states, false);
-            let whole = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states).force;
+            let whole = at(&states, solve(&states, false)).force.value;
             held[place::VOID] = e.cavitation.rests(whole);
             states[place::VOID] = held[place::VOID];
         }
-        let w = solve(&states, e.has_cavitation());
-        let flow = flow(e, e.fv_curve.at(w).value, standing, w, &around, &states);
-        held[place::SELECTIVE] =
-            if e.has_passage() { e.frequency_selective_damping.settles(flow.force) } else { flow.selective_target };
-        held[place::VALVE] = e.valve_hysteresis.rests(flow.before_valve, states[place::VALVE]);
-        let still = held == states && force == flow.force;
-        force = flow.force;
+        let flow = at(&states, solve(&states, e.has_cavitation()));
+        let flow_force = flow.force.value;
+        held[place::SELECTIVE] = if e.has_passage() {
+            e.frequency_selective_damping.settles(flow_force)
+        } else {
+            flow.selective_target.value
+        };
+        held[place::VALVE] = e.valve_hysteresis.rests(flow.before_valve.value, states[place::VALVE]);
+        let still = held == states && force == flow_force;
+        force = flow_force;
         states = held;
         if still {
             break;
