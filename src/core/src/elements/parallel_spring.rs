@@ -1,6 +1,6 @@
 //! Parallel spring on the internal mass (thesis 3, F_p): the source of most of the hysteresis.
 
-use crate::curve::{Curve, Interpolation, MAX_POINTS, Value};
+use crate::curve::{Curve, Interpolation, MAX_POINTS};
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::{Fault, Reason};
 use crate::math::pair;
@@ -90,21 +90,7 @@ impl Prepare for ParallelSpring {
 impl Force for ParallelSpring {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
-        let x = at.displacement;
-        let r = x.abs();
-        let [k1, k2, k3, k4] = self.k;
-        let mut from_k2 = k2;
-        if self.has_higher {
-            from_k2 = pair(|i| k2[i] + r * (k3[i] + r * k4[i]));
-        }
-        let [secant, mut by_x] = pair(|i| k1[i] + r * from_k2[i]);
-        let mut force = x * secant;
-        if self.has_lookup {
-            let value = lookup(&self.lookup, x);
-            force += value.value;
-            by_x += value.slope;
-        }
-        Response { force, by_x, by_v: 0.0 }
+        if self.has_higher || self.has_lookup { self.bent(at.displacement) } else { self.even(at.displacement) }
     }
 
     #[inline(always)]
@@ -114,18 +100,35 @@ impl Force for ParallelSpring {
 
     #[inline(always)]
     fn at_once(&self, at: &Motion) -> Option<Response> {
-        if self.has_higher || self.has_lookup {
-            return None;
-        }
-        let (x, r) = (at.displacement, at.displacement.abs());
-        let [k1, k2, ..] = self.k;
-        let [secant, by_x] = pair(|i| k1[i] + r * k2[i]);
-        Some(Response { force: x * secant, by_x, by_v: 0.0 })
+        if self.has_higher || self.has_lookup { None } else { Some(self.even(at.displacement)) }
     }
 }
 
-/// Apart, so that the springs without a table do not pay for its registers.
-#[inline(always)]
-fn lookup(curve: &Curve, x: f64) -> Value {
-    curve.at(x)
+impl ParallelSpring {
+    /// The linear and the quadratic term.
+    #[inline(always)]
+    fn even(&self, x: f64) -> Response {
+        let [k1, k2, ..] = self.k;
+        let [secant, by_x] = pair(|i| k1[i] + x.abs() * k2[i]);
+        Response { force: x * secant, by_x, by_v: 0.0 }
+    }
+
+    /// All terms and the table, out of the way of the many springs that have neither.
+    #[inline(never)]
+    fn bent(&self, x: f64) -> Response {
+        let r = x.abs();
+        let [k1, k2, k3, k4] = self.k;
+        let mut from_k2 = k2;
+        if self.has_higher {
+            from_k2 = pair(|i| k2[i] + r * (k3[i] + r * k4[i]));
+        }
+        let [secant, mut by_x] = pair(|i| k1[i] + r * from_k2[i]);
+        let mut force = x * secant;
+        if self.has_lookup {
+            let value = self.lookup.at(x);
+            force += value.value;
+            by_x += value.slope;
+        }
+        Response { force, by_x, by_v: 0.0 }
+    }
 }

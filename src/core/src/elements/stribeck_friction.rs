@@ -121,6 +121,34 @@ impl Prepare for StribeckFriction {
 /// e^-40 is a hundredth of a rounding error beside 1.
 const BELOW_ROUNDING: f64 = 40.0;
 
+impl StribeckFriction {
+    /// The general form, out of the way of the other: its two powers are many times as long.
+    #[cold]
+    #[inline(never)]
+    fn full(&self, v: f64) -> Response {
+        let StribeckFriction::Full { coulomb, excess, per_stribeck, fall, per_breakaway, rise, rise_power } = *self
+        else {
+            return Response::NONE;
+        };
+        let speed = v.abs();
+        let (r, q) = (speed * per_stribeck, speed * per_breakaway);
+        let fallen = power(r, fall);
+        let bump = excess * exp_below_bound(-fallen);
+        let d_bump =
+            if speed > 0.0 { -bump * fall * fallen / speed } else { slope_at_rest(-bump * per_stribeck, fall) };
+        let risen = rise * power(q, rise_power);
+        let sign = smooth_sign(1.0, 1.0, risen);
+        let d_risen =
+            if speed > 0.0 { rise_power * risen / speed } else { slope_at_rest(rise * per_breakaway, rise_power) };
+        let level = coulomb + bump;
+        Response {
+            force: (level * sign.force).copysign(v) * if level < 0.0 { -1.0 } else { 1.0 },
+            by_x: 0.0,
+            by_v: d_bump * sign.force + level * sign.by_v * d_risen,
+        }
+    }
+}
+
 impl Force for StribeckFriction {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
@@ -135,27 +163,7 @@ impl Force for StribeckFriction {
                 }
                 near_breakaway(peak, square, coulomb, steepness, v)
             }
-            StribeckFriction::Full { coulomb, excess, per_stribeck, fall, per_breakaway, rise, rise_power } => {
-                let speed = v.abs();
-                let (r, q) = (speed * per_stribeck, speed * per_breakaway);
-                let fallen = power(r, fall);
-                let bump = excess * exp_below_bound(-fallen);
-                let d_bump =
-                    if speed > 0.0 { -bump * fall * fallen / speed } else { slope_at_rest(-bump * per_stribeck, fall) };
-                let risen = rise * power(q, rise_power);
-                let sign = smooth_sign(1.0, 1.0, risen);
-                let d_risen = if speed > 0.0 {
-                    rise_power * risen / speed
-                } else {
-                    slope_at_rest(rise * per_breakaway, rise_power)
-                };
-                let level = coulomb + bump;
-                Response {
-                    force: (level * sign.force).copysign(v) * if level < 0.0 { -1.0 } else { 1.0 },
-                    by_x: 0.0,
-                    by_v: d_bump * sign.force + level * sign.by_v * d_risen,
-                }
-            }
+            StribeckFriction::Full { .. } => self.full(v),
         }
     }
 
