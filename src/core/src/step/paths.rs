@@ -310,12 +310,18 @@ pub(super) struct Drive<'a> {
 
 /// Moves the states of both paths along the path of the driven end.
 pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, follow: &mut impl EachStage) -> Through {
+    let e = &drive.model.elements.paths;
+    let slots = e.slots();
+    let states = slots.read(state);
+    let driven = drive.path.at(0.0).v;
+    let oil_velocity = if e.has_series() { states[place::U] } else { driven };
+    let mut now = Now { states, oil_velocity, driven, ..Now::START };
     /// Elements that are on alone.
     macro_rules! compiled {
         ($($on:expr,)*) => {
-            match drive.model.elements.paths.acting() {
-                $(on if on == $on => advance_on::<{ $on }>(drive, state, output, follow),)*
-                _ => advance_on::<ANY>(drive, state, output, follow),
+            match e.acting() {
+                $(on if on == $on => advance_on::<{ $on }>(drive, &mut now, follow),)*
+                _ => advance_on::<ANY>(drive, &mut now, follow),
             }
         };
     }
@@ -334,36 +340,25 @@ pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, fol
         SERIES | SELECTIVE,
         SERIES | VALVE,
     }
-}
-
-#[inline(never)]
-fn advance_on<const ON: u32>(
-    drive: &Drive,
-    state: &mut State,
-    output: &mut Output,
-    follow: &mut impl EachStage,
-) -> Through {
-    let Drive { model, path, substeps, side, .. } = *drive;
-    let e = &model.elements.paths;
-    let part = 1.0 / substeps as f64;
-    let slots = e.slots();
-    let states = slots.read(state);
-    let start = path.at(0.0).v;
-    let oil_velocity = if e.has_series() { states[place::U] } else { start };
-    let mut now = Now { states, oil_velocity, driven: start, ..Now::START };
-    let mut theta = 0.0;
-    for left in (0..substeps).rev() {
-        let substep = Substep { elements: &model.elements, path, theta, part, ends_step: left == 0, side };
-        substep.take::<ON>(drive.method, &mut now, follow);
-        theta += part;
-    }
     slots.write(&now.states, state);
     output.primary_force = now.primary;
     output.spring_force = now.inner;
-    output.oil_temperature = side.1 + now.states[place::HEAT];
-    output.series_deflection = path.end().0 - now.states[place::X];
+    output.oil_temperature = drive.side.1 + now.states[place::HEAT];
+    output.series_deflection = drive.path.end().0 - now.states[place::X];
     let [by_x, by_v] = follow.slopes();
     Through { force: now.force, by_x, by_v }
+}
+
+#[inline(never)]
+fn advance_on<const ON: u32>(drive: &Drive, now: &mut Now, follow: &mut impl EachStage) {
+    let Drive { model, path, substeps, side, .. } = *drive;
+    let part = 1.0 / substeps as f64;
+    let mut theta = 0.0;
+    for left in (0..substeps).rev() {
+        let substep = Substep { elements: &model.elements, path, theta, part, ends_step: left == 0, side };
+        substep.take::<ON>(drive.method, now, follow);
+        theta += part;
+    }
 }
 
 /// Where the states are, and the forces there.
