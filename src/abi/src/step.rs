@@ -137,16 +137,22 @@ unsafe fn move_on(
     let to = to.cast::<State>();
     // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };
-    if from.cast() == to.cast_const() {
+    // Through a value where they are two: nothing is said about states that overlap by half, and a refused step leaves them.
+    let mut apart;
+    let state = if from.cast() == to.cast_const() {
         // SAFETY: valid and aligned by the caller's promise; one reference, since `from` is the same.
-        return computed(unsafe { step_in_place(model, &mut *to, input, dt, output) });
+        unsafe { &mut *to }
+    } else {
+        // SAFETY: valid and aligned by the caller's promise.
+        apart = unsafe { *from.cast::<State>() };
+        &mut apart
+    };
+    computed(step_in_place(model, state, input, dt, output))?;
+    if !core::ptr::eq(state, to) {
+        let reached = *state;
+        // SAFETY: valid and aligned by the caller's promise; no reference to it is left.
+        unsafe { *to = reached };
     }
-    // Through a value: nothing is said about states that overlap by half, and a refused step leaves them.
-    // SAFETY: valid and aligned by the caller's promise.
-    let mut state = unsafe { *from.cast::<State>() };
-    computed(step_in_place(model, &mut state, input, dt, output))?;
-    // SAFETY: valid and aligned by the caller's promise.
-    unsafe { *to = state };
     Ok(())
 }
 
