@@ -49,7 +49,8 @@ macro_rules! groups {
         pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
-        pub const GROUPS: &[Group] = &[
+        // A static, so that the texts are in a program once and not in each crate that looks at them.
+        pub static GROUPS: &[Group] = &[
             Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
             Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
             $(Group { name: stringify!($law), meaning: <$Law>::MEANING, parameters: <$Law>::PARAMETERS },)*
