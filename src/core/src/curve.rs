@@ -121,19 +121,17 @@ impl Curve {
     const ZERO_PIECE: Piece = Piece { u0: 0.0, f0: 0.0, above: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2] };
     const EVERYWHERE: Extent = Extent { low: -FAR, high: FAR, chord: 0.0 };
 
-    /// A curve that is zero everywhere.
-    pub const ZERO: Curve = {
-        Curve {
-            points: [[FAR; 2]; PIECES],
-            pieces: [Curve::ZERO_PIECE; PIECES],
-            extents: [Curve::EVERYWHERE; PIECES],
-            count: 0,
-            crowded: 0,
-            below: [[0; BUCKETS]; 2],
-            at_zero: 0.0,
-            low: 0.0,
-            high: 0.0,
-        }
+    /// Room for a curve: nothing may be asked of it before [`Curve::set`] or [`Curve::clear`]. All zeros, so that it takes no room in the program.
+    pub const UNSET: Curve = Curve {
+        points: [[0.0; 2]; PIECES],
+        pieces: [Curve::ZERO_PIECE; PIECES],
+        extents: [Extent { low: 0.0, high: 0.0, chord: 0.0 }; PIECES],
+        count: 0,
+        crowded: 0,
+        below: [[0; BUCKETS]; 2],
+        at_zero: 0.0,
+        low: 0.0,
+        high: 0.0,
     };
 
     /// Prepares the curve through the points (`u`, `f`).
@@ -141,7 +139,7 @@ impl Curve {
     /// # Errors
     /// As [`Curve::check`].
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<Curve, Reason> {
-        let mut curve = Curve::ZERO;
+        let mut curve = Curve::UNSET;
         curve.set(u, f, interpolation)?;
         Ok(curve)
     }
@@ -247,7 +245,7 @@ impl Curve {
         Ok(())
     }
 
-    /// Makes it [`Curve::ZERO`].
+    /// Makes it a curve that is zero everywhere.
     pub fn clear(&mut self) {
         self.points.fill([FAR; 2]);
         self.pieces.fill(Curve::ZERO_PIECE);

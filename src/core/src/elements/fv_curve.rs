@@ -66,7 +66,7 @@ impl Describe for FvCurve {
 }
 
 impl Prepare for FvCurve {
-    const OFF: Self = FvCurve(Curve::ZERO);
+    const OFF: Self = FvCurve(Curve::UNSET);
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let mut curve = Self::OFF;

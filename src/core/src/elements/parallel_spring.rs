@@ -55,7 +55,7 @@ impl Describe for ParallelSpring {
 }
 
 impl Prepare for ParallelSpring {
-    const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::ZERO, has_lookup: false };
+    const OFF: Self = ParallelSpring { k: [[0.0; 2]; 4], has_higher: false, lookup: Curve::UNSET, has_lookup: false };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let mut spring = Self::OFF;

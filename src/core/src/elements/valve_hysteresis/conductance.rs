@@ -48,8 +48,8 @@ fn exact(curve: &FvCurve, h: f64, stroke: f64) -> At {
 }
 
 impl Conductance {
-    /// Of no valve.
-    pub const NONE: Conductance = Conductance { first: 0, strokes: [[At { g: 1.0, by_h: 0.0 }; PLACES + 1]; 2] };
+    /// Room for a table: nothing may be asked of it before [`Conductance::set`]. All zeros, so that it takes no room in the program.
+    pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
     /// From the force `opens` on, which h never falls below.
     pub fn set(&mut self, curve: &FvCurve, opens: f64) {
@@ -86,7 +86,7 @@ impl Conductance {
     /// As [`Conductance::set`], by value.
     #[cfg(test)]
     fn new(curve: &FvCurve, opens: f64) -> Conductance {
-        let mut table = Conductance::NONE;
+        let mut table = Conductance::UNSET;
         table.set(curve, opens);
         table
     }

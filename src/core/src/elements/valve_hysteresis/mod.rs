@@ -134,13 +134,13 @@ impl Prepare for ValveHysteresis {
     const OFF: Self = ValveHysteresis {
         form: Form::Opening,
         play: 0.0,
-        damping: 1.0,
+        damping: 0.0,
         share: 0.0,
         middle: 0.0,
         half_width: 0.0,
-        per_width: 1.0,
-        per_time: 1.0,
-        conductance: Conductance::NONE,
+        per_width: 0.0,
+        per_time: 0.0,
+        conductance: Conductance::UNSET,
     };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
@@ -160,7 +160,7 @@ impl Prepare for ValveHysteresis {
             half_width: 0.5 * (opens - closes),
             per_width: 1.0 / p.number(own!("valve_width")),
             per_time: 1.0 / p.number(own!("valve_time")),
-            conductance: Conductance::NONE,
+            conductance: Conductance::UNSET,
         })
     }
 }
@@ -407,7 +407,7 @@ mod tests {
             half_width: 0.0,
             per_width: 1.0 / 60.0,
             per_time: 1.0 / 2e-3,
-            conductance: Conductance::NONE,
+            conductance: Conductance::UNSET,
         };
         valve.join(&curve());
         valve
