@@ -4,7 +4,7 @@
 //! number of dampers.
 
 use core::ffi::c_char;
-use core::mem::{align_of, size_of};
+use core::mem::{MaybeUninit, align_of, size_of};
 
 use dashpot_core::Model;
 
@@ -27,6 +27,10 @@ pub(crate) struct Prepared {
     magic: u64,
     model: Model,
 }
+
+/// What is in the block before it is prepared. All zeros, so that it is no table in the library.
+// SAFETY: the compiler looks whether zeros are a model when it makes the constant of them, and refuses where they are none.
+const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 
 const MAGIC: u64 = magic("model", size_of::<Model>());
 
@@ -131,7 +135,7 @@ pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *
         // it. Written before it is referred to: the caller's memory may never have been.
         unsafe {
             (&raw mut (*block).magic).write(0);
-            (&raw mut (*block).model).write(Model::OFF);
+            (&raw mut (*block).model).write(BLANK);
             (*block).model.set(params)?;
             (*block).magic = MAGIC;
         }
