@@ -308,14 +308,24 @@ impl ValveHysteresis {
             let stands = self.opened(before, from, g);
             return Late { force: self.at_opening(before, stands), stands, read: [0.0; 2] };
         }
+        let (late, now) = self.stage_by_force(curve, force, known, g, raised.get());
+        raised.set(now);
+        late
+    }
+
+    /// As [`ValveHysteresis::stage`], of a valve that stands where a force had it; apart, so that the more common one does not pay for it.
+    #[cold]
+    #[inline(never)]
+    fn stage_by_force(&self, curve: &FvCurve, force: f64, known: f64, g: f64, raised: f64) -> (Late<Dual<4>>, f64) {
+        let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
         if force.abs() < NOTHING {
-            return Late { force: before, stands: self.follows(before, from, g), read: [0.0; 2] };
+            return (Late { force: before, stands: self.follows(before, from, g), read: [0.0; 2] }, raised);
         }
         let stroke = if force < 0.0 { -1.0 } else { 1.0 };
         let steady = self.conducts(curve, force * stroke, stroke);
         // F_h is F through the valve that F_h itself moves. The more it opens the less it makes, so there is one answer:
         // Newton's steps in the logarithm of its size.
-        let mut found = force * raised.get();
+        let mut found = force * raised;
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut left = STEPS;
         loop {
@@ -345,7 +355,6 @@ impl ValveHysteresis {
             }
             // So close that the last step goes straight.
             let on = found * step;
-            raised.set((found / force).clamp(0.1, 10.0));
             let per = 1.0 / (1.0 - by_p * p.slope(0));
             let [(first, steady_by), (second, now_by)] =
                 [steady, now].map(|at| Conductance::by_raised(curve, at.g, at.h, stroke));
@@ -356,11 +365,12 @@ impl ValveHysteresis {
                 by_now * now_by * per,
             ];
             let stands = slopes.map(|s| p.slope(0) * s);
-            return Late {
+            let late = Late {
                 force: Dual::new(found + on, slopes),
                 stands: Dual::new(p.value + p.slope(0) * on, [stands[0], stands[1] + p.slope(1), stands[2], stands[3]]),
                 read: [first, second],
             };
+            return (late, (found / force).clamp(0.1, 10.0));
         }
     }
 
