@@ -9,7 +9,7 @@ use crate::input::Input;
 use crate::paths::bypass;
 use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
 use crate::paths::series::{self, Frame};
-use crate::paths::solve::{Residual, oil_velocity};
+use crate::paths::solve::{ROUNDS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
 use crate::state::State;
 
@@ -126,7 +126,7 @@ fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
     let left = |w: f64, f: f64| residual(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f);
-    oil_velocity(e, u, least, TOLERANCE, &left, &mut ()).answer()
+    oil_velocity(e, u, ROUNDS, least, TOLERANCE, &left, &mut ()).answer()
 }
 
 /// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
@@ -270,7 +270,8 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
                 through + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign
             };
             if void_moves || bypass::is_open(e) {
-                oil_velocity(e, v, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| residual(steady, w, f), &mut ()).answer()
+                oil_velocity(e, v, ROUNDS, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| residual(steady, w, f), &mut ())
+                    .answer()
             } else {
                 v
             }

@@ -5,7 +5,7 @@ use crate::curve::Value;
 
 /// Most rounds; two are common. Past [`PATIENCE`] every other one takes four tenths of what is left at least, so that the
 /// bracket has shrunk by nine orders when they end.
-const ROUNDS: usize = 96;
+pub const ROUNDS: usize = 96;
 /// Householder steps inside a piece of the FV curve: the rounds mend what they leave.
 const STEPS: usize = 2;
 
@@ -80,7 +80,7 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess, and leaves in `seen` what was found where R was looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
+/// Finds w from a guess in at most so many `rounds` ([`ROUNDS`]; in none the guess is the answer), and leaves in `seen` what was found where R was looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
 /// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
@@ -95,6 +95,7 @@ struct End {
 pub fn oil_velocity<Q: Equation>(
     e: &Paths,
     guess: f64,
+    rounds: usize,
     least: [f64; 2],
     tolerance: f64,
     equation: &Q,
@@ -115,12 +116,12 @@ pub fn oil_velocity<Q: Equation>(
         // Newton's steps shrink by their squares, so the next would be about step³/last².
         let short = r.value.abs() <= STRAIGHT * scale * by_w;
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
-        if short && (size <= tolerance * scale || settled) || round == ROUNDS {
+        if short && (size <= tolerance * scale || settled) || round == rounds {
             let inside = w + step > low.w && w + step < high.w;
             // Only where the equation's own slopes lead: where it falls, as behind a friction that falls with speed, those that
             // stand in for them have all else that goes straight on by that step thrown far off.
             let own = r.by_w + r.by_curve * curve.slope > OWN * (by_w + by_curve * curve.slope);
-            let step = if inside && own && round < ROUNDS { step } else { 0.0 };
+            let step = if inside && own && round < rounds { step } else { 0.0 };
             return Found { w, step, curve };
         }
         let here = End { w, curve: curve.value };

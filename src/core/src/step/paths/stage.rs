@@ -11,7 +11,7 @@ use crate::paths::bits::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASS
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
-use crate::paths::solve::{Equation, Residual, oil_velocity};
+use crate::paths::solve::{Equation, Found, ROUNDS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
 use core::cell::Cell;
 
@@ -158,20 +158,16 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
             standing,
             factors,
         };
+        let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
+        // So short that the mass has not moved by more than a picometre.
+        let short = 1e-9 / (g * (1e-3 + guess.abs()));
+        let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
+        // Where nothing lies between the driven end and the valves, the oil goes with it.
+        let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
+        let (from, rounds) = if is_sought { (guess, ROUNDS) } else { (path.v, 0) };
         let mut at = Look::NONE;
-        let (w, step, curve) = if acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE) {
-            let least =
-                if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
-            // So short that the mass has not moved by more than a picometre.
-            let short = 1e-9 / (g * (1e-3 + guess.abs()));
-            let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
-            let found = oil_velocity(e, guess, least, tolerance, &Stage::<ON>(e, &given), &mut at);
-            (found.w, found.step, found.curve)
-        } else {
-            let curve = e.fv_curve.at(path.v);
-            at = Look::at::<ON>(e, &given, path.v, curve.value);
-            (path.v, 0.0, curve)
-        };
+        let Found { w, step, curve } =
+            oil_velocity(e, from, rounds, least, tolerance, &Stage::<ON>(e, &given), &mut at);
         at.go::<ON>(e, g, step, curve.slope);
         let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
         PathsStage {
