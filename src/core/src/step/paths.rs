@@ -17,10 +17,10 @@ use super::tableau::{EULER, MOST_STAGES, SECOND, Tableau};
 use crate::assembly::Elements;
 use crate::input::{Path, PathPoint};
 use crate::model::Model;
-use crate::paths::acting::{acts, moves};
+use crate::paths::acting::{acts, is_for, moves};
 use crate::paths::bits::{
     AIR, ANY, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
-    VALVE,
+    SPOOL, VALVE,
 };
 use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};
@@ -319,26 +319,24 @@ pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, fol
     /// Elements that are on alone.
     macro_rules! compiled {
         ($($on:expr,)*) => {
-            match e.acting() {
-                $(on if on == $on => advance_on::<{ $on }>(drive, &mut now, follow),)*
-                _ => advance_on::<ANY>(drive, &mut now, follow),
+            match () {
+                $(() if is_for::<{ $on }>(e) => advance_on::<{ $on }>(drive, &mut now, follow),)*
+                () => advance_on::<ANY>(drive, &mut now, follow),
             }
         };
     }
     compiled! {
-        SERIES | COLUMN,
         SERIES | COLUMN | AIR,
+        SERIES | COLUMN | LENGTH,
         SERIES | CAVITATION,
         SERIES | FREE_PLAY,
         SERIES | BUSHING,
         SERIES | POSITION,
-        SERIES | FADE,
-        SERIES | FADE | HEAT,
-        SERIES | COLUMN | LENGTH,
         SERIES | GROOVE,
-        SERIES | PASSAGE,
+        SERIES | FADE | HEAT,
         SERIES | SELECTIVE,
-        SERIES | VALVE,
+        SERIES | PASSAGE,
+        SERIES | VALVE | SPOOL,
     }
     slots.write(&now.states, state);
     output.primary_force = now.primary;
