@@ -196,6 +196,14 @@ macro_rules! assembled {
                 false $(|| self.has(Place::$inner) && self.$inner.bends())*
             }
 
+            /// As [`Elements::inner`] where none of them bends ([`Elements::bends`]).
+            #[inline(always)]
+            pub fn unbent(&self, at: &Motion) -> Response {
+                let mut sum = Response::NONE;
+                $(if self.has(Place::$inner) { sum.add(self.$inner.unbent(at)); })*
+                sum
+            }
+
             /// As [`Elements::inner`] where all of them answer at once.
             #[inline(always)]
             pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {

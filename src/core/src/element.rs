@@ -117,6 +117,12 @@ pub trait Force {
     fn bends(&self) -> bool {
         false
     }
+
+    /// [`Force::force`] of one that does not.
+    #[inline(always)]
+    fn unbent(&self, at: &Motion) -> Response {
+        self.force(at)
+    }
 }
 
 /// Where the answer counts the force of an element beside the damper, besides the total.

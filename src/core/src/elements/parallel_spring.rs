@@ -99,6 +99,11 @@ impl Force for ParallelSpring {
     }
 
     #[inline(always)]
+    fn unbent(&self, at: &Motion) -> Response {
+        self.even(at.displacement)
+    }
+
+    #[inline(always)]
     fn at_once(&self, at: &Motion) -> Option<Response> {
         if self.has_higher || self.has_lookup { None } else { Some(self.even(at.displacement)) }
     }

@@ -2,7 +2,7 @@
 
 use super::cheap;
 use super::follow::{Follow, Stage};
-use super::primary::Primary;
+use super::primary::{Plain, Primary};
 use super::reach::{springs, within_reach};
 use super::tableau::{EULER, MOST_STAGES, Tableau};
 use crate::assembly::Elements;
@@ -36,8 +36,6 @@ struct Substep<'a, P> {
     side: (f64, f64),
     start: Mass,
     predicted: f64,
-    /// Whether springs on the mass bend ([`Elements::bends`]).
-    bends: bool,
     /// Of each stage: g × velocity and g × acceleration.
     gains: [[f64; 2]; MOST_STAGES],
 }
@@ -56,17 +54,17 @@ impl<P: Primary> Substep<'_, P> {
         mass
     }
 
-    /// All stages.
+    /// All stages. `MAY_BEND`: with springs that no straight line may stand for.
     #[inline(always)]
-    fn run(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+    fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
         let mut mass = self.start;
         for index in 0..method.stages {
-            mass = self.stage::<true>(method, index, follow);
+            mass = self.stage::<MAY_BEND>(method, index, follow);
         }
         mass
     }
 
-    /// One stage. `MAY_BEND`: with springs that no straight line may stand for.
+    /// One stage; `MAY_BEND` as in [`Substep::run`].
     #[inline(always)]
     fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow) -> Mass {
         let e = &self.elements.paths.series_compliance;
@@ -87,7 +85,7 @@ impl<P: Primary> Substep<'_, P> {
         let inner_at = within_reach(known_x + g * self.predicted, point.x);
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
-        let inner = self.elements.inner(&at);
+        let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.unbent(&at) };
         // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
         let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
         let inner_slope = inner.by_v + g * inner.by_x;
@@ -99,7 +97,7 @@ impl<P: Primary> Substep<'_, P> {
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
         let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
-        if MAY_BEND && self.bends && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
+        if MAY_BEND && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
             let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
             let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
             self.settle(&held, &mut balance);
@@ -219,7 +217,6 @@ impl<'a, P: Primary> Substep<'a, P> {
             side: drive.side,
             start,
             predicted: start.v,
-            bends: drive.elements.bends(),
             gains: [[0.0; 2]; MOST_STAGES],
         }
     }
@@ -251,16 +248,43 @@ pub(super) fn move_mass(
     method: &Tableau,
     drive: &Drive<impl Primary>,
     substeps: u32,
-    mut mass: Mass,
+    mass: Mass,
     follow: &mut impl Follow,
 ) -> Mass {
+    let Drive { elements, ref primary, path, side } = *drive;
     if method.stages == 1 {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
+    if elements.bends() || !primary.is_plain() {
+        return move_mass_apart(method, drive, substeps, mass, follow);
+    }
+    in_substeps::<false>(method, &Drive { elements, primary: Plain, path, side }, substeps, mass, follow)
+}
+
+/// As [`move_mass`] where springs bend or the curve fades; apart, so that others do not pay for it.
+#[inline(never)]
+fn move_mass_apart(
+    method: &Tableau,
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
+    in_substeps::<true>(method, drive, substeps, mass, follow)
+}
+
+#[inline(always)]
+fn in_substeps<const MAY_BEND: bool>(
+    method: &Tableau,
+    drive: &Drive<impl Primary>,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow,
+) -> Mass {
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new(drive, theta, part, left == 0, mass).run(method, follow);
+        mass = Substep::new(drive, theta, part, left == 0, mass).run::<MAY_BEND>(method, follow);
         theta += part;
     }
     mass
@@ -281,7 +305,7 @@ fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass,
         let (inner, inner_at) = (elements.inner(&at), at.displacement);
         let after = cheap::take(elements, &before, &to, inner_at, inner);
         if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
-            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run(&EULER, follow);
+            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run::<true>(&EULER, follow);
             from = to;
             continue;
         }

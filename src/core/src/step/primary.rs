@@ -8,6 +8,9 @@ pub(super) trait Primary: Copy {
     /// That of an element set at a temperature that the host gives.
     fn new(e: &Elements, temperature: f64) -> Self;
 
+    /// Whether it is the FV curve as it is.
+    fn is_plain(&self) -> bool;
+
     /// Force and slope at a velocity.
     fn at(&self, e: &Elements, v: f64) -> Value;
 
@@ -26,6 +29,11 @@ impl Primary for Plain {
     #[inline(always)]
     fn new(_: &Elements, _: f64) -> Plain {
         Plain
+    }
+
+    #[inline(always)]
+    fn is_plain(&self) -> bool {
+        true
     }
 
     #[inline(always)]
@@ -50,11 +58,6 @@ pub(super) struct Faded {
 }
 
 impl Faded {
-    #[inline(never)]
-    fn solve_apart(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
-        self.solve(e, a, r)
-    }
-
     #[inline(always)]
     fn of(&self, curve: Value) -> Value {
         Value { value: self.standing + self.factor * (curve.value - self.standing), slope: self.factor * curve.slope }
@@ -66,6 +69,11 @@ impl Primary for Faded {
     fn new(e: &Elements, temperature: f64) -> Faded {
         let factor: f64 = e.paths.temperature_fade.factor(temperature, 0.0);
         Faded { factor, per_factor: 1.0 / factor, standing: e.paths.fv_curve.at_zero() }
+    }
+
+    #[inline(always)]
+    fn is_plain(&self) -> bool {
+        false
     }
 
     #[inline(always)]
@@ -92,17 +100,21 @@ impl Primary for Any {
     }
 
     #[inline(always)]
+    fn is_plain(&self) -> bool {
+        self.0.is_none()
+    }
+
+    #[inline(always)]
     fn at(&self, e: &Elements, v: f64) -> Value {
         let curve = e.paths.fv_curve.at(v);
         self.0.map_or(curve, |faded| faded.of(curve))
     }
 
-    // The factor apart, so that nothing is multiplied where there is none.
     #[inline(always)]
     fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
         match &self.0 {
-            None => e.paths.fv_curve.solve::<STEPS>(a, r),
-            Some(faded) => faded.solve_apart(e, a, r),
+            None => Plain.solve(e, a, r),
+            Some(faded) => faded.solve(e, a, r),
         }
     }
 }
