@@ -457,9 +457,9 @@ impl Substep<'_> {
         let ended = if turns { Ended::VoidClosed } else { self.run_watched::<ON>(method, now, follow) };
         match ended {
             Ended::Well => (),
-            // Nothing else is compiled for it where there is no cavitation.
-            Ended::VoidClosed if acts::<ON>(&self.elements.paths, CAVITATION) => {
-                self.in_pieces::<ON>(&EULER, PIECES, now, follow)
+            // Known to the compiler, so that nothing else is compiled for it.
+            Ended::VoidClosed if const { ON & CAVITATION != 0 } => {
+                self.in_pieces::<ON>(&EULER, PIECES, now, follow);
             }
             // So rare that it is compiled once for all.
             Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&SECOND, CALM, now, follow),
@@ -469,7 +469,7 @@ impl Substep<'_> {
     /// As [`Substep::run`], watched; where pieces are taken by the same elements, by the same code.
     #[inline(always)]
     fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
-        if ON & CAVITATION != 0 {
+        if const { ON & CAVITATION != 0 } {
             self.run_apart::<ON>(method, now, true, follow)
         } else {
             self.run::<ON>(method, now, true, follow)
