@@ -160,26 +160,24 @@ macro_rules! assembled {
             pub fn on_the_mass(&self, at: &Motion) -> Response {
                 let mut sum = self.inner(at);
                 if self.carries_whole() {
-                    let behind = self.behind(at);
+                    let behind = self.outer(at);
                     sum.add(behind.friction);
                     sum.add(behind.preload);
                 }
                 sum
             }
 
-            /// Friction and preload of a damper whose series compliance carries the whole, out of the way of all others.
+            /// Friction and preload, wherever they act. Not inlined: but for the plain step, which asks each of them, it costs more to have them in
+            /// many places.
             #[inline(never)]
-            pub fn behind(&self, at: &Motion) -> Outer {
+            pub fn outer(&self, at: &Motion) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
             }
 
             /// Friction and preload beside the whole damper: nothing where they act on the mass.
             #[inline(always)]
             pub fn beside(&self, at: &Motion) -> Outer {
-                if self.carries_whole() {
-                    return Outer::NONE;
-                }
-                Outer { friction: self.friction(at), preload: self.preload(at) }
+                if self.carries_whole() { Outer::NONE } else { self.outer(at) }
             }
 
             /// Sum of the elements that always act on the internal mass.
@@ -318,7 +316,7 @@ impl Elements {
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion) {
         if self.carries_whole() {
-            let Outer { friction, preload } = self.behind(mass);
+            let Outer { friction, preload } = self.outer(mass);
             output.friction_force = friction.force;
             output.gas_force = preload.force;
             output.spring_force -= friction.force + preload.force;

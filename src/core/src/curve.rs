@@ -246,6 +246,7 @@ impl Curve {
     }
 
     /// Makes it a curve that is zero everywhere.
+    #[inline(never)]
     pub fn clear(&mut self) {
         self.points.fill([FAR; 2]);
         self.pieces.fill(Curve::ZERO_PIECE);

@@ -144,8 +144,14 @@ pub fn ln(x: f64) -> f64 {
 }
 
 /// r^p for r ≥ 0.
-#[inline(always)]
+#[inline(never)]
 pub fn power(r: f64, p: f64) -> f64 {
+    power_inlined(r, p)
+}
+
+/// As [`power`], for steps that ask for it without exception.
+#[inline(always)]
+pub fn power_inlined(r: f64, p: f64) -> f64 {
     if r < f64::MIN_POSITIVE {
         return if p == 0.0 { 1.0 } else { 0.0 };
     }

@@ -133,19 +133,21 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
         }
         return;
     }
-    if is_common(model, dt) {
-        answer::<Plain>(model, state, to, dt, output, slopes);
-    } else {
+    if !is_common(model, dt) {
         answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
+    } else if model.elements.bends() {
+        answer::<Plain, true>(model, state, to, dt, output, slopes);
+    } else {
+        answer::<Plain, false>(model, state, to, dt, output, slopes);
     }
 }
 
-/// Whether a step is one of three stages, as most are, with no spring that bends: that one is compiled for itself. All others share their code, whatever
+/// Whether a step is one of three stages, as most are: that one is compiled for itself. All others share their code, whatever
 /// their method: the stages of each written out made a third of the library and spared a twentieth of the instructions.
 #[inline(always)]
 fn is_common(model: &Model, dt: f64) -> bool {
     let of = &model.integration;
-    of.method == Method::ThreeStage && of.substeps(dt) == 1 && !model.elements.bends()
+    of.method == Method::ThreeStage && of.substeps(dt) == 1
 }
 
 /// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
@@ -153,7 +155,7 @@ fn is_common(model: &Model, dt: f64) -> bool {
 #[inline(never)]
 fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
     if is_common(model, dt) {
-        answer::<Faded>(model, state, to, dt, output, slopes);
+        answer::<Faded, false>(model, state, to, dt, output, slopes);
     } else {
         answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
     }
@@ -302,11 +304,18 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A common step with its exact slopes where they are asked for. Not inlined, so that it has the registers to itself.
+/// A common step with its exact slopes where they are asked for; `BENT`: with springs that bend. Not inlined, so that it has the registers to itself.
 #[inline(never)]
-fn answer<P: Primary>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+fn answer<P: Primary, const BENT: bool>(
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<P, _, true>(&THREE_STAGE, model, to, dt, &mut by_end, state, output);
+    advance_by::<P, _, true, BENT>(&THREE_STAGE, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -324,7 +333,7 @@ fn answer_by_table(
     slopes: bool,
 ) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<Any, _, false>(method, model, to, dt, &mut by_end, state, output);
+    advance_by::<Any, _, false, true>(method, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -335,12 +344,12 @@ fn answer_by_table(
 /// another kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = Tableau::of(model.integration.method);
-    advance_by::<Plain, _, false>(method, model, to, dt, follow, state, output);
+    advance_by::<Plain, _, false, true>(method, model, to, dt, follow, state, output);
 }
 
-/// By one method, in place. `COMMON`: where [`is_common`] says so.
+/// By one method, in place. `COMMON`: where [`is_common`] says so; springs may then bend where it is `BENT`.
 #[inline(always)]
-fn advance_by<P: Primary, F: Follow, const COMMON: bool>(
+fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
     model: &Model,
     to: &Input,
@@ -368,7 +377,7 @@ fn advance_by<P: Primary, F: Follow, const COMMON: bool>(
         let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
         let drive = Drive { elements: e, primary, path: &path, side };
         let mass = if COMMON {
-            move_mass_at_once(method, &drive, start, follow)
+            move_mass_at_once::<BENT>(method, &drive, start, follow)
         } else {
             move_mass(method, &drive, substeps, start, follow)
         };

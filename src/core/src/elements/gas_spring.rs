@@ -3,7 +3,7 @@
 use crate::element::{Memory, Motion, Prepare, Recall, Share};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::{drawn, power};
+use crate::math::{drawn, power_inlined};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
@@ -69,7 +69,7 @@ impl GasSpring {
     fn compressed(&self, x: f64) -> (f64, f64, f64) {
         let ratio = 1.0 + x * self.per_length;
         let inside = if ratio > SMALLEST { ratio } else { SMALLEST };
-        (inside, ratio - inside, power(inside, self.index - 1.0))
+        (inside, ratio - inside, power_inlined(inside, self.index - 1.0))
     }
 
     /// What z is drawn to at `x`, with its first and second slope.

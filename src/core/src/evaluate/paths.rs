@@ -108,10 +108,14 @@ fn instant(
 /// Relative change of the velocity at which it is found.
 const TOLERANCE: f64 = 1e-13;
 
-/// A residual with its slopes over the velocity of the oil and the force of the FV curve.
-fn residual(of: impl Fn(Sloped, Sloped) -> Sloped, w: f64, f: f64) -> Residual {
-    let r = of(Dual::along(w, 0), Dual::along(f, 1));
-    Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
+/// The velocity w of the oil that leaves nothing of what is `left` at it and the force of the FV curve there, from a guess.
+#[inline(never)]
+fn sought(e: &Paths, guess: f64, least: [f64; 2], left: &dyn Fn(Sloped, Sloped) -> Sloped) -> f64 {
+    let residual = |w: f64, f: f64| {
+        let r = left(Dual::along(w, 0), Dual::along(f, 1));
+        Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
+    };
+    oil_velocity(e, guess, ROUNDS, least, TOLERANCE, &residual, &mut ()).answer()
 }
 
 /// The velocity of the oil at given states.
@@ -125,8 +129,7 @@ fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     let lifted = states.map(Dual::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    let left = |w: f64, f: f64| residual(|w, f| instant(elements, &lifted, &around, w, f).residual, w, f);
-    oil_velocity(e, u, ROUNDS, least, TOLERANCE, &left, &mut ()).answer()
+    sought(e, u, least, &|w, f| instant(elements, &lifted, &around, w, f).residual)
 }
 
 /// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
@@ -269,12 +272,7 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
                 }
                 through + e.cavitation.rate(force, around.v, lifted[place::VOID]) * e.cavitation.sign
             };
-            if void_moves || bypass::is_open(e) {
-                oil_velocity(e, v, ROUNDS, [0.5, 1e-12], TOLERANCE, &|w: f64, f: f64| residual(steady, w, f), &mut ())
-                    .answer()
-            } else {
-                v
-            }
+            if void_moves || bypass::is_open(e) { sought(e, v, [0.5, 1e-12], &steady) } else { v }
         };
         if e.has_cavitation() {
             let whole = at(&states, solve(&states, false)).force.value;

@@ -30,14 +30,33 @@ pub const SLOTS: usize = {
 
 /// All rows in order, each with its group and the place of its first value.
 pub fn table() -> impl Iterator<Item = Row> {
-    let mut slot = 0;
-    GROUPS.iter().enumerate().flat_map(|(g, group)| group.parameters.iter().map(move |p| (g, p))).enumerate().map(
-        move |(index, (group, parameter))| {
-            let row = Row { index, group, slot, parameter };
-            slot += parameter.slots();
-            row
-        },
-    )
+    Rows { index: 0, group: 0, local: 0, slot: 0 }
+}
+
+/// Where [`table`] is: the row that comes next, and its place in its group.
+struct Rows {
+    index: usize,
+    group: usize,
+    local: usize,
+    slot: usize,
+}
+
+impl Iterator for Rows {
+    type Item = Row;
+
+    // Not inlined: the table is gone through in a dozen places, none of them in a hurry.
+    #[inline(never)]
+    fn next(&mut self) -> Option<Row> {
+        loop {
+            let Some(parameter) = GROUPS.get(self.group)?.parameters.get(self.local) else {
+                (self.group, self.local) = (self.group + 1, 0);
+                continue;
+            };
+            let row = Row { index: self.index, group: self.group, slot: self.slot, parameter };
+            (self.index, self.local, self.slot) = (self.index + 1, self.local + 1, self.slot + parameter.slots());
+            return Some(row);
+        }
+    }
 }
 
 /// A row of [`table`].

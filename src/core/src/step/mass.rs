@@ -41,20 +41,20 @@ struct Substep<'a, P> {
 }
 
 impl<P: Primary> Substep<'_, P> {
-    /// All stages, with springs on which a straight line holds for a stage; written out, so that the places of the stages are constants.
+    /// All stages, up to three, written out, so that their places are constants. `MAY_BEND`: with springs that no straight line may stand for.
     #[inline(always)]
-    fn written_out(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
-        let mut mass = self.stage::<false>(method, 0, follow);
+    fn written_out<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+        let mut mass = self.stage::<MAY_BEND>(method, 0, follow);
         if method.stages > 1 {
-            mass = self.stage::<false>(method, 1, follow);
+            mass = self.stage::<MAY_BEND>(method, 1, follow);
         }
         if method.stages > 2 {
-            mass = self.stage::<false>(method, 2, follow);
+            mass = self.stage::<MAY_BEND>(method, 2, follow);
         }
         mass
     }
 
-    /// All stages. `MAY_BEND`: with springs that no straight line may stand for.
+    /// All stages; `MAY_BEND` as there.
     #[inline(always)]
     fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
         let mut mass = self.start;
@@ -64,7 +64,13 @@ impl<P: Primary> Substep<'_, P> {
         mass
     }
 
-    /// One stage; `MAY_BEND` as in [`Substep::run`].
+    /// All stages with springs that may bend, once for all who ask.
+    #[inline(never)]
+    fn run_apart(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+        self.run::<true>(method, follow)
+    }
+
+    /// One stage; `MAY_BEND` as there.
     #[inline(always)]
     fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow) -> Mass {
         let e = &self.elements.paths.series_compliance;
@@ -231,15 +237,15 @@ pub(super) struct Drive<'a, P> {
     pub side: (f64, f64),
 }
 
-/// Moves the internal mass along the path in one substep by a method of up to three stages, where no spring bends.
+/// Moves the internal mass along the path in one substep by a method of up to three stages.
 #[inline(always)]
-pub(super) fn move_mass_at_once(
+pub(super) fn move_mass_at_once<const MAY_BEND: bool>(
     method: &Tableau,
     drive: &Drive<impl Primary>,
     mass: Mass,
     follow: &mut impl Follow,
 ) -> Mass {
-    Substep::new(drive, 0.0, 1.0, true, mass).written_out(method, follow)
+    Substep::new(drive, 0.0, 1.0, true, mass).written_out::<MAY_BEND>(method, follow)
 }
 
 /// Moves the internal mass along the path.
@@ -284,7 +290,8 @@ fn in_substeps<const MAY_BEND: bool>(
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
     for left in (0..substeps).rev() {
-        mass = Substep::new(drive, theta, part, left == 0, mass).run::<MAY_BEND>(method, follow);
+        let mut substep = Substep::new(drive, theta, part, left == 0, mass);
+        mass = if MAY_BEND { substep.run_apart(method, follow) } else { substep.run::<false>(method, follow) };
         theta += part;
     }
     mass
@@ -305,7 +312,7 @@ fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass,
         let (inner, inner_at) = (elements.inner(&at), at.displacement);
         let after = cheap::take(elements, &before, &to, inner_at, inner);
         if !(after.holds() && after.springs_hold(elements, &to, drive.side)) {
-            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run::<true>(&EULER, follow);
+            mass = Substep::new(drive, (sub - 1) as f64 * part, part, last, mass).run_apart(&EULER, follow);
             from = to;
             continue;
         }
