@@ -8,6 +8,7 @@ use crate::input::Input;
 use crate::model::Model;
 use crate::state::MAX_MEMORY;
 use crate::state::{Output, State};
+use paths::Beside;
 
 /// All partial derivatives of force and state rates at one instant.
 ///
@@ -61,6 +62,11 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     if !model.has_laid_out(state) {
         return force(model, &model.laid_out(state), input);
     }
+    force_with(model, state, input, Beside::Nothing)
+}
+
+/// As [`force`] of a state that is laid out, with what is asked of the paths beside it: both come of one instant.
+fn force_with(model: &Model, state: &State, input: &Input, beside: Beside) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
@@ -78,7 +84,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     };
     let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
     if e.has_paths() {
-        let through = paths::force(e, state, input);
+        let through = paths::through(e, state, input, beside);
         output.primary_force = through.primary;
         output.spring_force = through.inner;
         e.hand_out(&mut output, &at(x_m, v_m, input));
@@ -128,9 +134,8 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let mut rate = State { displacement: v, ..State::ZERO };
-    if e.has_paths() {
-        paths::rates(e, state, input, &mut rate);
-    } else if e.has_series() {
+    let output = force_with(model, state, input, Beside::Rates(&mut rate));
+    if e.has_series() && !e.has_paths() {
         let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
         let series = s.stiffness * (x - x_m) + s.damping * (v - v_m);
@@ -143,7 +148,7 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
             *rate = element.recall(&at(x, v, input), *z).rate;
         }
     });
-    (force(model, state, input), rate)
+    (output, rate)
 }
 
 /// All partials at a state.
@@ -153,11 +158,10 @@ pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
-    let output = force(model, state, input);
-    let mut p = Partials { force_by_input: [output.force_by_displacement, output.force_by_velocity], ..Partials::ZERO };
-    if e.has_paths() {
-        paths::partials(e, state, input, &mut p);
-    } else if e.has_series() {
+    let mut p = Partials::ZERO;
+    let output = force_with(model, state, input, Beside::Partials(&mut p));
+    p.force_by_input = [output.force_by_displacement, output.force_by_velocity];
+    if e.has_series() && !e.has_paths() {
         let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
         let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.at(v_m));

@@ -10,7 +10,7 @@ use crate::paths::bypass;
 use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{ROUNDS, Residual, oil_velocity};
-use crate::paths::{Paths, STATES, place};
+use crate::paths::{Paths, STATES, Slots, place};
 use crate::state::State;
 
 /// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its slopes
@@ -134,7 +134,7 @@ fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
 
 /// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
 const X: usize = STATES;
-const V: usize = STATES + 1;
+const V: usize = X + 1;
 /// Direction of the velocity of the oil, which follows from all of them: the last that is followed.
 const W: usize = DIRECTIONS - 1;
 
@@ -196,10 +196,32 @@ pub(super) struct Through {
     pub heat: f64,
 }
 
-pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
+/// What is asked at an instant beside the force.
+pub(super) enum Beside<'a> {
+    /// Nothing.
+    Nothing,
+    /// The rates of the states.
+    Rates(&'a mut State),
+    /// The slopes of force and rates.
+    Partials(&'a mut Partials),
+}
+
+pub(super) fn through(e: &Elements, state: &State, input: &Input, beside: Beside) -> Through {
     let at = At::new(e, state, input);
-    let instant = at.along([X, V, V]);
-    let [by_x, by_v, _] = instant.slopes(&instant.force);
+    // The last of the states with the input, which the force is differentiated by in any case.
+    const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
+    let instant = at.along(WITH_INPUT);
+    let [_, by_x, by_v] = instant.slopes(&instant.force);
+    match beside {
+        Beside::Nothing => (),
+        Beside::Rates(rate) => e.paths.slots().write(&instant.rates.map(Dual::value), rate),
+        Beside::Partials(p) => {
+            instant.put(WITH_INPUT, e.paths.slots(), p);
+            for places in [[0, 1, 2], [3, 4, 5], [6, 7, 8]] {
+                at.along(places).put(places, e.paths.slots(), p);
+            }
+        }
+    }
     Through {
         force: instant.force.value,
         primary: instant.primary.value,
@@ -209,31 +231,21 @@ pub(super) fn force(e: &Elements, state: &State, input: &Input) -> Through {
     }
 }
 
-/// Rates of the states.
-pub(super) fn rates(e: &Elements, state: &State, input: &Input, rate: &mut State) {
-    let instant = At::new(e, state, input).along([X, V, V]);
-    e.paths.slots().write(&instant.rates.map(Dual::value), rate);
-}
-
-/// Adds the slopes of force and rates.
-pub(super) fn partials(e: &Elements, state: &State, input: &Input, p: &mut Partials) {
-    let at = At::new(e, state, input);
-    let slots = e.paths.slots();
-    // What moves, three at a time.
-    for places in [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, X, V]] {
-        let instant = at.along(places);
-        let force = instant.slopes(&instant.force);
-        for (place, slope) in places.into_iter().zip(force) {
+impl Instant {
+    /// Puts the slopes over what stands at these places where they belong.
+    #[inline(never)]
+    fn put(&self, places: [usize; W], slots: &Slots, p: &mut Partials) {
+        for (place, slope) in places.into_iter().zip(self.slopes(&self.force)) {
             if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
                 *to = slope;
             }
         }
-        for (place, rate) in instant.rates.iter().enumerate() {
+        for (place, rate) in self.rates.iter().enumerate() {
             let Some(i) = slots.index(place) else { continue };
             let (Some(by_input), Some(by_state)) = (p.rate_by_input.get_mut(i), p.rate_by_state.get_mut(i)) else {
                 continue;
             };
-            for (moved, slope) in places.into_iter().zip(instant.slopes(rate)) {
+            for (moved, slope) in places.into_iter().zip(self.slopes(rate)) {
                 match moved {
                     X => by_input[0] = slope,
                     V => by_input[1] = slope,
