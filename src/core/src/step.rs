@@ -401,7 +401,12 @@ fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
         by_x = inner.by_x;
         by_v = inner.by_v + primary.slope;
     }
-    let (friction, preload) = (e.friction(&outer), e.preload(&outer));
+    // Where it is in most steps it stands here, elsewhere it is called.
+    let Outer { friction, preload } = if COMMON && !BENT {
+        Outer { friction: e.friction(&outer), preload: e.preload(&outer) }
+    } else {
+        e.outer(&outer)
+    };
     output.friction_force = friction.force;
     output.gas_force = preload.force;
     force += friction.force + preload.force;
