@@ -209,7 +209,7 @@ fn advance_paths_with(
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {
-        extras = advance_extras(method, e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
+        extras = advance_extras((method, substeps), e, &path, &outer, &mut state.memory, output, follow.wants_slopes());
     }
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
@@ -415,7 +415,8 @@ fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
     if e.has_beside() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum = advance_extras(method, e, &path, substeps, &outer, &mut state.memory, output, follow.wants_slopes());
+        let sum =
+            advance_extras((method, substeps), e, &path, &outer, &mut state.memory, output, follow.wants_slopes());
         force += sum.force;
         by_x += sum.by_x;
         by_v += sum.by_v;

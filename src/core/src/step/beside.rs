@@ -13,10 +13,9 @@ use crate::state::{MAX_MEMORY, Output};
 /// Apart, so that a damper without such elements does not pay for them.
 #[inline(never)]
 pub(super) fn advance_extras(
-    method: &Tableau,
+    (method, substeps): (&Tableau, u32),
     elements: &Elements,
     path: &Path,
-    substeps: u32,
     end: &Motion,
     memory: &mut [f64; MAX_MEMORY],
     output: &mut Output,

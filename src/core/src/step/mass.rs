@@ -106,7 +106,8 @@ impl<P: Primary> Substep<'_, P> {
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
         let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
-        if MAY_BEND && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
+        if MAY_BEND && self.elements.bends() && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1)
+        {
             let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
             let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
             self.settle(&held, &mut balance);
