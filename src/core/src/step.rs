@@ -142,8 +142,9 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
     }
 }
 
-/// Whether a step is one of three stages, as most are: that one is compiled for itself. All others share their code, whatever
-/// their method: the stages of each written out made a third of the library and spared a twentieth of the instructions.
+/// Whether a step is one of three stages, as most are: that one is compiled for itself. All others share what lies around their stages, and those of
+/// five stages, of springs that bend and of a curve that fades their stages too ([`mass`]): each written out, with all around it, made a third of the
+/// library.
 #[inline(always)]
 fn is_common(model: &Model, dt: f64) -> bool {
     let of = &model.integration;
