@@ -33,11 +33,11 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
                 let mut halves = [true, false]
                     .map(|rising| region(tests, residual, which, &name, &Cell { direction, band, rising }));
                 // Alike while speeding up and slowing down: one region.
-                if let [Some(up), Some(down)] = &mut halves {
-                    if (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs()) {
-                        all.push(joined(up, down));
-                        continue;
-                    }
+                if let [Some(up), Some(down)] = &mut halves
+                    && (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs())
+                {
+                    all.push(joined(up, down));
+                    continue;
                 }
                 all.extend(halves.into_iter().flatten());
             }

@@ -435,10 +435,10 @@ fn search(
             first = false;
         }
         let bend = (options.slopes == Slopes::Bent).then(|| search.bend(&x, &rows, &step)).flatten();
-        if let Some(correction) = bend.and_then(|bend| system.against(&bend, &triangle)) {
-            if length(correction.as_slice()) <= MOST_BEND * length(step.as_slice()) {
-                tried = inside(&(&step + correction));
-            }
+        if let Some(correction) = bend.and_then(|bend| system.against(&bend, &triangle))
+            && length(correction.as_slice()) <= MOST_BEND * length(step.as_slice())
+        {
+            tried = inside(&(&step + correction));
         }
         let predicted =
             0.5 * (linear.right.norm_squared() - (&linear.right + &linear.factor * &straight).norm_squared());

@@ -37,11 +37,11 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
     }
     let (zero, slope) = (anchor(&x), middle(&x, &force));
     for number in &mut to.numbers {
-        if let Free::Model(Unknown::Rise { curve: CurveName::Spring, point }) = number.free {
-            if (x[point] - x[zero]) * side > 0.0 {
-                let straight = slope * (x[point] - x[towards_zero(point, zero)]).abs();
-                number.start = number.start.min(straight).clamp(number.bounds.0, number.bounds.1);
-            }
+        if let Free::Model(Unknown::Rise { curve: CurveName::Spring, point }) = number.free
+            && (x[point] - x[zero]) * side > 0.0
+        {
+            let straight = slope * (x[point] - x[towards_zero(point, zero)]).abs();
+            number.start = number.start.min(straight).clamp(number.bounds.0, number.bounds.1);
         }
     }
 }

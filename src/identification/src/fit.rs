@@ -186,10 +186,10 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     if records.is_empty() {
         return Err(FitError::NoTests);
     }
-    if let Some(names) = &options.elements {
-        if let Some(name) = names.iter().find(|n| Element::find(n).is_err()) {
-            return Err(FitError::UnknownElement { name: name.clone() });
-        }
+    if let Some(names) = &options.elements
+        && let Some(name) = names.iter().find(|n| Element::find(n).is_err())
+    {
+        return Err(FitError::UnknownElement { name: name.clone() });
     }
     if options.family == Family::Thesis && options.elements.as_ref().is_some_and(|n| n.iter().any(|n| n == LAG.name()))
     {

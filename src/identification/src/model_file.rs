@@ -298,10 +298,10 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
             model_file::Problem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
             _ => (name_of(e.parameter).map_or(String::new(), |name| format!("{name}: ")), e.problem.text().to_owned()),
         };
-        if let model_file::Problem::Parameter(fault) = e.problem {
-            if fault.reason == dashpot_core::Reason::OutOfBounds {
-                words = format!("{words}{}", bounds(fault.parameter));
-            }
+        if let model_file::Problem::Parameter(fault) = e.problem
+            && fault.reason == dashpot_core::Reason::OutOfBounds
+        {
+            words = format!("{words}{}", bounds(fault.parameter));
         }
         if let Some(name) = model_file::name_at(text.as_bytes(), &e).map(String::from_utf8_lossy) {
             let name = name.as_ref();

@@ -34,7 +34,7 @@ pub fn usual(period: f64, count: usize) -> usize {
 /// the lead, in samples.
 pub fn places(lead: usize, count: usize) -> Vec<usize> {
     let near = (FINE * count as f64) as usize;
-    let is_taken = |k: &usize| *k + near >= lead || (lead - near - k) % COARSER == 0;
+    let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
     (0..lead + count).filter(is_taken).collect()
 }
 
@@ -77,7 +77,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
     // The cycle that would count, and those after it, at the same phases in each.
     let from = usual % count;
     let places: Vec<usize> =
-        (0..usual + (MORE + 2) * count).filter(|k| (k + count - from) % count % COARSER == 0).collect();
+        (0..usual + (MORE + 2) * count).filter(|k| ((k + count - from) % count).is_multiple_of(COARSER)).collect();
     let first = places.partition_point(|k| *k < usual);
     let in_cycle = places.len().saturating_sub(first) / (MORE + 2);
     let all = forces(model, &led_in(test, &places, usual));

@@ -133,12 +133,12 @@ fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let wanted = velocity.abs();
     let below = stroke.iter().filter(|p| speed(p) <= wanted).max_by(|a, b| speed(a).total_cmp(&speed(b)));
     let above = stroke.iter().filter(|p| speed(p) > wanted).min_by(|a, b| speed(a).total_cmp(&speed(b)));
-    if let (Some(below), Some(above)) = (below, above) {
-        if speed(above) <= BETWEEN * speed(below) {
-            let share = (wanted - speed(below)) / (speed(above) - speed(below));
-            let value_n = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
-            return Some(Value { value_n, tests: vec![below.test.clone(), above.test.clone()] });
-        }
+    if let (Some(below), Some(above)) = (below, above)
+        && speed(above) <= BETWEEN * speed(below)
+    {
+        let share = (wanted - speed(below)) / (speed(above) - speed(below));
+        let value_n = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
+        return Some(Value { value_n, tests: vec![below.test.clone(), above.test.clone()] });
     }
     let near = |p: &&&Point| (speed(p) - wanted).abs() <= NEAR * wanted;
     let nearest = below.into_iter().chain(above).filter(near);

@@ -105,11 +105,11 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     }
     let mut divided: Vec<f64> = Vec::new();
     for v in points {
-        if let Some(last) = divided.last().copied() {
-            if last >= SMALLEST {
-                let parts = (libm::log(v / last) / libm::log(WIDEST)).ceil().max(1.0);
-                divided.extend((1..parts as usize).map(|k| last * libm::pow(v / last, k as f64 / parts)));
-            }
+        if let Some(last) = divided.last().copied()
+            && last >= SMALLEST
+        {
+            let parts = (libm::log(v / last) / libm::log(WIDEST)).ceil().max(1.0);
+            divided.extend((1..parts as usize).map(|k| last * libm::pow(v / last, k as f64 / parts)));
         }
         divided.push(v);
     }

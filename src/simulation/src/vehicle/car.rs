@@ -197,7 +197,7 @@ impl Car {
     /// Place of a corner: forward and to the left of the centre of gravity, m.
     pub fn place(&self, corner: usize) -> [f64; 2] {
         let x = if corner < 2 { self.axle[0] } else { -self.axle[1] };
-        [x, if corner % 2 == 0 { 0.5 * self.track } else { -0.5 * self.track }]
+        [x, if corner.is_multiple_of(2) { 0.5 * self.track } else { -0.5 * self.track }]
     }
 
     /// Static load of a wheel, N.
