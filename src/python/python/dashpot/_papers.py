@@ -78,8 +78,8 @@ def page(
     }
 
 
-class Papers:
-    """What results can write beside their report."""
+class Tables:
+    """What results with a report of tables can write beside it."""
 
     def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
         """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as the command's ``--excel``.
@@ -87,6 +87,13 @@ class Papers:
         Parameters and errors as of :meth:`write_report`.
         """
         self._write("workbook", path, language, date, force)
+
+    def _write(self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool) -> list[pathlib.Path]:
+        raise NotImplementedError
+
+
+class Papers(Tables):
+    """The same where the report has figures too."""
 
     def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
         """Writes every figure of the report as an SVG file into a folder, which is made if missing; as the command's ``--svg``.
@@ -96,11 +103,6 @@ class Papers:
         :returns: the files, in the order of the report.
         """
         return self._write("figures", folder, language, None, force)
-
-    def _write(
-        self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
-    ) -> list[pathlib.Path]:
-        raise NotImplementedError
 
 
 def figures_alone(by: str, lost: str) -> ValueError:

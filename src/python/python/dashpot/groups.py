@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._papers import Origin, figures_alone, page
+from ._papers import Origin, Tables, figures_alone, page
 from ._result import Result, Row, folded, table
 from ._work import watched
 from .diagnosis import Findings
@@ -16,6 +16,7 @@ from .reading import Note, Unusable
 
 if TYPE_CHECKING:
     import datetime
+    import pathlib
 
     from .campaign import Path
     from .model import Model
@@ -34,7 +35,7 @@ class Group(Result):
 
 
 @dataclass(frozen=True, repr=False)
-class GroupsDiagnosis(Result):
+class GroupsDiagnosis(Tables, Result):
     """What changed in each of many dampers or settings against one reference; the JSON of ``dashpot diagnose --group``.
 
     ``found["17"]`` is what was found of the group of that name, ``list(found)`` are the names, in the order of :attr:`groups`.
@@ -83,20 +84,14 @@ class GroupsDiagnosis(Result):
         """
         self._write("report", path, language, date, force)
 
-    def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as the command's ``--excel``.
-
-        Parameters and errors as of :meth:`write_report`.
-        """
-        self._write("workbook", path, language, date, force)
-
-    def _write(self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool) -> None:
+    def _write(self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool) -> list[pathlib.Path]:
         if self._made_from is None:
             raise figures_alone("dashpot.diagnose_groups", "was pickled or made from a dictionary; diagnose again")
         found, model, origin = self._made_from
         how = page("diagnose", origin, model, language=language, date=date, force=force)
         with watched():
             _native.write_groups(what, os.fspath(path), how, found)
+        return []
 
     def __getstate__(self) -> dict[str, Any]:
         # What the compiled part holds of the answers stays in its process.
