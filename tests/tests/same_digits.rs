@@ -2,8 +2,8 @@
 //! among several by the processor, and on Windows MinGW's count on the x87, whose precision is one in the main thread and another in those started later.
 //! So all that ships takes them from crate `libm`.
 
+use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
-use std::path::{Path, PathBuf};
 
 /// What the standard library leaves to the system. Roots, rounding, remainders and fused products are exact everywhere.
 const SYSTEMS: [&str; 25] = [
@@ -13,17 +13,6 @@ const SYSTEMS: [&str; 25] = [
 
 /// These call methods of their own numbers, which carry derivatives along; the methods themselves are in files that are looked at.
 const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/motion.rs"];
-
-fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
-        match entry.file_name().and_then(|n| n.to_str()) {
-            Some("target" | "tests") => {}
-            _ if entry.is_dir() => sources(&entry, all),
-            _ if entry.extension().is_some_and(|e| e == "rs") => all.push(entry),
-            _ => {}
-        }
-    }
-}
 
 /// The system's function that a line of code calls, if it calls one.
 fn calls(line: &str) -> Option<&'static str> {
@@ -43,11 +32,12 @@ fn calls(line: &str) -> Option<&'static str> {
 
 #[test]
 fn nothing_that_ships_computes_with_the_systems_functions() {
-    let mut files = Vec::new();
-    sources(&root().join("src"), &mut files);
     let (mut looked_at, mut wrong) = (0, Vec::new());
-    for file in files {
+    for file in rust_files(&root().join("src")).unwrap() {
         let name = file.strip_prefix(root()).unwrap().display().to_string();
+        if name.contains("/tests/") {
+            continue;
+        }
         // The kernel has no standard library to take them from; its numbers with derivatives have such methods.
         if name.starts_with("src/core/") || OF_NUMBERS_WITH_DERIVATIVES.contains(&name.as_str()) {
             continue;

@@ -1,21 +1,9 @@
 //! Every block of unsafe code says why it is sound, where it stands. Clippy asks the same (`undocumented_unsafe_blocks` is denied in
 //! `Cargo.toml`); this test also runs where there is no clippy. Where the tools are there, the C interface is run with every access watched.
 
-use dashpot_test_support::skipped;
+use dashpot_test_support::{rust_files, skipped};
 use dashpot_tests::library::root;
-use std::path::{Path, PathBuf};
 use std::process::Command;
-
-fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
-        match entry.file_name().and_then(|n| n.to_str()) {
-            Some("target" | ".git" | ".venv") => {}
-            _ if entry.is_dir() => sources(&entry, all),
-            _ if entry.extension().is_some_and(|e| e == "rs") => all.push(entry),
-            _ => {}
-        }
-    }
-}
 
 /// The code of a line, without its comment.
 fn code(line: &str) -> &str {
@@ -55,7 +43,7 @@ fn without_reason(text: &str) -> Vec<usize> {
 fn every_block_of_unsafe_code_says_why_it_is_sound() {
     let mut files = Vec::new();
     for folder in ["src", "tests", "examples", "adams-usersub", "vi-crt-bridge"] {
-        sources(&root().join(folder), &mut files);
+        files.extend(rust_files(&root().join(folder)).unwrap());
     }
     let (mut blocks, mut wrong) = (0, Vec::new());
     for file in &files {

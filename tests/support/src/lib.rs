@@ -1,11 +1,13 @@
-//! What the tests of all crates share: seeds of property tests and numbers drawn from one, tests that cannot run on a machine, and where cargo puts what it builds.
+//! What the tests of all crates share: the sources, seeds of property tests and numbers drawn from one, tests that cannot run on a machine, and where cargo puts what it builds.
 
 mod built;
 mod random;
 mod seeds;
 mod skips;
+mod sources;
 
 pub use built::{profile_folder, target_folder};
 pub use random::Random;
 pub use seeds::{drawn, held};
 pub use skips::{counted, skipped};
+pub use sources::rust_files;

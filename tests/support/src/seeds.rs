@@ -1,5 +1,6 @@
 //! Seeds of property tests: other cases whenever the code has changed, and the same again on demand.
 
+use crate::sources::rust_files;
 use proptest::test_runner::{Config, RngSeed};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -58,28 +59,12 @@ fn of_the_code() -> u64 {
 fn of_sources(folders: &[PathBuf]) -> io::Result<u64> {
     let mut hasher = DefaultHasher::new();
     for folder in folders {
-        let mut files = Vec::new();
-        list(folder, &mut files)?;
-        files.sort();
-        for file in files {
+        for file in rust_files(folder)? {
             file.strip_prefix(folder).unwrap_or(&file).hash(&mut hasher);
             fs::read(&file)?.hash(&mut hasher);
         }
     }
     Ok(hasher.finish())
-}
-
-fn list(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let path = entry.path();
-        if entry.file_type()?.is_dir() {
-            list(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            files.push(path);
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -105,7 +90,7 @@ mod tests {
     fn the_sources_of_this_build_are_found() {
         let mut files = Vec::new();
         for folder in SOURCES {
-            list(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files).unwrap();
+            files.extend(rust_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap());
         }
         for source in ["core/src/step.rs", "support/src/seeds.rs"] {
             assert!(files.iter().any(|file| file.ends_with(source)), "{source} among {} files", files.len());
