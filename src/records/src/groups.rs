@@ -130,6 +130,22 @@ impl Split {
         self.notes.extend(campaign.notes);
         campaign.records
     }
+
+    /// Puts records into their groups, those of none aside. Where there is no group at all the name of the first record is given back.
+    fn sort(
+        &mut self,
+        records: Vec<Record>,
+        group_of: impl Fn(&Record) -> Option<String>,
+        groups: &mut BTreeMap<String, Vec<Record>>,
+    ) -> Result<(), String> {
+        for record in records {
+            match group_of(&record) {
+                Some(name) => groups.entry(name).or_default().push(record),
+                None => self.left_aside.push(record.name),
+            }
+        }
+        if groups.is_empty() { Err(self.left_aside.first().cloned().unwrap_or_default()) } else { Ok(()) }
+    }
 }
 
 fn by_folders(data: &[PathBuf], read: &Read<'_>) -> Result<Split, GroupError> {
@@ -150,16 +166,10 @@ fn by_folders(data: &[PathBuf], read: &Read<'_>) -> Result<Split, GroupError> {
 fn by_name(data: &[PathBuf], pattern: &str, read: &Read<'_>) -> Result<Split, GroupError> {
     let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
     let mut split = Split::default();
-    for record in split.without_records(read(data)?) {
-        match found(pattern, &record.name) {
-            Some(name) => groups.entry(name.to_owned()).or_default().push(record),
-            None => split.left_aside.push(record.name),
-        }
-    }
-    if groups.is_empty() {
-        let first = split.left_aside.first().cloned().unwrap_or_default();
-        return Err(GroupError::NoMatch { pattern: pattern.to_owned(), first });
-    }
+    let records = split.without_records(read(data)?);
+    split
+        .sort(records, |record| found(pattern, &record.name).map(str::to_owned), &mut groups)
+        .map_err(|first| GroupError::NoMatch { pattern: pattern.to_owned(), first })?;
     split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
     Ok(split)
 }
@@ -185,16 +195,9 @@ fn by_list(data: &[PathBuf], list: &GroupList, read: &Read<'_>) -> Result<Split,
     } else {
         let records = split.without_records(read(data)?);
         split.without_test = list.without_test(&records.iter().collect::<Vec<_>>());
-        for record in records {
-            match list.group_of(&record) {
-                Some(name) => groups.entry(name.to_owned()).or_default().push(record),
-                None => split.left_aside.push(record.name),
-            }
-        }
-        if groups.is_empty() {
-            let first = split.left_aside.first().cloned().unwrap_or_default();
-            return Err(GroupError::NotListed { list: list.said(), first });
-        }
+        split
+            .sort(records, |record| list.group_of(record).map(str::to_owned), &mut groups)
+            .map_err(|first| GroupError::NotListed { list: list.said(), first })?;
     }
     split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
     Ok(split)
