@@ -315,11 +315,7 @@ fn answer<P: Primary, const BENT: bool>(
     output: &mut Output,
     slopes: bool,
 ) {
-    let mut by_end = ByEnd::new(slopes);
-    advance_by::<P, _, true, BENT>(&THREE_STAGE, model, to, dt, &mut by_end, state, output);
-    if to.displacement.is_none() {
-        output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
-    }
+    answer_by::<P, true, BENT>(&THREE_STAGE, model, state, to, dt, output, slopes);
 }
 
 /// Any step, in the same way.
@@ -333,8 +329,22 @@ fn answer_by_table(
     output: &mut Output,
     slopes: bool,
 ) {
+    answer_by::<Any, false, true>(method, model, state, to, dt, output, slopes);
+}
+
+/// The answer of one way of stepping; where the host gives no displacement, its own at the end follows the velocity there.
+#[inline(always)]
+fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
+    method: &Tableau,
+    model: &Model,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<Any, _, false, true>(method, model, to, dt, &mut by_end, state, output);
+    advance_by::<P, _, COMMON, BENT>(method, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }

@@ -80,7 +80,8 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most so many `rounds` ([`ROUNDS`]; in none the guess is the answer), and leaves in `seen` what was found where R was looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
+/// Finds w from a guess in at most so many `rounds` ([`ROUNDS`]; in none the guess is the answer), and leaves in `seen` what was found where R was
+/// looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
 /// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
