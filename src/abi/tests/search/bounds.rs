@@ -87,15 +87,18 @@ fn stuck(case: &Case, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
+/// A number of a case: as it is set, or its default.
+fn number(case: &Case, name: &str) -> f64 {
+    let set = case.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
+    set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
+}
+
 /// Force of the series spring that catches the internal mass from a speed, the mass moved with it included.
 fn caught(case: &Case, speed: f64) -> f64 {
     if !case.on.contains(&"series_compliance") {
         return 0.0;
     }
-    let number = |name: &str| {
-        let set = case.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
-        set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
-    };
+    let number = |name: &str| number(case, name);
     let (mut mass, mut stiffness) = (number("internal_mass"), number("series_stiffness"));
     if case.on.contains(&"moving_mass") && number("moving_mass_place") == 1.0 {
         mass += number("moving_mass");
@@ -125,14 +128,10 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
 /// A method shifts the frequency of a mass that its steps hardly resolve. Where a heavier mass, or a softer spring at it, has the force in
 /// short steps that the case has in long ones, the case is that shift: a resonance that lies elsewhere.
 fn nearby(fine: &Case, top: f64) -> String {
-    let number = |name: &'static str| {
-        let set = fine.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
-        set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
-    };
     let with = |changes: &[(&'static str, f64)]| {
         let mut other = fine.clone();
         for (name, times) in changes {
-            let value = times * number(name);
+            let value = times * number(fine, name);
             other.values.retain(|(n, _)| n != name);
             other.values.push((name, vec![value]));
         }
