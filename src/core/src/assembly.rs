@@ -1,6 +1,6 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
-use crate::element::{Force, Memory, Motion, Prepare, Response};
+use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
 use crate::parameter::Params;
@@ -292,6 +292,17 @@ macro_rules! assembled {
             pub fn is_plain_mass(&self) -> bool {
                 const REST: u64 = Paths::MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & REST == Paths::MASS
+            }
+
+            /// As [`Elements::each_memory`], but hands on each element as what it is: a call of its own for each.
+            #[inline(always)]
+            pub fn each_own_memory(&self, visitor: &mut impl VisitMemory) {
+                let mut place = self.paths.slots().count();
+                $(if self.has(Place::$memory) {
+                    visitor.visit(place, &self.$memory);
+                    place += 1;
+                })*
+                debug_assert!(place <= MAX_MEMORY);
             }
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.

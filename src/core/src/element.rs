@@ -75,6 +75,28 @@ impl Recall {
     };
 }
 
+/// What an element with one private state has come to at the end of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried {
+    /// The state z.
+    pub memory: f64,
+    /// Force there; its slopes are those over displacement and velocity at the end of the step, what z takes of them included.
+    pub answer: Response,
+}
+
+impl Carried {
+    /// From what the element answers at the end, with the slopes of z over displacement and velocity there.
+    #[inline(always)]
+    pub fn new(memory: f64, by_end: [f64; 2], recall: &Recall) -> Carried {
+        let answer = Response {
+            force: recall.force,
+            by_x: recall.by_x + recall.by_memory * by_end[0],
+            by_v: recall.by_v + recall.by_memory * by_end[1],
+        };
+        Carried { memory, answer }
+    }
+}
+
 /// How an element is made ready from its parameters.
 pub trait Prepare: Describe + Sized {
     /// The element switched off.
@@ -157,9 +179,18 @@ pub trait Memory {
         false
     }
 
-    /// The state after the motion along a path, in closed form, with its slopes over displacement and velocity at the end (0
-    /// where no `slopes` are asked for). `None` where there is no such form: the step then integrates the rate.
-    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<(f64, [f64; 2])> {
+    /// State and force after the motion along a path, in closed form (the slopes mean nothing where no `slopes` are asked for).
+    /// `None` where there is no such form: the step then integrates the rate.
+    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<Carried>
+    where
+        Self: Sized,
+    {
         None
     }
+}
+
+/// Who is shown elements with memory one by one, each as what it is.
+pub trait VisitMemory {
+    /// The element whose state has this place.
+    fn visit<M: Memory>(&mut self, place: usize, element: &M);
 }

@@ -1,6 +1,6 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::element::{Memory, Motion, Prepare, Recall, Share};
+use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{drawn, power_inlined};
@@ -18,8 +18,10 @@ pub struct GasSpring {
     push: f64,
     /// 1/L.
     per_length: f64,
-    /// γ.
-    index: f64,
+    /// γ − 1.
+    excess: f64,
+    /// Of the powers of a small change of ξ in ξ^(γ−1), the last first: each is that of the one before, times this.
+    series: [f64; 4],
     /// 1/τ.
     per_time: f64,
 }
@@ -50,42 +52,71 @@ impl Describe for GasSpring {
 }
 
 impl Prepare for GasSpring {
-    const OFF: Self = GasSpring { push: 0.0, per_length: 0.0, index: 1.0, per_time: 0.0 };
+    const OFF: Self = GasSpring { push: 0.0, per_length: 0.0, excess: 0.0, series: [0.0; 4], per_time: 0.0 };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let (stiffness, length) = (p.number(own!("gas_stiffness")), p.number(own!("gas_length")));
+        let excess = p.number(own!("gas_adiabatic_index")) - 1.0;
         Ok(GasSpring {
             push: stiffness * length,
             per_length: 1.0 / length,
-            index: p.number(own!("gas_adiabatic_index")),
+            excess,
+            series: [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0)),
             per_time: 1.0 / p.number(own!("gas_thermal_time")),
         })
     }
 }
 
+/// The gas at one place of the rod: 1/ξ and ξ^(γ−1) of ξ held above the smallest, and how far it is below that.
+struct Gas {
+    below: f64,
+    per_inside: f64,
+    value: f64,
+}
+
+/// Up to this change of the volume its power is found from the one at the other end of the step, by a series whose next term
+/// is below 3e-11.
+const NEAR: f64 = 1.0 / 64.0;
+
 impl GasSpring {
-    /// ξ held above the smallest, what it is below that, and ξ^(γ−1).
     #[inline(always)]
-    fn compressed(&self, x: f64) -> (f64, f64, f64) {
+    fn gas(&self, x: f64) -> Gas {
         let ratio = 1.0 + x * self.per_length;
         let inside = if ratio > SMALLEST { ratio } else { SMALLEST };
-        (inside, ratio - inside, power_inlined(inside, self.index - 1.0))
+        let value = power_inlined(inside, self.excess);
+        Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// What z is drawn to at `x`, with its first and second slope.
-    fn rests(&self, x: f64) -> [f64; 3] {
-        let (inside, below, value) = self.compressed(x);
-        let per_inside = 1.0 / inside;
-        let (rest, by_x) = self.prolonged(self.index - 1.0, value, per_inside, below);
-        let bends = if below < 0.0 { 0.0 } else { (self.index - 2.0) * by_x * per_inside * self.per_length };
-        [rest - 1.0, by_x, bends]
-    }
-
-    /// A power of ξ, prolonged straight, and its slope over x, from its exponent and its value at `inside`.
+    /// [`GasSpring::rests`] at a place that is probably close to one that is known.
     #[inline(always)]
-    fn prolonged(&self, exponent: f64, value: f64, per_inside: f64, below: f64) -> (f64, f64) {
-        let slope = exponent * value * per_inside;
-        (value + slope * below, slope * self.per_length)
+    fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
+        let inside = 1.0 + x * self.per_length;
+        let change = inside * known.per_inside - 1.0;
+        // So close to the smallest volume one of them may be held above it.
+        if known.per_inside > (1.0 - NEAR) / SMALLEST || change.abs() > NEAR {
+            return self.rests(&self.gas(x));
+        }
+        let mut series = 1.0;
+        for factor in self.series {
+            series = 1.0 + factor * change * series;
+        }
+        let value = known.value * series;
+        (value, self.excess * value * self.per_length / inside)
+    }
+
+    /// What 1 + z is drawn to, ξ^(γ−1), and its slope.
+    #[inline(always)]
+    fn rests(&self, at: &Gas) -> (f64, f64) {
+        let slope = self.excess * at.value * at.per_inside;
+        (at.value + slope * at.below, slope * self.per_length)
+    }
+
+    /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its slope.
+    #[inline(always)]
+    fn pressure(&self, at: &Gas) -> (f64, f64) {
+        let value = at.per_inside / at.value;
+        let slope = -(self.excess + 1.0) * value * at.per_inside;
+        (value + slope * at.below, slope * self.per_length)
     }
 }
 
@@ -95,11 +126,9 @@ impl Memory for GasSpring {
     }
 
     fn recall(&self, at: &Motion, z: f64) -> Recall {
-        let (inside, below, value) = self.compressed(at.displacement);
-        let per_inside = 1.0 / inside;
-        let (isothermal, isothermal_by_x) = self.prolonged(self.index - 1.0, value, per_inside, below);
-        // ξ^−γ = 1/(ξ ξ^(γ−1))
-        let (pressure, pressure_by_x) = self.prolonged(-self.index, per_inside / value, per_inside, below);
+        let gas = self.gas(at.displacement);
+        let (isothermal, isothermal_by_x) = self.rests(&gas);
+        let (pressure, pressure_by_x) = self.pressure(&gas);
         Recall {
             force: self.push * (1.0 - (1.0 + z) * pressure),
             by_x: -self.push * (1.0 + z) * pressure_by_x,
@@ -112,23 +141,63 @@ impl Memory for GasSpring {
     }
 
     fn settled(&self, at: &Motion) -> f64 {
-        self.rests(at.displacement)[0]
+        self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
     /// Exact but for the terms beyond the cubic of what it is drawn to on the way.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<(f64, [f64; 2])> {
+    #[inline(always)]
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Carried> {
         let h = path.length();
         let (kept, takes) = drawn(h * self.per_time);
         let ((x0, v0), (x1, v1)) = (path.start(), path.end());
-        let ([from, from_by_x, _], [to, to_by_x, to_bends]) = (self.rests(x0), self.rests(x1));
-        // From both ends' values and slopes, as the path itself.
-        let after = |to: f64, start: f64, end: f64| {
-            takes[1] * start + takes[2] * (3.0 * to - 2.0 * start - end) + takes[3] * (start + end - 2.0 * to)
-        };
-        let end = kept * z + takes[0] * from + after(to - from, h * v0 * from_by_x, h * v1 * to_by_x);
-        if !slopes {
-            return Some((end, [0.0; 2]));
+        let gas = self.gas(x1);
+        let ((to, to_by_x), (from, from_by_x)) = (self.rests(&gas), self.rests_near(&gas, x0));
+        // From both ends' values and slopes, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
+        // difference d and the slopes s and e over the step.
+        let [_, first, second, third] = takes;
+        let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
+        let of_start = first - second + of_end;
+        let slopes_take = of_start * v0 * from_by_x + of_end * v1 * to_by_x;
+        let end = kept * z + takes[0] * (from - 1.0) + of_change * (to - from) + h * slopes_take;
+        let (pressure, pressure_by_x) = self.pressure(&gas);
+        let (pushes, by_end) = (self.push * (1.0 + end), -self.push * pressure);
+        let mut answer = Response { force: self.push - pushes * pressure, by_x: -pushes * pressure_by_x, by_v: 0.0 };
+        if slopes {
+            let bends =
+                if gas.below < 0.0 { 0.0 } else { (self.excess - 1.0) * to_by_x * gas.per_inside * self.per_length };
+            answer.by_x += by_end * (of_change * to_by_x + of_end * h * v1 * bends);
+            answer.by_v += by_end * of_end * h * to_by_x;
         }
-        Some((end, [after(to_by_x, 0.0, h * v1 * to_bends), after(0.0, 0.0, h * to_by_x)]))
+        Some(Carried { memory: end, answer })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_change_of_volume_is_as_exact_as_a_power() {
+        for excess in [0.01, 0.1, 0.3, 0.4, 0.67] {
+            let series = [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0));
+            let spring = GasSpring { push: 1.0, per_length: 2.5, excess, series, per_time: 1.0 };
+            // Volumes from far below the smallest to the fourfold, and changes on both sides of what is near.
+            for volume in [-0.5, 0.0, 0.049, 0.05, 0.0503, 0.0508, 0.051, 0.06, 0.3, 1.0, 4.0] {
+                for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
+                    let place = |volume: f64| (volume - 1.0) / spring.per_length;
+                    let x = place(volume + change * f64::max(volume, 0.05));
+                    let (value, slope) = spring.rests_near(&spring.gas(place(volume)), x);
+                    let (want, want_slope) = spring.rests(&spring.gas(x));
+                    assert!(
+                        (value - want).abs() < 3.1e-11 * want.abs().max(1.0),
+                        "{excess}: {volume}, {change}: {value}, {want}"
+                    );
+                    assert!(
+                        (slope - want_slope).abs() < 1e-10 * want_slope.abs().max(1.0),
+                        "{excess}: {volume}, {change}: slope"
+                    );
+                }
+            }
+        }
     }
 }

@@ -2,10 +2,10 @@
 //! passage, which the piston has to speed up.
 
 use crate::dual::Dual;
-use crate::element::{Memory, Motion, Prepare, Recall};
+use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::drawn;
+use crate::math::{drawn, pair};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
@@ -86,15 +86,21 @@ impl Memory for MovingMass {
     }
 
     /// Exact: the velocity that draws it is a polynomial of second order.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<(f64, [f64; 2])> {
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Carried> {
         let (kept, takes) = drawn(path.length() * self.per_time);
         let (x1, v1) = path.end();
         let after = |p: [f64; 3]| takes[0] * p[0] + takes[1] * p[1] + takes[2] * p[2];
         let end = kept * z + after(path.velocity(x1, v1));
-        if !slopes {
-            return Some((end, [0.0; 2]));
+        let mut by_end = [0.0; 2];
+        if slopes {
+            let by = path.velocity(Dual::<2>::along(x1, 0), Dual::along(v1, 1));
+            by_end = pair(|k| after(by.map(|p| p.slopes[k])));
         }
-        let by = path.velocity(Dual::<2>::along(x1, 0), Dual::along(v1, 1));
-        Some((end, [0, 1].map(|k| after(by.map(|p| p.slopes[k])))))
+        let answer = Response {
+            force: self.damping * (v1 - end),
+            by_x: -self.damping * by_end[0],
+            by_v: self.damping - self.damping * by_end[1],
+        };
+        Some(Carried { memory: end, answer })
     }
 }

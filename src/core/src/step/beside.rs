@@ -2,7 +2,7 @@
 
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::assembly::Elements;
-use crate::element::{Memory, Motion, Response};
+use crate::element::{Carried, Memory, Motion, Response, VisitMemory};
 use crate::input::Path;
 use crate::math::pair;
 use crate::state::{MAX_MEMORY, Output};
@@ -21,23 +21,40 @@ pub(super) fn advance_extras(
     output: &mut Output,
     slopes: bool,
 ) -> Response {
-    let mut sum = elements.stops(end);
+    let sum = elements.stops(end);
     output.stop_force = sum.force;
-    elements.each_memory(|place, element| {
-        let Some(slot) = memory.get_mut(place) else {
+    let mut extras = Extras { method, substeps, path, end, memory, output, slopes, sum };
+    elements.each_own_memory(&mut extras);
+    extras.sum
+}
+
+/// The elements with memory of one step.
+struct Extras<'a> {
+    method: &'a Tableau,
+    substeps: u32,
+    path: &'a Path,
+    end: &'a Motion,
+    memory: &'a mut [f64; MAX_MEMORY],
+    output: &'a mut Output,
+    slopes: bool,
+    sum: Response,
+}
+
+impl VisitMemory for Extras<'_> {
+    #[inline(always)]
+    fn visit<M: Memory>(&mut self, place: usize, element: &M) {
+        let Some(slot) = self.memory.get_mut(place) else {
             return;
         };
-        let (z, by_end) = element.carried(path, *slot, slopes).unwrap_or_else(|| {
-            advance_memory(method, substeps, element, *slot, path, slopes, (end.side_force, end.temperature))
+        let Carried { memory: z, answer } = element.carried(self.path, *slot, self.slopes).unwrap_or_else(|| {
+            let side = (self.end.side_force, self.end.temperature);
+            let (z, by_end) = advance_memory(self.method, self.substeps, element, *slot, self.path, self.slopes, side);
+            Carried::new(z, by_end, &element.recall(self.end, z))
         });
         *slot = z;
-        let recall = element.recall(end, z);
-        output.count(element.share(), recall.force);
-        sum.force += recall.force;
-        sum.by_x += recall.by_x + recall.by_memory * by_end[0];
-        sum.by_v += recall.by_v + recall.by_memory * by_end[1];
-    });
-    sum
+        self.output.count(element.share(), answer.force);
+        self.sum.add(answer);
+    }
 }
 
 /// Advances one element's private state, driven by the known input motion.
