@@ -175,6 +175,7 @@ impl Memory for GasSpring {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::Input;
 
     #[test]
     fn a_small_change_of_volume_is_as_exact_as_a_power() {
@@ -198,6 +199,27 @@ mod tests {
                     );
                 }
             }
+        }
+    }
+
+    #[test]
+    fn slopes_of_a_step_are_those_of_differences() {
+        // The gas takes the temperature of its wall within the step, and the rod goes through a third of its volume.
+        let excess = 0.6;
+        let series = [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0));
+        let spring = GasSpring { push: 100.0, per_length: 2.5, excess, series, per_time: 300.0 };
+        let (v0, dt, z) = (-20.0, 5e-3, 0.1);
+        let carried = |x1: f64, v1: f64| {
+            let path = Path::new(0.0, v0, &Input::motion(x1, v1), dt);
+            spring.carried(&path, z, true).unwrap()
+        };
+        for (x1, v1) in [(-0.13, -40.0), (-0.002, 30.0), (0.05, 3.0)] {
+            let answer = carried(x1, v1).answer;
+            let (dx, dv) = (1e-6, 1e-3);
+            let by_x = (carried(x1 + dx, v1).answer.force - carried(x1 - dx, v1).answer.force) / (2.0 * dx);
+            let by_v = (carried(x1, v1 + dv).answer.force - carried(x1, v1 - dv).answer.force) / (2.0 * dv);
+            assert!((answer.by_x - by_x).abs() < 1e-6 * by_x.abs(), "{x1} {v1}: {} {by_x}", answer.by_x);
+            assert!((answer.by_v - by_v).abs() < 1e-6 * by_v.abs(), "{x1} {v1}: {} {by_v}", answer.by_v);
         }
     }
 }
