@@ -328,4 +328,47 @@ mod tests {
         // Rounding tells that both ways were taken.
         assert!(one_way > 20, "{one_way}");
     }
+
+    #[test]
+    fn a_step_that_turns_inside_is_its_pieces_after_each_other() {
+        let contact = PreslidingFriction {
+            stiffness: 1.0,
+            length: 3e-4,
+            per_length: 1.0 / 3e-4,
+            power: 0.0,
+            returns_elastically: false,
+            creep_squared: 1e-18,
+        };
+        let dt = 1e-3;
+        let carried = |path: &Path, bent: f64| {
+            let (x1, v1) = path.end();
+            contact.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), bent)
+        };
+        let mut turns_seen = [0; 3];
+        // From start to end in m, and the velocities there: no turn, one, and there and back again.
+        for (x1, v0, v1) in
+            [(2e-4, 0.1, 0.3), (1e-4, 0.7, -0.4), (-2e-4, 0.5, -0.9), (0.0, 0.4, 0.4), (1e-4, -0.6, -0.5)]
+        {
+            for bent in [-0.8, 0.0, 0.6] {
+                let path = Path::new(0.0, v0, &Input::motion(x1, v1), dt);
+                let whole = carried(&path, bent);
+                let (mut pieces, mut turns) = (bent, 0);
+                let n = 500;
+                for i in 0..n {
+                    let (from, to) = (path.at(f64::from(i) / f64::from(n)), path.at(f64::from(i + 1) / f64::from(n)));
+                    turns += usize::from(from.v * to.v < 0.0);
+                    let piece = Path::new(from.x, from.v, &Input::motion(to.x, to.v), dt / f64::from(n));
+                    pieces = carried(&piece, pieces).value;
+                }
+                turns_seen[turns] += 1;
+                assert!((whole.value - pieces).abs() < 1e-10, "{x1} {v0} {v1} {bent}: {} {pieces}", whole.value);
+                let at = |x1: f64, v1: f64| carried(&Path::new(0.0, v0, &Input::motion(x1, v1), dt), bent).value;
+                let by_x = (at(x1 + 1e-8, v1) - at(x1 - 1e-8, v1)) / 2e-8;
+                let by_v = (at(x1, v1 + 1e-5) - at(x1, v1 - 1e-5)) / 2e-5;
+                assert!((whole.slopes[0] - by_x).abs() < 1e-5 * by_x.abs().max(1.0), "{x1} {v0} {v1} {bent}: {by_x}");
+                assert!((whole.slopes[1] - by_v).abs() < 1e-5 * by_v.abs().max(1.0), "{x1} {v0} {v1} {bent}: {by_v}");
+            }
+        }
+        assert!(turns_seen.iter().all(|seen| *seen > 0), "{turns_seen:?}");
+    }
 }
