@@ -64,7 +64,10 @@ def test_a_run_folder(command: Command, beside: Path) -> None:
     command("export", "adams", "front.toml", "-o", "c ready", "--for-step", "0.005")
     model.export_adams("p ready", for_step=0.005)
     same_folder("p ready", "c ready")
-    for wrong, words in [(412.5, "no damper is 412.5 m long.*a number alone is in m"), ("0.4mm", "0.4 mm long"), ("412,5", "decimal comma")]:
+    lengths: list[tuple[float | str, str]] = [
+        (412.5, "no damper is 412.5 m long.*a number alone is in m"), ("0.4mm", "0.4 mm long"), ("412,5", "decimal comma")
+    ]  # fmt: skip
+    for wrong, words in lengths:
         with pytest.raises(dashpot.ExportError, match=words):
             model.export_adams("never", length=wrong)
     with pytest.raises(dashpot.ExportError, match="^wheel_mass is in kg"):

@@ -66,7 +66,7 @@ def test_an_fmu_that_cannot_be(beside: Path) -> None:
     model = dashpot.Model.read("front.toml")
     for wrong in ({"four": True}, {"motion_scale": 1.0}, {"force_scale": 1.0}, {"position_offset": 0.1}):
         with pytest.raises(ValueError, match="^carmaker sets signs, units and zero"):
-            model.export_fmu("never.fmu", carmaker=0.4, **wrong)  # type: ignore[arg-type]
+            model.export_fmu("never.fmu", carmaker=0.4, **wrong)
     with pytest.raises(ValueError, match="^model_curve chooses"):
         model.export_fmu("never.fmu", model_curve=True)
     with pytest.raises(dashpot.ExportError, match="^carmaker takes one model"):
@@ -176,8 +176,8 @@ def test_a_rig_that_cannot_be(command: Command, records: Path, beside: Path) -> 
         dashpot.measure_virtual("never", hide={"free_play": 2.0}, severity=True, noise_percent=0)
     for wrong in ({"plan": "thesis", "matrix": "tests.csv"}, {"plan": "thesis", "slow_tests": False}, {"matrix": "tests.csv", "amplitudes_m": [0.01]}):
         with pytest.raises(ValueError, match="exclude each other; give one"):
-            dashpot.measure_virtual("never", **wrong)  # type: ignore[arg-type]
+            dashpot.measure_virtual("never", **wrong)
     for alone in ({"order": 3}, {"start_temperature_c": 30.0}, {"severity": True}):
         with pytest.raises(ValueError, match="is of a damper in which effects are hidden"):
-            dashpot.measure_virtual("never", **alone)  # type: ignore[arg-type]
+            dashpot.measure_virtual("never", **alone)
     assert not Path("never").exists()

@@ -86,7 +86,7 @@ def rows(path: Path) -> list[dict[str, Any]]:
 
 
 def test_one_worker_and_two_make_the_same_bytes(campaigns: Path, tmp_path: Path) -> None:
-    common = [campaigns, "--family", "fv", "--chunk", "3", "--quiet"]
+    common: list[str | Path] = [campaigns, "--family", "fv", "--chunk", "3", "--quiet"]
     run(*common, "--workers", "1", "--out", tmp_path / "one.parquet")
     run(*common, "--workers", "2", "--out", tmp_path / "two.parquet")
     assert (tmp_path / "one.parquet").read_bytes() == (tmp_path / "two.parquet").read_bytes()
@@ -182,7 +182,7 @@ def kill(process: subprocess.Popen[str]) -> None:
 
 
 def test_a_run_that_is_killed_goes_on_where_it_was(campaigns: Path, cluster: list[str], tmp_path: Path) -> None:
-    arguments = [campaigns, "--family", "fv", "--chunk", "1", "--workers", "2"]
+    arguments: list[str | Path] = [campaigns, "--family", "fv", "--chunk", "1", "--workers", "2"]
     whole, out = tmp_path / "whole.parquet", tmp_path / "killed.parquet"
     run(*arguments[:-2], *cluster, "--out", whole, "--quiet")
     parts = tmp_path / "killed.parquet.parts"
@@ -210,7 +210,7 @@ def test_a_changed_record_is_done_again_and_nothing_else(campaigns: Path, cluste
     folder = tmp_path / "two"
     for k in range(2):
         shutil.copytree(campaigns.parent / f"d{k:05d}", folder / f"d{k}")
-    arguments = [folder, "--family", "fv", "--out", tmp_path / "t.parquet", *cluster]
+    arguments: list[str | Path] = [folder, "--family", "fv", "--out", tmp_path / "t.parquet", *cluster]
     run(*arguments)
     first = rows(tmp_path / "t.parquet")
     shutil.rmtree(folder / "d1")
@@ -285,7 +285,7 @@ def test_a_passing_fault_is_tried_again(campaigns: Path, monkeypatch: pytest.Mon
 
 
 def test_a_second_run_on_the_same_table_is_refused(campaigns: Path, tmp_path: Path) -> None:
-    arguments = [campaigns, "--elements", ELEMENTS, "--workers", "1", "--out", tmp_path / "t.parquet"]
+    arguments: list[str | Path] = [campaigns, "--elements", ELEMENTS, "--workers", "1", "--out", tmp_path / "t.parquet"]
     first = start(*arguments)
     while not (tmp_path / "t.parquet.parts" / "lock").exists() and first.poll() is None:
         time.sleep(0.01)
@@ -300,12 +300,13 @@ def test_what_cannot_be_is_said(campaigns: Path, tmp_path: Path) -> None:
     (tmp_path / "table.csv").write_text("a,b\n1,2\n")
     (tmp_path / "list.csv").write_text("campaign,date\nx,yesterday\n")
     limits = tmp_path / "limits.csv"
-    for arguments, words in [
+    refused: list[tuple[list[str | Path], str]] = [
         ([tmp_path / "nowhere", "--out", tmp_path / "o.parquet"], "no such file"),
         ([campaigns, "--out", tmp_path / "table.csv"], "no Parquet file"),
         ([campaigns, "--out", tmp_path / "no" / "o.parquet"], "make it first"),
         ([tmp_path / "list.csv", "--out", tmp_path / "o.parquet"], "line 2: 'yesterday' is no date"),
-    ]:
+    ]
+    for arguments, words in refused:
         process = start(*arguments)
         _, err = process.communicate(timeout=60)
         assert process.returncode == 2 and words in err and "Traceback" not in err, err
@@ -453,7 +454,7 @@ GROWTH = 30
 @pytest.mark.skipif(os.environ.get("DASHPOT_LONG") is None, reason="1200 campaigns: DASHPOT_LONG is not set")
 def test_memory_does_not_grow_with_the_fleet(tmp_path: Path) -> None:
     sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
-    from fleet import measured
+    from fleet import measured  # type: ignore[import-not-found]
 
     fleet(tmp_path, 1000)
     lines = (tmp_path / "fleet.csv").read_text().splitlines()
@@ -590,7 +591,8 @@ class TestJobs:
         with pytest.raises(dashpot.RecordError, match="listed already"):
             find_jobs([two / "list.csv", two / "other.csv"])
         # A folder says nothing of its damper that a list could contradict.
-        for paths in ([two / "list.csv", two / "d0", f"{two}/d0/"], [two / "d0", two / "list.csv"]):
+        both: tuple[list[str | Path], ...] = ([two / "list.csv", two / "d0", f"{two}/d0/"], [two / "d0", two / "list.csv"])
+        for paths in both:
             assert [j.serial for j in find_jobs(paths)] == ["S0"]
 
 

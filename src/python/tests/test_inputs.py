@@ -42,7 +42,7 @@ def test_any_array_of_real_numbers_is_a_channel() -> None:
     for velocity in ([0, 1, 0], np.array([0, 1, 0], dtype=np.int8), wide[:3, 0] + [0, 1, 0]):
         many.state = np.zeros((3, 14))
         forces = many.step(velocity, 1e-3)
-        assert forces[1] > forces[0] == forces[2]  # type: ignore[index]
+        assert forces[1] > forces[0] == forces[2]
 
 
 def test_series_of_pandas_are_channels() -> None:
@@ -90,7 +90,7 @@ def test_dampers_say_what_they_take() -> None:
         ({"velocity": 0.1, "out": [0.0, 0.0, 0.0]}, "out must be"),
     ]:  # fmt: skip
         with pytest.raises((TypeError, ValueError), match=words):
-            many.step(dt=1e-3, **arguments)  # type: ignore[call-overload]
+            many.step(dt=1e-3, **arguments)  # type: ignore[arg-type]
     assert np.array_equal(many.state, kept)
     with pytest.raises(TypeError, match=r"made of a dashpot.Model, not of a str"):
         dashpot.Damper("damper.toml")  # type: ignore[arg-type]
@@ -100,7 +100,7 @@ def test_paths_and_results_in_each_others_place_are_told_apart(own: dashpot.Camp
     model = damper()
     for call in (
         lambda: dashpot.fit("campaign/"),  # type: ignore[arg-type]
-        lambda: model.validate(Path("campaign")),  # type: ignore[arg-type]
+        lambda: model.validate(Path("campaign")),  # type: ignore[call-overload]
         lambda: dashpot.diagnose(model, own, "good/"),  # type: ignore[arg-type]
     ):
         with pytest.raises(TypeError, match=r"is a dashpot.Campaign, not a .*; dashpot.Campaign.read\(path\) reads one"):
@@ -198,7 +198,9 @@ def test_names_of_tests_are_shown_as_they_stand(own: dashpot.Campaign, tmp_path:
     legend = drawn.get_legend()
     assert legend is not None and len(legend.get_texts()) == len(campaign)
     for axes in (drawn, plot.errors(validation), plot.loop(validation, campaign, "price $5^$")):
-        axes.figure.savefig(io.BytesIO())
+        figure = axes.get_figure(root=True)
+        assert figure is not None
+        figure.savefig(io.BytesIO())
 
 
 def test_complex_numbers_are_refused(own: dashpot.Campaign) -> None:

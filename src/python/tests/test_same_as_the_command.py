@@ -6,7 +6,9 @@ import datetime
 import json
 import pickle
 import shutil
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -94,13 +96,14 @@ def test_the_file_of_a_model_of_the_literature(command: Command, campaign: dashp
         dashpot.Model.read(path)
     with pytest.raises(ValueError, match=r"kept by dashpot\.fit_literature alone"):
         dashpot.LiteratureModel.from_dict(kwok.to_dict()).write(path)
-    for refused, words in [
+    calls: list[tuple[Callable[[], object], str]] = [
         (lambda: dashpot.fit_literature(campaign, "maxwell"), '^there is no model of the literature "maxwell"; there are surface, dahl, bouc-wen, spencer, kwok, network$'),
         (lambda: dashpot.fit_literature(campaign, "lag"), r'dashpot\.fit\(campaign, family="lag"\)$'),
         (lambda: dashpot.fit_literature(campaign, "dahl", hold_out="*"), "^hold_out leaves no test to fit"),
         (lambda: dashpot.fit(campaign, family="dahl"), r'dashpot\.fit_literature\(campaign, "dahl"\)$'),
         (lambda: dashpot.fit(campaign, family="maxwell"), '^there is no family "maxwell"; there are thesis, fv, piecewise, lag$'),
-    ]:
+    ]
+    for refused, words in calls:
         with pytest.raises(dashpot.FitError, match=words):
             refused()
 
@@ -307,7 +310,7 @@ def test_papers_take_no_other_files_place(command: Command, beside: Path) -> Non
 @pytest.mark.parametrize("known", ["displacement", "velocity", "both"])
 def test_simulate(command: Command, model: dashpot.FittedModel, known: str) -> None:
     t = np.linspace(0, 1, 501)
-    motion = {"displacement": 0.02 * np.sin(9 * t), "velocity": 0.18 * np.cos(9 * t)}
+    motion: dict[str, Any] = {"displacement": 0.02 * np.sin(9 * t), "velocity": 0.18 * np.cos(9 * t)}
     if known != "both":
         motion = {known: motion[known]}
     heads = {"displacement": "displacement_m", "velocity": "velocity_m_s"}

@@ -123,7 +123,7 @@ def test_a_long_motion_tells_its_progress() -> None:
     damper().simulate([0, 1], [0, 0.01], step=1e-5, progress=lambda d, t: told.append((d, t)))
     assert len(told) > 3 and told == sorted(told) and {text for _, text in told} == {"simulating"}
     with pytest.raises(KeyError):
-        damper().simulate([0, 1], [0, 0.01], progress=lambda d, t: {}[t])
+        damper().simulate([0, 1], [0, 0.01], progress=lambda d, t: {"never": 0}[t])
 
 
 def test_an_exception_of_the_progress_function_stops_it(own: dashpot.Campaign) -> None:
