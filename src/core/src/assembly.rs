@@ -294,7 +294,7 @@ macro_rules! assembled {
                 self.on & REST == Paths::MASS
             }
 
-            /// As [`Elements::each_memory`], but hands on each element as what it is: a call of its own for each.
+            /// As [`Elements::each_memory`], each as what it is, by code of its own.
             #[inline(always)]
             pub fn each_own_memory(&self, visitor: &mut impl VisitMemory) {
                 let mut place = self.paths.slots().count();
@@ -307,19 +307,24 @@ macro_rules! assembled {
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
-            pub fn each_memory(&self, mut visit: impl FnMut(usize, &dyn Memory)) {
-                let mut place = self.paths.slots().count();
-                $(if self.has(Place::$memory) {
-                    visit(place, &self.$memory);
-                    place += 1;
-                })*
-                debug_assert!(place <= MAX_MEMORY);
+            pub fn each_memory(&self, visit: impl FnMut(usize, &dyn Memory)) {
+                self.each_own_memory(&mut Shown(visit));
             }
         }
     };
 }
 
 each_element!(assembled);
+
+/// Shows elements with memory as any.
+struct Shown<F>(F);
+
+impl<F: FnMut(usize, &dyn Memory)> VisitMemory for Shown<F> {
+    #[inline(always)]
+    fn visit<M: Memory>(&mut self, place: usize, element: &M) {
+        (self.0)(place, element);
+    }
+}
 
 impl Elements {
     /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where they
