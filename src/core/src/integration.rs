@@ -33,6 +33,8 @@ const SPOOL: f64 = 12.0;
 /// The mean slope of the FV curve, N s/m over √(k_s m) in the same unit, at which the mass swings back as that of the default
 /// damper does.
 const SLACK: f64 = 0.94;
+/// Speeds, as shares of the FV curve's range, from which its damping of a swinging mass is taken.
+const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// The automatic choice for the mass behind a straight spring: n² ≥ `EVEN` f L^1.6 for the method of three stages and
 /// n³ ≥ `CUBIC` L f² for that of four, where f is the frequency times the step and L how far the mass swings. Measured over
 /// masses of 0.1 to 2 kg, springs of 0.3 to 30 MN/m and curves of 0.3 to 3 times the default one (the error is below a thousandth
@@ -119,19 +121,13 @@ impl Integration {
             Bends::Little if !acting::is_sharp(&elements.paths) => 1.0,
             _ => 2.0,
         };
-        Integration::new(method, substeps, 0.4 * sharpness * frequency, 0.25 * frequency)
+        let swings = swings(elements, stiffness * mass).max(1.0);
+        Integration::new(method, substeps, EVEN * sharpness * frequency * libm::pow(swings, 1.6), 0.25 * frequency)
     }
 
     /// The cheapest that keeps the error of a 1 ms step below a thousandth. `impedance` is k_s m.
     fn automatic(elements: &Elements, frequency: f64, impedance: f64) -> Integration {
-        let (low, high) = elements.paths.fv_curve.range();
-        let at = |u: f64| elements.paths.fv_curve.at(u).value;
-        let mean = |from: f64, to: f64| if to > from { (at(to) - at(from)) / (to - from) } else { f64::INFINITY };
-        let (compression, rebound) = (mean(low, 0.0), mean(0.0, high));
-        let damping = if compression < rebound { compression } else { rebound };
-        // Without a curve nothing damps the mass.
-        let damping = if damping < f64::INFINITY { damping.max(1e-3) } else { 1e-3 };
-        let swings = (SLACK * libm::sqrt(impedance) / damping).clamp(0.25, 10.0);
+        let swings = swings(elements, impedance);
         // What bends the force does so as sharply where the mass does not swing.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
@@ -190,4 +186,26 @@ impl Integration {
         }
         n
     }
+}
+
+/// How far the mass swings back behind a straight spring, L. `impedance` is k_s m.
+///
+/// What damps it is the FV curve at the speeds that it swings with, small or large: the least of the mean slopes from rest to shares of
+/// the curve's range. That to the whole range alone takes a curve that is level about rest for one that damps there.
+fn swings(elements: &Elements, impedance: f64) -> f64 {
+    let curve = &elements.paths.fv_curve;
+    let (low, high) = curve.range();
+    let at_rest = curve.at(0.0).value;
+    let mut damping = f64::INFINITY;
+    for end in [low, high] {
+        for share in SPEEDS {
+            let u = share * end;
+            if u != 0.0 {
+                damping = damping.min((curve.at(u).value - at_rest) / u);
+            }
+        }
+    }
+    // Without a curve nothing damps the mass.
+    let damping = if damping < f64::INFINITY { damping.max(1e-3) } else { 1e-3 };
+    (SLACK * libm::sqrt(impedance) / damping).clamp(0.25, 10.0)
 }

@@ -184,6 +184,7 @@ mod tests {
             "3.0e6",
             "1e-300",
             "1.7e300",
+            "1e0003",
         ] {
             same(text);
         }
@@ -202,7 +203,9 @@ mod tests {
 
     #[test]
     fn refuses_what_is_no_number() {
-        for text in ["", "-", ".", "e5", "1e", "1e+", "1,5", "nan", "inf", "0x10", "1.2.3", "1e99999", "--1", "1 "] {
+        for text in
+            ["", "-", ".", "e5", "1e", "1e+", "1,5", "nan", "inf", "0x10", "1.2.3", "1e99999", "1e00003", "--1", "1 "]
+        {
             assert_eq!(parse(text.as_bytes()), None, "{text}");
         }
         let long: String = "1".repeat(400);

@@ -454,3 +454,34 @@ fn soft_oil_on_the_level_half_of_a_curve() {
         ordinary: true,
     });
 }
+
+/// To and fro at this speed, the velocity turned in every step of a quarter of a millisecond, behind a spring of 100 MN/m.
+fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[(&'static str, &[f64])]) -> Case {
+    let motion = (0..steps).map(|i| if i % 2 == 0 { speed } else { -speed });
+    let stiff: (_, &[f64]) = ("series_stiffness", &[1e8]);
+    Case {
+        on: [&["series_compliance"], on].concat(),
+        values: [stiff].iter().chain(values).map(|(name, values)| (*name, values.to_vec())).collect(),
+        start: 0.0,
+        motion: motion.map(|v| Given { side, ..given(None, v, 2.5e-4) }).collect(),
+        ordinary: true,
+    }
+}
+
+/// The curve damps nothing below 0.3 m/s: by its mean slope over the whole range the mass had one substep, which put its own frequency on
+/// that of the drive, with three times the force.
+#[test]
+fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_damps() {
+    let (v, f) = ([-0.545, -0.372, -0.341, -0.304, -0.248, 0.0], [-6473.0, -4014.0, -3858.0, 0.0, 0.0, 0.0]);
+    let curve: &[(_, &[f64])] =
+        &[("fv_form", &[0.0]), ("fv_interpolation", &[0.0]), ("fv_velocity", &v), ("fv_force", &f)];
+    holds(&to_and_fro(5.06e-3, 36, 940.0, &["fv_curve", "viscous_friction"], curve));
+}
+
+/// A chosen method counts what damps the mass as the automatic choice does.
+#[test]
+fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
+    for method in [1.0, 3.0, 4.0, 5.0] {
+        holds(&to_and_fro(1.33, 23, 0.0, &[], &[("method", &[method])]));
+    }
+}
