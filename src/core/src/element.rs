@@ -77,23 +77,23 @@ impl Recall {
 
 /// What an element with one private state has come to at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Carried {
+pub struct Reached {
     /// The state z.
     pub memory: f64,
     /// Force there; its slopes are those over displacement and velocity at the end of the step, what z takes of them included.
     pub answer: Response,
 }
 
-impl Carried {
+impl Reached {
     /// From what the element answers at the end, with the slopes of z over displacement and velocity there.
     #[inline(always)]
-    pub fn new(memory: f64, by_end: [f64; 2], recall: &Recall) -> Carried {
+    pub fn new(memory: f64, by_end: [f64; 2], recall: &Recall) -> Reached {
         let answer = Response {
             force: recall.force,
             by_x: recall.by_x + recall.by_memory * by_end[0],
             by_v: recall.by_v + recall.by_memory * by_end[1],
         };
-        Carried { memory, answer }
+        Reached { memory, answer }
     }
 }
 
@@ -181,7 +181,7 @@ pub trait Memory {
 
     /// State and force after the motion along a path, in closed form (the slopes mean nothing where no `slopes` are asked for).
     /// `None` where there is no such form: the step then integrates the rate.
-    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<Carried>
+    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<Reached>
     where
         Self: Sized,
     {

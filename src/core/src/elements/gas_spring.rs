@@ -1,6 +1,6 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response, Share};
+use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{drawn, power_inlined};
@@ -146,7 +146,7 @@ impl Memory for GasSpring {
 
     /// Exact but for the terms beyond the cubic of what it is drawn to on the way.
     #[inline(always)]
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Carried> {
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
         let h = path.length();
         let (kept, takes) = drawn(h * self.per_time);
         let ((x0, v0), (x1, v1)) = (path.start(), path.end());
@@ -168,7 +168,7 @@ impl Memory for GasSpring {
             answer.by_x += by_end * (of_change * to_by_x + of_end * h * v1 * bends);
             answer.by_v += by_end * of_end * h * to_by_x;
         }
-        Some(Carried { memory: end, answer })
+        Some(Reached { memory: end, answer })
     }
 }
 

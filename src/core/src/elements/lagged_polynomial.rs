@@ -1,7 +1,7 @@
 //! Polynomial FV curve behind a first-order lag: one of the models the thesis compares itself with.
 
 use crate::dual::{Dual, Real};
-use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response};
+use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response};
 use crate::fault::{Fault, Reason};
 use crate::input::Path;
 use crate::math::drawn;
@@ -137,7 +137,7 @@ impl Memory for LaggedPolynomial {
     /// Part by part exact for the mean rate of a part and the parabola through its targets: however much the time constant changes
     /// on the way, y stays between what it was and what it is drawn to. (A Runge–Kutta method that is stable for every
     /// constant rate need not be for one that changes a thousandfold.)
-    fn carried(&self, path: &Path, y: f64, slopes: bool) -> Option<Carried> {
+    fn carried(&self, path: &Path, y: f64, slopes: bool) -> Option<Reached> {
         let (x1, v1) = path.end();
         let after = if slopes {
             self.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), y)
@@ -145,6 +145,6 @@ impl Memory for LaggedPolynomial {
             Dual::constant(self.after(path, x1, v1, y))
         };
         let Dual { value, slopes: [by_x, by_v] } = after;
-        Some(Carried { memory: value, answer: Response { force: value, by_x, by_v } })
+        Some(Reached { memory: value, answer: Response { force: value, by_x, by_v } })
     }
 }

@@ -2,7 +2,7 @@
 //! passage, which the piston has to speed up.
 
 use crate::dual::Dual;
-use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response};
+use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{drawn, pair};
@@ -86,7 +86,7 @@ impl Memory for MovingMass {
     }
 
     /// Exact: the velocity that draws it is a polynomial of second order.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Carried> {
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
         let (kept, takes) = drawn(path.length() * self.per_time);
         let (x1, v1) = path.end();
         let after = |p: [f64; 3]| takes[0] * p[0] + takes[1] * p[1] + takes[2] * p[2];
@@ -101,6 +101,6 @@ impl Memory for MovingMass {
             by_x: -self.damping * by_end[0],
             by_v: self.damping - self.damping * by_end[1],
         };
-        Some(Carried { memory: end, answer })
+        Some(Reached { memory: end, answer })
     }
 }

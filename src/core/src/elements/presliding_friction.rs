@@ -1,7 +1,7 @@
 //! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
 
 use crate::dual::{Dual, Real};
-use crate::element::{Carried, Memory, Motion, Prepare, Recall, Response, Share};
+use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response, Share};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{larger, power, smaller};
@@ -245,7 +245,7 @@ impl Memory for PreslidingFriction {
 
     /// In travel instead of time the contact has a law of its own state alone, so the path inside the step does not matter but for
     /// its turns: for n = 1 the answer is exact.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Carried> {
+    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
         let (x1, v1) = path.end();
         let bent = z * self.per_length;
         let after = if slopes {
@@ -255,7 +255,7 @@ impl Memory for PreslidingFriction {
         };
         let Dual { value, slopes: [by_x, by_v] } = after * self.length;
         let k = self.stiffness;
-        Some(Carried { memory: value, answer: Response { force: k * value, by_x: k * by_x, by_v: k * by_v } })
+        Some(Reached { memory: value, answer: Response { force: k * value, by_x: k * by_x, by_v: k * by_v } })
     }
 
     /// At rest every bend stays; before any motion there is none.

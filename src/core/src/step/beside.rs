@@ -2,7 +2,7 @@
 
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::assembly::Elements;
-use crate::element::{Carried, Memory, Motion, Response, VisitMemory};
+use crate::element::{Memory, Motion, Reached, Response, VisitMemory};
 use crate::input::Path;
 use crate::math::pair;
 use crate::state::{MAX_MEMORY, Output};
@@ -46,10 +46,10 @@ impl VisitMemory for Extras<'_> {
         let Some(slot) = self.memory.get_mut(place) else {
             return;
         };
-        let Carried { memory: z, answer } = element.carried(self.path, *slot, self.slopes).unwrap_or_else(|| {
+        let Reached { memory: z, answer } = element.carried(self.path, *slot, self.slopes).unwrap_or_else(|| {
             let side = (self.end.side_force, self.end.temperature);
             let (z, by_end) = advance_memory(self.method, self.substeps, element, *slot, self.path, self.slopes, side);
-            Carried::new(z, by_end, &element.recall(self.end, z))
+            Reached::new(z, by_end, &element.recall(self.end, z))
         });
         *slot = z;
         self.output.count(element.share(), answer.force);
