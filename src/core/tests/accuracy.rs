@@ -3,6 +3,7 @@
 mod common;
 use common::*;
 use dashpot_core::list;
+use dashpot_core::step::Method;
 
 /// Largest rms and largest single error, as shares of the largest force.
 fn worst(changes: &[(&str, f64)], dt: f64, velocity_only: bool) -> (f64, f64) {
@@ -30,6 +31,16 @@ fn a_millisecond_step_is_within_a_thousandth() {
     for changes in [DEFAULT, STIFF, SOFT] {
         let (rms, largest) = worst(changes, 1e-3, false);
         assert!(rms <= 1e-3 && largest <= 1e-2, "{changes:?}: rms {rms:.2e} largest {largest:.2e}");
+    }
+}
+
+/// More of them would be as exact, at a price that the book does not say.
+#[test]
+fn the_automatic_choice_takes_no_more_substeps_than_it_needs() {
+    for (changes, substeps) in [(DEFAULT, 1), (SOFT, 1), (STIFF, 2)] {
+        let chosen = model(changes).integration();
+        assert_eq!((chosen.method, chosen.substeps(1e-3)), (Method::ThreeStage, substeps), "{changes:?}");
+        assert_eq!(chosen.substeps(2.5e-4), 1, "{changes:?}");
     }
 }
 

@@ -4,7 +4,7 @@ mod common;
 use common::*;
 use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, step, step_batch};
-use dashpot_core::{Input, Model, Output, State, element};
+use dashpot_core::{Input, Model, Output, State, element, list};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -193,3 +193,24 @@ fn the_run_has_these_digits_on_every_platform() {
 }
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
+
+/// A curve with a force at rest is balanced by the series spring, and stays so whatever the method.
+#[test]
+fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
+    let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);
+    p.enable(element!("parallel_spring"), true);
+    p.set_list(list!("fv_velocity"), &[-1.0, -0.1, 0.0, 0.1, 1.0]).unwrap();
+    p.set_list(list!("fv_force"), &[-700.0, -100.0, 150.0, 400.0, 1000.0]).unwrap();
+    for method in METHODS {
+        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+        let at = Input::motion(0.01, 0.0);
+        let mut state = model.settled(&at);
+        let wanted = dashpot_core::evaluate(&model, &state, &at).0.force;
+        for _ in 0..20 {
+            let (after, output) = step(&model, &state, &at, 1e-3);
+            assert!((output.force - wanted).abs() < 1e-9 * wanted, "{method:?}: {} of {wanted}", output.force);
+            assert!((output.primary_force - 150.0).abs() < 1e-6, "{method:?}: {} of the curve", output.primary_force);
+            state = after;
+        }
+    }
+}
