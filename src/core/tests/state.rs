@@ -194,15 +194,18 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// A curve with a force at rest is balanced by the series spring, and stays so whatever the method.
+/// A curve with a force at rest is balanced by the series spring, at rest and in steady motion, whatever the method.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);
     p.enable(element!("parallel_spring"), true);
     p.set_list(list!("fv_velocity"), &[-1.0, -0.1, 0.0, 0.1, 1.0]).unwrap();
     p.set_list(list!("fv_force"), &[-700.0, -100.0, 150.0, 400.0, 1000.0]).unwrap();
+    let compliant = Model::new(&p).unwrap();
+    p.enable(element!("series_compliance"), false);
+    let stiff = Model::new(&p).unwrap();
     for method in METHODS {
-        let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
+        let model = compliant.with_integration(Integration::fixed(method, 1));
         let at = Input::motion(0.01, 0.0);
         let mut state = model.settled(&at);
         let wanted = dashpot_core::evaluate(&model, &state, &at).0.force;
@@ -212,5 +215,14 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
             assert!((output.primary_force - 150.0).abs() < 1e-6, "{method:?}: {} of the curve", output.primary_force);
             state = after;
         }
+        let (v, mut force) = (0.3, 0.0);
+        for k in 1..=100 {
+            let (after, output) = step(&model, &state, &Input::motion(0.01 + 1e-3 * v * f64::from(k), v), 1e-3);
+            (state, force) = (after, output.force);
+        }
+        // The mass keeps up: curve, spring and friction add up as without the series spring, but for what the spring takes up.
+        let at = Input::motion(state.mass_displacement, v);
+        let wanted = dashpot_core::evaluate(&stiff, &State::ZERO, &at).0.force;
+        assert!((force - wanted).abs() < 5e-3 * wanted, "{method:?}: {force} of {wanted} at {v} m/s");
     }
 }
