@@ -34,7 +34,8 @@ mkdir -p "$work/import"
 } >"$work/import/dashpot.def"
 [ "$(wc -l <"$work/import/dashpot.def")" -gt 12 ] || fail "dist/build: dashpot.dll exports next to nothing; see $work/import/dashpot.def"
 zig dlltool -m i386:x86-64 -d "$work/import/dashpot.def" -D dashpot.dll -l "$work/import/dashpot.lib"
-x86_64-w64-mingw32-dlltool --deterministic-libraries -m i386:x86-64 -d "$work/import/dashpot.def" -D dashpot.dll -l "$work/import/libdashpot.dll.a"
+# The names of its members would be made from the path of the file, or from the number of the process.
+(cd "$work/import" && x86_64-w64-mingw32-dlltool --deterministic-libraries --temp-prefix dashpot -m i386:x86-64 -d dashpot.def -D dashpot.dll -l libdashpot.dll.a)
 put 644 "$work/import/dashpot.lib" sdk/lib/dashpot.lib
 put 644 "$work/import/libdashpot.dll.a" sdk/lib/libdashpot.dll.a
 put 644 "$work/import/dashpot.def" sdk/lib/dashpot.def
