@@ -3,6 +3,7 @@
 use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
+use crate::math::larger;
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
 use crate::paths::Paths;
@@ -113,7 +114,7 @@ macro_rules! assembled {
                 for displacement in places {
                     let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
                     let slope = 0.0 $(+ $inner.force(&at).by_x)*;
-                    steepest = if slope > steepest { slope } else { steepest };
+                    steepest = larger(slope, steepest);
                 }
                 Ok(steepest)
             }

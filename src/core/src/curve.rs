@@ -6,7 +6,7 @@
 //! a number of operations that does not depend on the data.
 
 use crate::fault::Reason;
-use crate::math::pair;
+use crate::math::{larger, pair, smaller};
 
 /// Most points that a curve may have.
 pub const MAX_POINTS: usize = 63;
@@ -109,7 +109,7 @@ fn bucket(u: f64) -> (bool, u8) {
     /// Leading bits of the nearest.
     const FIRST: u64 = NEAREST.to_bits() >> 48;
     let out = u.abs() + NEAREST;
-    let out = if out < FURTHEST { out } else { FURTHEST };
+    let out = smaller(out, FURTHEST);
     (u.is_sign_negative(), ((out.to_bits() >> 48) - FIRST) as u8)
 }
 
@@ -370,8 +370,8 @@ impl Curve {
             let narrowed = slope * slope - bent;
             let step = value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3[0]));
             t -= step;
-            t = if t < extent.low { extent.low } else { t };
-            t = if t > extent.high { extent.high } else { t };
+            t = larger(extent.low, t);
+            t = smaller(extent.high, t);
             // Its fourth power is what is left.
             if step.abs() <= FEW * extent.high {
                 break;

@@ -33,7 +33,8 @@ const SPOOL: f64 = 12.0;
 /// The mean slope of the FV curve, N s/m over √(k_s m) in the same unit, at which the mass swings back as that of the default
 /// damper does.
 const SLACK: f64 = 0.94;
-/// Speeds, as shares of the FV curve's range, from which its damping of a swinging mass is taken.
+/// Speeds, as shares of the FV curve's range, from which its damping of a swinging mass is taken: each half of the one before, so that a
+/// level part about rest is found wherever it ends, down to an eighth of the range. One that ends earlier counts as damping there.
 const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// The automatic choice for the mass behind a straight spring: n² ≥ `EVEN` f L^1.6 for the method of three stages and
 /// n³ ≥ `CUBIC` L f² for that of four, where f is the frequency times the step and L how far the mass swings. Measured over
@@ -122,7 +123,7 @@ impl Integration {
             _ => 2.0,
         };
         let swings = swings(elements, stiffness * mass).max(1.0);
-        Integration::new(method, substeps, EVEN * sharpness * frequency * libm::pow(swings, 1.6), 0.25 * frequency)
+        Integration::new(method, substeps, even(sharpness, frequency, swings), 0.25 * frequency)
     }
 
     /// The cheapest that keeps the error of a 1 ms step below a thousandth. `impedance` is k_s m.
@@ -131,10 +132,7 @@ impl Integration {
         // What bends the force does so as sharply where the mass does not swing.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
-        let three = |times: f64| {
-            let per_time = times * EVEN * frequency * libm::pow(swings, 1.6);
-            Integration::new(Method::ThreeStage, 0, per_time, many)
-        };
+        let three = |times: f64| Integration::new(Method::ThreeStage, 0, even(times, frequency, swings), many);
         let four = |times: f64| {
             let per_time = libm::sqrt(times * CUBIC * swings) * frequency;
             Integration { cubic: true, ..Integration::new(Method::Third, 0, per_time, many) }
@@ -186,6 +184,11 @@ impl Integration {
         }
         n
     }
+}
+
+/// Substeps per second, their square, by [`EVEN`]: as many times as elements ask for.
+fn even(times: f64, frequency: f64, swings: f64) -> f64 {
+    times * EVEN * frequency * libm::pow(swings, 1.6)
 }
 
 /// How far the mass swings back behind a straight spring, L. `impedance` is k_s m.

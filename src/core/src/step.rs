@@ -29,6 +29,7 @@ use crate::element::{Motion, Response};
 use crate::input::{Input, Path};
 pub use crate::integration::{Integration, Method};
 use crate::integration::{LONGEST, SHORTEST};
+use crate::math::{larger, smaller};
 use crate::model::Model;
 use crate::state::{Output, State};
 use beside::advance_extras;
@@ -374,8 +375,8 @@ fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
     let substeps = if COMMON { 1 } else { model.integration.substeps(dt) };
-    let dt = if dt > SHORTEST { dt } else { SHORTEST };
-    let dt = if dt < LONGEST { dt } else { LONGEST };
+    let dt = larger(dt, SHORTEST);
+    let dt = smaller(dt, LONGEST);
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);

@@ -3,7 +3,7 @@
 use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response, Share};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::{drawn, power_inlined};
+use crate::math::{drawn, larger, power_inlined};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
@@ -56,14 +56,8 @@ impl Prepare for GasSpring {
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let (stiffness, length) = (p.number(own!("gas_stiffness")), p.number(own!("gas_length")));
-        let excess = p.number(own!("gas_adiabatic_index")) - 1.0;
-        Ok(GasSpring {
-            push: stiffness * length,
-            per_length: 1.0 / length,
-            excess,
-            series: [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0)),
-            per_time: 1.0 / p.number(own!("gas_thermal_time")),
-        })
+        let (index, time) = (p.number(own!("gas_adiabatic_index")), p.number(own!("gas_thermal_time")));
+        Ok(GasSpring::new(stiffness, length, index, time))
     }
 }
 
@@ -79,10 +73,21 @@ struct Gas {
 const NEAR: f64 = 1.0 / 64.0;
 
 impl GasSpring {
+    fn new(stiffness: f64, length: f64, index: f64, time: f64) -> GasSpring {
+        let excess = index - 1.0;
+        GasSpring {
+            push: stiffness * length,
+            per_length: 1.0 / length,
+            excess,
+            series: [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0)),
+            per_time: 1.0 / time,
+        }
+    }
+
     #[inline(always)]
     fn gas(&self, x: f64) -> Gas {
         let ratio = 1.0 + x * self.per_length;
-        let inside = if ratio > SMALLEST { ratio } else { SMALLEST };
+        let inside = larger(ratio, SMALLEST);
         let value = power_inlined(inside, self.excess);
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
@@ -180,8 +185,7 @@ mod tests {
     #[test]
     fn a_small_change_of_volume_is_as_exact_as_a_power() {
         for excess in [0.01, 0.1, 0.3, 0.4, 0.67] {
-            let series = [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0));
-            let spring = GasSpring { push: 1.0, per_length: 2.5, excess, series, per_time: 1.0 };
+            let spring = GasSpring::new(2.5, 0.4, 1.0 + excess, 1.0);
             // Volumes from far below the smallest to the fourfold, and changes on both sides of what is near.
             for volume in [-0.5, 0.0, 0.049, 0.05, 0.0503, 0.0508, 0.051, 0.06, 0.3, 1.0, 4.0] {
                 for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
@@ -205,9 +209,7 @@ mod tests {
     #[test]
     fn slopes_of_a_step_are_those_of_differences() {
         // The gas takes the temperature of its wall within the step, and the rod goes through a third of its volume.
-        let excess = 0.6;
-        let series = [3.0, 2.0, 1.0, 0.0].map(|n| (excess - n) / (n + 1.0));
-        let spring = GasSpring { push: 100.0, per_length: 2.5, excess, series, per_time: 300.0 };
+        let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {
             let path = Path::new(0.0, v0, &Input::motion(x1, v1), dt);

@@ -286,16 +286,19 @@ mod tests {
     use super::*;
     use crate::input::Input;
 
-    #[test]
-    fn a_step_in_one_direction_is_the_same_without_looking_for_turns() {
-        let contact = |power: f64, returns_elastically: bool, creep: f64| PreslidingFriction {
+    fn contact(power: f64, returns_elastically: bool, creep: f64) -> PreslidingFriction {
+        PreslidingFriction {
             stiffness: 1.0,
             length: 3e-4,
             per_length: 1.0 / 3e-4,
             power,
             returns_elastically,
             creep_squared: creep * creep,
-        };
+        }
+    }
+
+    #[test]
+    fn a_step_in_one_direction_is_the_same_without_looking_for_turns() {
         let mut one_way = 0;
         for contact in
             [contact(0.0, false, 1e-9), contact(2.0, false, 1e-9), contact(2.0, true, 1e-9), contact(0.0, false, 0.05)]
@@ -331,14 +334,7 @@ mod tests {
 
     #[test]
     fn a_step_that_turns_inside_is_its_pieces_after_each_other() {
-        let contact = PreslidingFriction {
-            stiffness: 1.0,
-            length: 3e-4,
-            per_length: 1.0 / 3e-4,
-            power: 0.0,
-            returns_elastically: false,
-            creep_squared: 1e-18,
-        };
+        let contact = contact(0.0, false, 1e-9);
         let dt = 1e-3;
         let carried = |path: &Path, bent: f64| {
             let (x1, v1) = path.end();

@@ -16,6 +16,7 @@ use super::reach::REACH;
 use super::tableau::{EULER, MOST_STAGES, SECOND, Tableau};
 use crate::assembly::Elements;
 use crate::input::{Path, PathPoint};
+use crate::math::{larger, smaller};
 use crate::model::Model;
 use crate::paths::acting::{acts, is_for, moves};
 use crate::paths::bits::{
@@ -420,8 +421,8 @@ const BESIDE: f64 = 0.02;
 fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for force in stages {
-        least = if *force < least { *force } else { least };
-        most = if *force > most { *force } else { most };
+        least = smaller(*force, least);
+        most = larger(*force, most);
     }
     let near = THROWN * method.goes_on * (most - least) + BESIDE * (most.abs() + least.abs());
     let latest = stages.get(method.latest).copied().unwrap_or(end);

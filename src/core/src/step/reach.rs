@@ -2,6 +2,7 @@
 
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
+use crate::math::{larger, smaller};
 
 /// Deflection of the series spring, m, beyond which the springs on the mass are taken as straight.
 pub(super) const REACH: f64 = 0.05;
@@ -11,8 +12,7 @@ pub(super) const REACH: f64 = 0.05;
 #[inline(always)]
 pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
     let (low, high) = (driven - REACH, driven + REACH);
-    let at = if x < low { low } else { x };
-    if at > high { high } else { at }
+    smaller(high, larger(low, x))
 }
 
 /// The springs on the mass at a place, straight beyond the reach of the series spring about the driven end: as if from the place

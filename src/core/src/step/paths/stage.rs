@@ -6,6 +6,7 @@ use crate::dual::Dual;
 use crate::element::{Motion, Response};
 use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
+use crate::math::smaller;
 use crate::paths::acting::acts;
 use crate::paths::bits::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL};
 use crate::paths::bypass::Past;
@@ -161,7 +162,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
         // So short that the mass has not moved by more than a picometre.
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
-        let tolerance = if short < TOLERANCE { short } else { TOLERANCE };
+        let tolerance = smaller(short, TOLERANCE);
         // Where nothing lies between the driven end and the valves, the oil goes with it.
         let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
         let (from, rounds) = if is_sought { (guess, ROUNDS) } else { (path.v, 0) };
