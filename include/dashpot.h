@@ -770,7 +770,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //
 // integration: settings of the fixed-step integration
 //   method                       method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth [0 automatic, 1 second_order, 2 euler, 3 third_order, 4 fourth_order, 5 three_stage]
-//   substeps                     substeps inside one host step; 0: as many as the model's stiffness asks for [-, 0 to 64, default 0]
+//   substeps                     substeps inside one host step; 0: as many as the model's stiffness and damping ask for [-, 0 to 64, default 0]
 
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@ impl Describe for Settings {
             "-",
             &[0.0],
             (0.0, 64.0),
-            "substeps inside one host step; 0: as many as the model's stiffness asks for",
+            "substeps inside one host step; 0: as many as the model's stiffness and damping ask for",
         ),
     ];
 }

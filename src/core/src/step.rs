@@ -24,7 +24,7 @@ mod primary;
 mod reach;
 mod tableau;
 
-use crate::assembly::Outer;
+use crate::assembly::{Elements, Outer};
 use crate::element::{Motion, Response};
 use crate::input::{Input, Path};
 pub use crate::integration::{Integration, Method};
@@ -135,7 +135,7 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
         return;
     }
     if !is_common(model, dt) {
-        answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
+        answer_by_table(tableau(model, dt), model, state, to, dt, output, slopes);
     } else if model.elements.bends() {
         answer::<Plain, true>(model, state, to, dt, output, slopes);
     } else {
@@ -149,7 +149,13 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
 #[inline(always)]
 fn is_common(model: &Model, dt: f64) -> bool {
     let of = &model.integration;
-    of.method == Method::ThreeStage && of.substeps(dt) == 1
+    of.method == Method::ThreeStage && of.is_one(dt)
+}
+
+/// The method of a step in which no spring gets stiffer.
+fn tableau(model: &Model, dt: f64) -> &'static Tableau {
+    let of = &model.integration;
+    Tableau::of(of.method_of(dt, of.substeps(dt), || 1.0))
 }
 
 /// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
@@ -159,7 +165,7 @@ fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64
     if is_common(model, dt) {
         answer::<Faded, false>(model, state, to, dt, output, slopes);
     } else {
-        answer_by_table(Tableau::of(model.integration.method), model, state, to, dt, output, slopes);
+        answer_by_table(tableau(model, dt), model, state, to, dt, output, slopes);
     }
 }
 
@@ -198,7 +204,7 @@ fn advance_paths_with(
     let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
-    let method = Tableau::of(model.integration.method);
+    let method = Tableau::of(model.integration.method_of(dt, substeps, || stiffer(e, state, v)));
     let side = (to.side_force, to.temperature);
     let drive = paths::Drive { model, path: &path, substeps, side, method };
     let through = paths::advance(&drive, state, output, follow);
@@ -216,6 +222,17 @@ fn advance_paths_with(
     output.force = through.force + friction.force + preload.force + extras.force;
     output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
     output.force_by_velocity = through.by_v + friction.by_v + preload.by_v + extras.by_v;
+}
+
+/// How many times as stiff as at rest rubber gets before the energy at the start of a step, with the driven end at the faster of its speeds, is
+/// all in it.
+fn stiffer(e: &Elements, from: &State, v: f64) -> f64 {
+    if !e.paths.has_bushing() {
+        return 1.0;
+    }
+    let s = &e.paths.series_compliance;
+    let speed = larger(v.abs(), from.velocity.abs()) + from.mass_velocity.abs();
+    e.paths.bushing.stiffer(from.displacement - from.mass_displacement, s.mass / s.stiffness * (speed * speed))
 }
 
 /// A cheap step in which some element takes its time, or in which a line does not hold.
@@ -355,7 +372,7 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 /// asks for them, the private states still. For a damper without elements in its series or hydraulic path, whose stages are of
 /// another kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
-    let method = Tableau::of(model.integration.method);
+    let method = tableau(model, dt);
     advance_by::<Plain, _, false, true>(method, model, to, dt, follow, state, output);
 }
 

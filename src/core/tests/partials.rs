@@ -27,14 +27,14 @@ fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
 
 /// Whether a slope is the derivative of f: the difference of one of the widths or, where f bends or jumps inside all of them, one of
 /// the one-sided differences or between the two. `near` says whether a slope is a difference.
-fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: [f64; 2], near: impl Fn(f64) -> bool) -> Result<(), String> {
-    let central = widths.map(|h| difference(&f, h));
+fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: &[f64], near: impl Fn(f64) -> bool) -> Result<(), String> {
+    let central: Vec<f64> = widths.iter().map(|h| difference(&f, *h)).collect();
     if central.iter().any(|wanted| near(*wanted)) {
         return Ok(());
     }
-    let sides = widths.map(|h| one_sided(&f, h));
+    let sides: Vec<[f64; 2]> = widths.iter().map(|h| one_sided(&f, *h)).collect();
     let meets = |[left, right]: [f64; 2]| near(left) || near(right) || (got - left) * (got - right) <= 0.0;
-    if sides.into_iter().any(meets) {
+    if sides.iter().any(|side| meets(*side)) {
         Ok(())
     } else {
         Err(format!("{got}, differences {central:?}, one-sided {sides:?}"))
@@ -104,7 +104,8 @@ fn near(value: f64, places: &[f64], distance: f64) -> bool {
 }
 
 proptest! {
-    // Held, for one seed in some dozens may still find what 27 others (101 to 107, 201 to 220) did not.
+    // Held, for one seed in two dozens finds a void with gas, nanometres wide, whose slopes are up to a twentieth off (of 1 to 70 and 1001 to 1080:
+    // 16, 22, 29, 35, 1050, 1053).
     #![proptest_config(held(60, 1))]
 
     #[test]
@@ -126,8 +127,9 @@ proptest! {
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
                     // A bushing's friction sets in over millimetres per second: a short step turns micrometres into that.
                     let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
-                    // Twice, so that a knee of an element that lies inside the wider difference does not count.
-                    let widths = |size: f64| [fine * size, 0.03 * fine * size];
+                    // Several, so that a knee of an element that lies inside the wider difference does not count; what a void of nanometres
+                    // does, a wider one steps over.
+                    let widths = |size: f64| [fine * size, 0.03 * fine * size, 1e-3 * fine * size];
                     let alone = step(&model, &from, &input(None, v1), dt).1.force_by_velocity;
                     let k = params.number(number!("series_stiffness"));
                     // The solver leaves the straight step's square: a difference over so little is no better than this.
@@ -140,9 +142,9 @@ proptest! {
                     let close = |got: f64, scale: f64| move |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + scale);
                     let (by_x, by_v) = (output.force_by_displacement, output.force_by_velocity);
                     for (what, told) in [
-                        ("dF/dx", is_derivative(by_x, |h| force(Some(x1 + h), v1), widths(1e-7), close(by_x, k))),
-                        ("dF/dv", is_derivative(by_v, |h| force(Some(x1), v1 + h), widths(1e-4), close(by_v, k * dt))),
-                        ("dF/dv, velocity alone", is_derivative(alone, |h| force(None, v1 + h), widths(1e-4), close(alone, k * dt))),
+                        ("dF/dx", is_derivative(by_x, |h| force(Some(x1 + h), v1), &widths(1e-7), close(by_x, k))),
+                        ("dF/dv", is_derivative(by_v, |h| force(Some(x1), v1 + h), &widths(1e-4), close(by_v, k * dt))),
+                        ("dF/dv, velocity alone", is_derivative(alone, |h| force(None, v1 + h), &widths(1e-4), close(alone, k * dt))),
                     ] {
                         prop_assert!(told.is_ok(), "{name} {method:?} {substeps} {dt}: {what} {told:?} x {x1} v {v1} u {}", end.mass_velocity);
                     }
@@ -191,12 +193,14 @@ proptest! {
                 row.extend(rate.memory);
                 row
             };
+            // Through the paths as narrow as the shortest that a state comes to: wider ones step over a void of nanometres.
+            let widths = [1.0, 0.1, if paths { 1e-3 } else { 0.1 }];
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {
                     let got = if out == 0 { p.force_by_state[column] } else { p.rate_by_state[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
                     let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
-                    let told = is_derivative(got, |h| row(&moved(column, h), x, v)[out], [size, 0.1 * size], close);
+                    let told = is_derivative(got, |h| row(&moved(column, h), x, v)[out], &widths.map(|width| width * size), close);
                     prop_assert!(told.is_ok(), "{name}: row {out} by state {column}: {told:?}");
                 }
             }
@@ -206,7 +210,7 @@ proptest! {
                     let value = row(&state, x, v)[out].abs();
                     let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
                     let moved = |h: f64| row(&state, x + if column == 0 { h } else { 0.0 }, v + if column == 1 { h } else { 0.0 })[out];
-                    let told = is_derivative(got, moved, [size, 0.1 * size], close);
+                    let told = is_derivative(got, moved, &[size, 0.1 * size], close);
                     prop_assert!(told.is_ok(), "{name}: row {out} by input {column}: {told:?}");
                 }
             }

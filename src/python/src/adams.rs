@@ -47,7 +47,7 @@ pub fn export_adams(
             Some(_) => model_file::plain(&ready.params, &ready.told()),
             None => model.text_of_file().to_owned(),
         };
-        let (replaced, chatters) = (ready.replaced(), ready.chatters());
+        let (replaced, chatters) = (ready.replaced(), ready.remarks());
         Ok(handed_out::run_folder(&ready.params, &prepared, text.as_bytes(), length, libraries, replaced, chatters))
     });
     let made = made.map_err(raise::<ExportError>)?;

@@ -10,6 +10,7 @@
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
 //! | [`chatter`] | whether a damper chatters in a host that holds its force over a step |
+//! | [`followed`] | whether the step follows a mass that rings on its spring |
 //! | [`stiffness`] | how fast a damper's states move by themselves |
 //! | [`accuracy`] | error of the fixed step against a converged solution |
 
@@ -17,6 +18,7 @@ pub mod accuracy;
 pub mod against;
 pub mod chatter;
 pub mod comparison;
+pub mod followed;
 pub mod imposed_motion;
 pub mod prediction;
 pub mod stiffness;

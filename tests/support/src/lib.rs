@@ -8,6 +8,6 @@ mod sources;
 
 pub use built::{profile_folder, target_folder};
 pub use random::Random;
-pub use seeds::{drawn, held};
+pub use seeds::{drawn, held, of_the_code};
 pub use skips::{counted, skipped};
 pub use sources::rust_files;

@@ -47,7 +47,12 @@ fn with(cases: u32, seed: u64) -> Config {
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
-fn of_the_code() -> u64 {
+/// The seed that the sources give: for a search that draws and prints by itself.
+///
+/// # Panics
+/// Where the sources cannot be read.
+#[must_use]
+pub fn of_the_code() -> u64 {
     static SEED: OnceLock<u64> = OnceLock::new();
     *SEED.get_or_init(|| {
         let here = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -10,6 +10,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
     let mut budget = 600;
     loop {
         let before = (case.on.len(), case.values.len(), case.motion.len());
+        let until = failure.step + 1;
         let mut keep = |tried: Case, case: &mut Case| {
             if budget == 0 {
                 return false;
@@ -21,7 +22,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
         };
         // Nothing after the failing step matters; of what is before, as little as possible.
         let mut tried = case.clone();
-        tried.motion.truncate(crate::step_of(&case).map_or(usize::MAX, |i| i + 1));
+        tried.motion.truncate(until);
         keep(tried, &mut case);
         let mut part = case.motion.len() / 2;
         while part > 0 {

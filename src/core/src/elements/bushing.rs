@@ -168,6 +168,17 @@ impl Bushing {
         z * self.share + y * self.slow_share
     }
 
+    /// How many times as stiff as at rest the rubber is where it holds the energy of `deflection` and, over ½ k_s, that of a `moving` mass in m²;
+    /// without its stop, which no deflection takes beyond what it adds.
+    ///
+    /// With d_h as the unit a deflection d holds ½ k_s (d² + ½ d⁴) and is 1 + 3 d² times as stiff.
+    pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {
+        let unit = self.per_length * self.per_length;
+        let square = deflection * deflection * unit;
+        let held = square + 0.5 * square * square + moving * unit;
+        1.0 + 3.0 * (libm::sqrt(1.0 + 2.0 * held) - 1.0)
+    }
+
     /// The hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
     #[inline(always)]
     pub(crate) fn hardened<R: Real>(&self, k: R, force: R, stiffness: R) -> (R, R) {

@@ -116,3 +116,95 @@ fn advance_memory(
     }
     (z, by_end)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Input;
+    use crate::integration::Method;
+
+    /// One without a closed form: dz/dt = (x − z)/τ + b v − z³ w.
+    struct Follows {
+        per_time: f64,
+        by_velocity: f64,
+        cubic: f64,
+    }
+
+    impl Memory for Follows {
+        fn recall(&self, at: &Motion, z: f64) -> crate::element::Recall {
+            crate::element::Recall {
+                force: 100.0 * z,
+                by_memory: 100.0,
+                rate: (at.displacement - z) * self.per_time + self.by_velocity * at.velocity - self.cubic * z * z * z,
+                rate_by_x: self.per_time,
+                rate_by_v: self.by_velocity,
+                rate_by_memory: -self.per_time - 3.0 * self.cubic * z * z,
+                ..crate::element::Recall::NONE
+            }
+        }
+
+        fn settled(&self, at: &Motion) -> f64 {
+            at.displacement
+        }
+    }
+
+    const FOLLOWS: Follows = Follows { per_time: 300.0, by_velocity: 0.2, cubic: 0.0 };
+    const METHODS: [(Method, i32); 5] = [
+        (Method::BackwardEuler, 1),
+        (Method::Second, 2),
+        (Method::ThreeStage, 2),
+        (Method::Third, 3),
+        (Method::Fourth, 4),
+    ];
+
+    /// The state and its slopes after 4 ms from 3 mm, to a place and a velocity.
+    fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
+        let to = Input { displacement: Some(x), ..Input::motion(x, v) };
+        let path = Path::new(1e-3, 0.4, &to, 4e-3);
+        advance_memory(Tableau::of(method), substeps, element, 3e-3, &path, true, (0.0, 20.0))
+    }
+
+    const END: [f64; 2] = [2e-3, -0.7];
+
+    #[test]
+    fn the_error_of_a_state_falls_with_the_order_of_the_method() {
+        let exact = after(&FOLLOWS, Method::Fourth, 2000, END).0;
+        for (method, order) in METHODS {
+            let error = |substeps| (after(&FOLLOWS, method, substeps, END).0 - exact).abs();
+            let (coarse, fine) = (error(4), error(16));
+            let found = libm::log2(coarse / fine) / 2.0;
+            assert!(found > f64::from(order) - 0.25, "{method:?}: {coarse:e} {fine:e}, order {found}");
+        }
+    }
+
+    #[test]
+    fn the_slopes_of_a_state_over_the_end_of_the_step_are_its_differences() {
+        for (method, _) in METHODS {
+            for substeps in [1, 3] {
+                let (_, slopes) = after(&FOLLOWS, method, substeps, END);
+                for (k, size) in [1e-4, 1e-2].into_iter().enumerate() {
+                    let moved = |by: f64| {
+                        let mut end = END;
+                        end[k] += by;
+                        after(&FOLLOWS, method, substeps, end).0
+                    };
+                    let difference = (moved(size) - moved(-size)) / (2.0 * size);
+                    assert!(
+                        (slopes[k] - difference).abs() < 1e-9 * difference.abs(),
+                        "{method:?}: {slopes:?} {difference}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_rate_that_bends_keeps_the_first_order() {
+        let bent = Follows { cubic: 1e7, ..FOLLOWS };
+        let exact = after(&bent, Method::BackwardEuler, 20_000, END).0;
+        for (method, _) in METHODS {
+            let error = |substeps| (after(&bent, method, substeps, END).0 - exact).abs();
+            assert!(error(64) < 0.3 * error(16), "{method:?}: {:e} {:e}", error(16), error(64));
+        }
+    }
+}

@@ -262,7 +262,7 @@ pub(super) fn move_mass(
     follow: &mut impl Follow,
 ) -> Mass {
     let Drive { elements, ref primary, path, side } = *drive;
-    if method.stages == 1 {
+    if method.along_lines {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
     if elements.bends() || !primary.is_plain() {

@@ -19,6 +19,8 @@ pub(super) struct Tableau {
     pub c: [f64; MOST_STAGES],
     /// The latest stage before the end; 0 where its end is not watched: see [`super::paths`].
     pub latest: usize,
+    /// Whether the plain step takes it along straight lines, in closed form ([`super::cheap`]).
+    pub along_lines: bool,
     /// How far a straight line goes on from the latest stage to the end, in parts of the spread of the stages before; what it may end within at
     /// least.
     pub goes_on: f64,
@@ -33,7 +35,8 @@ impl Tableau {
             Method::Third => &THIRD,
             Method::ThreeStage => &THREE_STAGE,
             Method::Second => &SECOND,
-            Method::Euler => &EULER,
+            Method::Euler => &ALONG_LINES,
+            Method::BackwardEuler => &EULER,
         }
     }
 
@@ -46,6 +49,7 @@ impl Tableau {
             weights: [[0.0; MOST_STAGES]; MOST_STAGES],
             c: [1.0; MOST_STAGES],
             latest: 0,
+            along_lines: false,
             goes_on: 0.0,
         };
         let mut i = 0;
@@ -87,8 +91,12 @@ impl Tableau {
 /// stages was taken to be thrown at every twentieth step of free play, where it was not.
 const ENDS_WITHIN: f64 = 1.0;
 
-/// Backward Euler.
+/// [`Method::BackwardEuler`].
 pub(super) static EULER: Tableau = Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN);
+
+/// [`Method::Euler`]: the same where it is not along lines.
+pub(super) static ALONG_LINES: Tableau =
+    Tableau { along_lines: true, ..Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN) };
 
 /// [`Method::Second`].
 pub(super) static SECOND: Tableau = {

@@ -45,6 +45,8 @@ class HostCheck(Result):
     fastest_rate_1_s: float
     """How fast the states move by themselves, for a host that integrates them itself."""
     explicit_step_s: float
+    followed_step_s: float | None
+    """The longest step whose substeps follow a mass that rings on its spring; none where nothing rings."""
     largest_error_n: float | None
     told: tuple[str, ...] = field(default=(), metadata={"hidden": True}, compare=False)
     """What the command says of it, in sentences."""

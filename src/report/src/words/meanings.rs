@@ -800,10 +800,10 @@ const MEANINGS: &[Meaning] = &[
         "步内方法；automatic：使 1 ms 步长误差低于千分之一的最省方法",
     ],
     [
-        "substeps inside one host step; 0: as many as the model's stiffness asks for",
-        "Teilschritte innerhalb eines Schritts des Programms; 0: so viele, wie die Steifigkeit des Modells verlangt",
-        "sous-pas dans un pas de l’hôte ; 0 : autant que la raideur du modèle en demande",
-        "主机一步内的子步数；0：按模型刚度所需",
+        "substeps inside one host step; 0: as many as the model's stiffness and damping ask for",
+        "Teilschritte innerhalb eines Schritts des Programms; 0: so viele, wie Steifigkeit und Dämpfung des Modells verlangen",
+        "sous-pas dans un pas de l’hôte ; 0 : autant que la raideur et l’amortissement du modèle en demandent",
+        "主机一步内的子步数；0：按模型刚度与阻尼所需",
     ],
 ];
 

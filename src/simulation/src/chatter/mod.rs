@@ -39,9 +39,12 @@ pub use ready::{Figures, HostError, Ready};
 pub use situation::Situation;
 pub use softened::{Softened, Softer, softened};
 
-use dashpot_core::Params;
+use crate::followed;
+use dashpot_core::{Model, Params};
 
-/// What must be known beside an export of a damper: how it chatters, where it does in that host.
+/// What must be known beside an export of a damper: how it chatters, where it does in that host, and whether its step follows the mass inside.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
-    chatter(params, host).ok().and_then(|c| c.remark(host)).into_iter().collect()
+    let chatters = chatter(params, host).ok().and_then(|c| c.remark(host));
+    let unfollowed = Model::new(params).ok().and_then(|model| followed::remark(&model, host.step));
+    chatters.into_iter().chain(unfollowed).collect()
 }

@@ -3,7 +3,7 @@
 use super::host::Host;
 use super::in_host::{Chatter, chatter};
 use super::softened::{Softened, softened};
-use crate::stiffness;
+use crate::{followed, stiffness};
 use dashpot_core::Params;
 use dashpot_identification::model_file::{NoModel, prepared};
 use serde::Serialize;
@@ -69,6 +69,7 @@ pub struct Figures {
     rms_error_n: Option<f64>,
     fastest_rate_1_s: f64,
     explicit_step_s: f64,
+    followed_step_s: Option<f64>,
     largest_error_n: Option<f64>,
 }
 
@@ -98,6 +99,7 @@ impl Ready {
     pub fn told(&self) -> Vec<String> {
         let mut lines = self.replaced();
         lines.push(self.chatter.told(self.host, self.asked));
+        lines.extend(self.unfollowed());
         lines
     }
 
@@ -106,17 +108,23 @@ impl Ready {
         self.softened.iter().map(Softened::told).collect()
     }
 
-    /// Chatter, where there is some.
-    pub fn chatters(&self) -> Vec<String> {
-        self.chatter.rings().then(|| self.chatter.told(self.host, self.asked)).into_iter().collect()
+    /// Chatter, where there is some, and a mass that the step does not follow.
+    pub fn remarks(&self) -> Vec<String> {
+        let chatters = self.chatter.rings().then(|| self.chatter.told(self.host, self.asked));
+        chatters.into_iter().chain(self.unfollowed()).collect()
     }
 
-    /// What must be known beside an export: what was replaced, and chatter where there is some.
+    /// What must be known beside an export: what was replaced, and what is to be remarked where there is something.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
             Some(_) => self.told(),
-            None => self.chatters(),
+            None => self.remarks(),
         }
+    }
+
+    /// A mass that the step does not follow, in a sentence.
+    fn unfollowed(&self) -> Option<String> {
+        prepared(&self.params).ok().and_then(|model| followed::remark(&model, self.host.step))
     }
 
     /// How fast its states are for a host that integrates them itself, in a sentence where that is to be known.
@@ -133,7 +141,9 @@ impl Ready {
     /// Where the parameters make no model.
     pub fn figures(&self) -> Result<Figures, NoModel> {
         let (chatter, softened) = (&self.chatter, self.softened.as_ref());
-        let rate = stiffness::fastest_rate(&prepared(&self.params)?);
+        let model = prepared(&self.params)?;
+        let rate = stiffness::fastest_rate(&model);
+        let followed = model.integration().longest_that_follows();
         Ok(Figures {
             host_step_s: self.host.step,
             wheel_mass_kg: self.host.mass,
@@ -157,6 +167,7 @@ impl Ready {
             rms_error_n: softened.map(|s| s.rms_error),
             fastest_rate_1_s: rate,
             explicit_step_s: stiffness::explicit_step(rate),
+            followed_step_s: Some(followed).filter(|step| step.is_finite()),
             largest_error_n: softened.map(|s| s.largest_error),
         })
     }

@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
     let folder =
-        handed_out::run_folder(&params, &model, &text, args.length, libraries, ready.replaced(), ready.chatters());
+        handed_out::run_folder(&params, &model, &text, args.length, libraries, ready.replaced(), ready.remarks());
     folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
     let notes = folder.notes(&args.output).into_iter().map(|note| format!("note: {note}"));
     let coupled = folder.if_coupled().map(|note| format!("note, {note}"));
