@@ -228,6 +228,9 @@ const char *dashpot_version(void);
 // one of 1 kN.
 #define DASHPOT_OUT_OF_PROPORTION -37
 
+// Model file: a table is named as an element; parameters stand above the first [table].
+#define DASHPOT_FILE_ELEMENT_TABLE -38
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);

@@ -96,12 +96,14 @@ pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
 /// times what it may be in a car's damper, if all such numbers are of one size: a rod of 1 g goes with a damper of 10 N, not with
 /// one of 1 kN.
 pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
+/// Model file: a table is named as an element; parameters stand above the first [table].
+pub const DASHPOT_FILE_ELEMENT_TABLE: i32 = -38;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 41] = [
+static TEXTS: [(i32, [u8; LENGTH]); 42] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -161,6 +163,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 41] = [
     (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
     (DASHPOT_FILE_CUT_OFF, padded(Problem::CutOff.text())),
+    (DASHPOT_FILE_ELEMENT_TABLE, padded(Problem::ElementTable.text())),
     (DASHPOT_NO_SUCH_STATE, padded("the model has no state with this number")),
     (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
 ];
@@ -220,6 +223,7 @@ impl From<Problem> for Refused {
             Problem::UnknownElement => DASHPOT_FILE_UNKNOWN_ELEMENT,
             Problem::TooLong => DASHPOT_FILE_TOO_LONG,
             Problem::CutOff => DASHPOT_FILE_CUT_OFF,
+            Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
             Problem::Parameter(fault) => return fault.reason.into(),
         })
     }

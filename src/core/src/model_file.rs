@@ -11,12 +11,12 @@
 //!
 //! A value is a number, a word in quotes, or a list, which may run over several lines. Parameters that the file does
 //! not name keep their defaults. Reading ends at the first `[table]`: what follows is for people and tools, not for
-//! the damper. A file whose comment announces such a table (`# The lines up to [end] are the damper`), as all do that dashpot
+//! the damper. A table that is named as an element is refused, for who wrote it meant its parameters. A file whose comment announces such a table (`# The lines up to [end] are the damper`), as all do that dashpot
 //! writes, and that ends before it was cut off: the parameters that are lost would silently take their defaults.
 
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
-use crate::parameter::{COUNT, Element, List, Number, Params, Row, Shape, table};
+use crate::parameter::{COUNT, Element, GROUPS, List, Number, Params, Row, Shape, table};
 
 /// Number that the key `format` must have.
 pub const FORMAT: f64 = 1.0;
@@ -51,6 +51,8 @@ pub enum Problem {
     TooLong,
     /// The file ends before the table that its comment announces.
     CutOff,
+    /// A table is named as an element.
+    ElementTable,
     /// The parameter table refuses the value.
     Parameter(Fault),
 }
@@ -68,6 +70,9 @@ impl Problem {
             Problem::TooLong => "the list has more numbers than any parameter takes",
             Problem::CutOff => {
                 "the file was cut off: it ends before the [...] that its first comment announces; copy it again, or delete that comment"
+            }
+            Problem::ElementTable => {
+                "parameters stand above the first [table], in no table of their own; write them there and delete this heading"
             }
             Problem::Parameter(fault) => fault.reason.text(),
         }
@@ -157,6 +162,7 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
             return Err(at(Problem::Syntax));
         }
     }
+    reader.refuse_element_tables()?;
     if !has_format {
         return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::Format });
     }
@@ -334,6 +340,30 @@ impl<'a> Reader<'a> {
         run
     }
 
+    /// Goes on to the end of the text and refuses tables that are named as a group of parameters: these would keep their defaults without a word.
+    fn refuse_element_tables(&mut self) -> Result<(), ReadError> {
+        loop {
+            self.blank(true);
+            let line = self.line;
+            let is_heading = self.take(b'[');
+            // Of a list of tables too.
+            self.take(b'[');
+            self.blank(false);
+            if is_heading
+                && let Some(name) = self.name()
+                && GROUPS.iter().any(|group| group.name.as_bytes() == name)
+            {
+                return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::ElementTable });
+            }
+            while self.peek().is_some_and(|c| c != b'\n') {
+                self.advance();
+            }
+            if self.peek().is_none() {
+                return Ok(());
+            }
+        }
+    }
+
     fn name(&mut self) -> Option<&'a [u8]> {
         let run = self.run(|c| c.is_ascii_alphanumeric() || c == b'_');
         if run.is_empty() { None } else { Some(run) }
@@ -373,6 +403,7 @@ impl<'a> Reader<'a> {
 mod tests {
     use super::*;
     use crate::{element, list};
+    use std::format;
 
     const SMALL: &str = "\u{feff}# a damper\r\nformat = 1\nelements = [\"fv_curve\", # why\n \"gas_preload\",]\n\
         gas_force = 12.5 # N\nfv_interpolation = \"linear\"\nfv_velocity = [-1, 0,\n 1.0]\nfv_force=[-1e3,0.0,2_000]\n\
@@ -407,6 +438,26 @@ mod tests {
         }
         let cut = read(&whole.as_bytes()[..whole.find("1.93").unwrap()], &mut Params::new()).unwrap_err();
         assert!(cut.problem == Problem::CutOff && cut.line == 6, "{cut:?}");
+    }
+
+    #[test]
+    fn a_table_that_is_named_as_an_element_is_refused() {
+        let refused = |text: &str| read(text.as_bytes(), &mut Params::new()).unwrap_err();
+        let head = "format = 1\nelements = [\"fv_curve\"]\n";
+        for (rest, line) in [
+            ("[fv_curve]\nfv_form = \"piecewise\"\n", 3),
+            ("[identification]\ntests = [\n[1, 2],\n]\n\n  [ integration ]  # mine\nsubsteps = 2\n", 8),
+            ("[notes]\n[series_compliance.mine]", 4),
+            ("[[fv_curve]]", 3),
+        ] {
+            let error = refused(&format!("{head}{rest}"));
+            assert_eq!((error.line, error.problem), (line, Problem::ElementTable), "{rest}");
+        }
+        // Before what else is wrong: with its elements in tables a file says nothing above them.
+        assert_eq!(refused("[fv_curve]\n").problem, Problem::ElementTable);
+        for rest in ["[fv_curves]\n", "# [fv_curve]\n", "[notes]\nwhy = \"[fv_curve]\"\n"] {
+            assert!(read(format!("{head}{rest}").as_bytes(), &mut Params::new()).is_ok(), "{rest}");
+        }
     }
 
     #[test]

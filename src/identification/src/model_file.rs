@@ -330,8 +330,35 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     let wrong = |e: toml::de::Error| ModelFileError::Tables { file: file.clone(), why: e.to_string() };
     let names: BTreeMap<String, serde::de::IgnoredAny> = toml::from_str(text).map_err(wrong)?;
     let tables: Tables = toml::from_str(text).map_err(wrong)?;
-    let given = parameter::table().filter(|row| names.contains_key(row.parameter.name)).map(|row| row.index).collect();
+    let given: Vec<usize> =
+        parameter::table().filter(|row| names.contains_key(row.parameter.name)).map(|row| row.index).collect();
+    if given.is_empty() {
+        parameters_in_tables(text, path)?;
+    }
     Ok(ModelFile { params, identification: tables.identification, given })
+}
+
+/// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
+/// intervals under such names, are no damper's.
+fn parameters_in_tables(text: &str, path: &Path) -> Result<(), ModelFileError> {
+    let mut table = None;
+    for (at, line) in text.lines().enumerate() {
+        let line = line.trim_start();
+        if let Some(heading) = line.strip_prefix('[') {
+            table = Some(heading.split([']', '.']).next().unwrap_or("").trim());
+        }
+        let name = line.split('=').next().unwrap_or("").trim();
+        let is_of_a_fit = table.is_none_or(|table| table == "identification");
+        if !is_of_a_fit && line.contains('=') && parameter::find(name).is_some() {
+            return Err(ModelFileError::Line {
+                file: path.to_path_buf(),
+                line: at as u32 + 1,
+                subject: format!("{name}: "),
+                text: model_file::Problem::ElementTable.text().replace("this heading", "the heading of this one"),
+            });
+        }
+    }
+    Ok(())
 }
 
 fn name_of(parameter: u16) -> Option<&'static str> {
@@ -587,6 +614,23 @@ mod tests {
             of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
             Vec::<String>::new()
         );
+    }
+
+    #[test]
+    fn a_file_whose_parameters_all_stand_in_tables_is_refused() {
+        let of = |text: &str| of_text(&format!("format = 1\nelements = [\"fv_curve\"]\n{text}"), Path::new("m.toml"));
+        let error = of("[parameters]\n# 1\nfv_form = \"piecewise\"\n").unwrap_err().to_string();
+        assert!(error.starts_with("m.toml, line 5: fv_form: parameters stand above the first [table]"), "{error}");
+        let error = of("fv_form = \"table\"\n[fv_curve]\nfv_form = \"piecewise\"\n").unwrap_err().to_string();
+        assert!(error.starts_with("m.toml, line 4: parameters stand above the first [table]"), "{error}");
+        // What people keep beside a damper, and what a fit knows of it.
+        for rest in [
+            "substeps = 2\n[notes]\nsubsteps = 4\n",
+            "[notes]\nwhy = \"mine\"\n",
+            "[identification.intervals]\nfv_rebound_c1 = [1, 2]\n",
+        ] {
+            assert!(of(rest).is_ok(), "{rest}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Whether the step follows a mass that rings on its spring.
 
+use crate::limit::plain;
 use dashpot_core::Model;
 
 /// What must be known of a damper in steps of a host, s: that its mass rings and they do not follow it; nothing where they do.
@@ -14,10 +15,10 @@ pub fn remark(model: &Model, step: f64) -> Option<String> {
         };
         format!(
             "The mass inside rings on its series spring, which hardly anything damps, faster than the substeps of a host step of {} ms follow: {becomes}. \
-             Steps of {:.2e} ms or less follow it; the method automatic without substeps of its own follows it in the longest steps. If the real damper \
+             Steps of {} ms or less follow it; the method automatic without substeps of its own follows it in the longest steps. If the real damper \
              does not ring, give series_damping a value.",
             1e3 * step,
-            1e3 * longest
+            plain(1e3 * longest)
         )
     })
 }
@@ -73,7 +74,10 @@ mod tests {
             let longest = substeps / (3e6f64 / 0.5).sqrt();
             assert_eq!(remark(model, 0.999 * longest), None);
             let told = remark(model, 1.001 * longest).unwrap();
-            assert!(told.contains("rings") && told.contains(&format!("{:.2e} ms or less", 1e3 * longest)), "{told}");
+            assert!(
+                told.contains("rings") && told.contains(&format!("Steps of {} ms or less", plain(1e3 * longest))),
+                "{told}"
+            );
         }
     }
 }

@@ -20,6 +20,7 @@ pub mod chatter;
 pub mod comparison;
 pub mod followed;
 pub mod imposed_motion;
+mod limit;
 pub mod prediction;
 pub mod stiffness;
 pub mod vehicle;

@@ -5,6 +5,7 @@ use super::host_loop::HALVINGS;
 use super::in_host::{Chatter, GROWS, RINGS};
 use super::situation::{COLD, PLACES, SIDE_FORCE, STOP_FORCE};
 use super::softened::{FRICTION, Softened, Softer};
+use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
@@ -87,14 +88,6 @@ impl Chatter {
              dashpot_step gives (implicit){softer}."
         )
     }
-}
-
-/// A number with two digits behind the first that is not 0.
-fn plain(number: f64) -> String {
-    let digits = (2.0 - libm::log10(number.abs().max(1e-9)).floor()).clamp(0.0, 9.0) as usize;
-    // Never more than it is: it is a limit.
-    let scale = 10f64.powi(digits as i32);
-    format!("{}", (number * scale * (1.0 + 1e-12)).floor() / scale)
 }
 
 impl Softened {
