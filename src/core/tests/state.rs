@@ -226,3 +226,39 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
         assert!((force - wanted).abs() < 5e-3 * wanted, "{method:?}: {force} of {wanted} at {v} m/s");
     }
 }
+
+/// Behind a groove a valve that is nearly shut takes so much more force that its state went to and fro for ever: the static force was 83 kN, of valves
+/// that made 0.3.
+#[test]
+fn a_static_answer_is_balanced_where_a_state_overshoots_what_it_is_drawn_to() {
+    let mut p = params(&[
+        ("bypass_share", -4.0),
+        ("bypass_centre", 1.5991e-4),
+        ("bypass_half_width", 0.45479),
+        ("bypass_blend", 5e-4),
+        ("bypass_form", 1.0),
+        ("bypass_flow", 0.236584),
+        ("fsd_share", 0.84012),
+        ("series_stiffness", 1.41e6),
+    ]);
+    p.enable(element!("position_dependent_damping"), true);
+    p.enable(element!("frequency_selective_damping"), true);
+    for knee in [-0.004, 0.001, 0.0088, 0.02] {
+        p.set_list(list!("fv_velocity"), &[-0.05, knee, 0.05]).unwrap();
+        p.set_list(list!("fv_force"), &[-2e4, -2e4, 2e4]).unwrap();
+        let model = Model::new(&p).unwrap();
+        for x in [-0.3, -0.02, 0.0, 1e-3, 0.03, 0.2] {
+            let hold = Input::motion(x, 0.0);
+            let at = model.static_output(&hold);
+            let beside = at.friction_force + at.gas_force;
+            let left = at.force - beside - at.primary_force - at.spring_force;
+            assert!(left.abs() < 1e-6 * (at.primary_force.abs() + 1.0), "{knee} {x}: {at:?}");
+            let mut state = model.settled(&hold);
+            for _ in 0..2000 {
+                state = step(&model, &state, &hold, 1e-3).0;
+            }
+            let held = step(&model, &state, &hold, 1e-3).1;
+            assert!((held.force - at.force).abs() < 1e-5 * 2e4, "{knee} {x}: {held:?}, static {at:?}");
+        }
+    }
+}

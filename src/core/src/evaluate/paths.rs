@@ -260,12 +260,18 @@ impl Instant {
     }
 }
 
+/// Rounds in which states and force are brought together, and those of them in which a state goes where it is drawn. What still goes to and fro then
+/// is kept in a bracket: behind a groove a valve that is nearly shut takes so much more force that its state overshoots by more in every round.
+const TOGETHER: usize = 200;
+const DRAWN: usize = 40;
+
 /// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
 pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
     // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
     let mut force = 0.0;
-    for _ in 0..200 {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for round in 0..TOGETHER {
         // No spring moves the oil.
         let side_force = 0.0;
         let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
@@ -298,6 +304,18 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
         } else {
             flow.selective_target.value
         };
+        let (from, to) = (states[place::SELECTIVE], held[place::SELECTIVE]);
+        if round >= DRAWN && to != from {
+            if to > from {
+                low = from;
+            } else {
+                high = from;
+            }
+            let inside = to > low && to < high;
+            if (!inside || round % 2 == 0) && low.is_finite() && high.is_finite() {
+                held[place::SELECTIVE] = 0.5 * (low + high);
+            }
+        }
         held[place::VALVE] = e.valve_hysteresis.rests(flow.before_valve.value, states[place::VALVE]);
         let still = held == states && force == flow_force;
         force = flow_force;
