@@ -261,7 +261,8 @@ impl Instant {
 }
 
 /// Rounds in which states and force are brought together, and those of them in which a state goes where it is drawn. What still goes to and fro then
-/// is kept in a bracket: behind a groove a valve that is nearly shut takes so much more force that its state overshoots by more in every round.
+/// is kept in a bracket: behind a groove a valve that is nearly shut takes so much more force that its state overshoots by more in every round. A late
+/// valve beside it moves the bracket with every round, so there is none then.
 const TOGETHER: usize = 200;
 const DRAWN: usize = 40;
 
@@ -305,7 +306,7 @@ pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STA
             flow.selective_target.value
         };
         let (from, to) = (states[place::SELECTIVE], held[place::SELECTIVE]);
-        if round >= DRAWN && to != from {
+        if round >= DRAWN && to != from && !e.has_valve() {
             if to > from {
                 low = from;
             } else {

@@ -622,7 +622,8 @@ class Damper:
         p, on = self.p, self.on
         states = {"cavitation_void": 0.0, "frequency_selective_damping": 0.0, "valve_hysteresis": 0.0}
         f_h = 0.0
-        for _ in range(200):
+        low, high = -math.inf, math.inf
+        for turn in range(200):
             n = lambda w: self.valves(w, x, temperature, states)[3]
             before = (dict(states), f_h)
             without = lambda w: w + self.beside(n(w), x, states) - v
@@ -633,7 +634,13 @@ class Damper:
             w = root_of(whole, v) if self.flows() else v
             a_2, a_3, _, f_h = self.valves(w, x, temperature, states)
             if "frequency_selective_damping" in on:
-                states["frequency_selective_damping"] = self.resting_selective(w, f_h, a_3)
+                held = states["frequency_selective_damping"]
+                drawn = self.resting_selective(w, f_h, a_3)
+                if turn >= 40 and drawn != held and "valve_hysteresis" not in on:
+                    low, high = (held, high) if drawn > held else (low, held)
+                    if (not low < drawn < high or turn % 2 == 0) and math.isfinite(low) and math.isfinite(high):
+                        drawn = 0.5 * (low + high)
+                states["frequency_selective_damping"] = drawn
             if "valve_hysteresis" in on:
                 y = states["valve_hysteresis"]
                 states["valve_hysteresis"] = self.opening(a_2, y)[0] if p["valve_form"] == "opening" else a_2
