@@ -39,12 +39,9 @@ pub use ready::{Figures, HostError, Ready};
 pub use situation::Situation;
 pub use softened::{Softened, Softer, softened};
 
-use crate::followed;
-use dashpot_core::{Model, Params};
+use dashpot_core::Params;
 
 /// What must be known beside an export of a damper: how it chatters, where it does in that host, and whether its step follows the mass inside.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
-    let chatters = chatter(params, host).ok().and_then(|c| c.remark(host));
-    let unfollowed = Model::new(params).ok().and_then(|model| followed::remark(&model, host.step));
-    chatters.into_iter().chain(unfollowed).collect()
+    Ready::of(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

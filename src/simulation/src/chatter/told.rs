@@ -19,11 +19,6 @@ impl Chatter {
         self.gain >= GROWS || self.turning.is_some()
     }
 
-    /// What must be known of it beside an export: nothing where it does not chatter.
-    pub fn remark(&self, host: Host) -> Option<String> {
-        self.rings().then(|| self.told(host, false))
-    }
-
     /// What to know of it, in sentences; `softened` where `--for-step` was asked for already.
     pub fn told(&self, host: Host, softened: bool) -> String {
         let Host { step, mass } = host;
